@@ -119,4 +119,8 @@ void setGradedWithMouse(SessionContext& session, bool graded) {
   setCentreSetting(session, "graded_with_mouse", graded ? "yes" : "no");
 }
 
+void setSoundAtLimit(SessionContext& session, bool sound) {
+  setCentreSetting(session, "sound_at_limit", sound ? "yes" : "no");
+}
+
 }  // namespace torsio

@@ -34,5 +34,8 @@ void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min);
 
 /// Whether runs with mouse and keyboard may be graded ("graded_with_mouse"). Audited. kSettingsEdit.
 void setGradedWithMouse(SessionContext& session, bool graded);
+/// Whether a sound tells that a limit is reached ("sound_at_limit"); off where nothing is set: in a room with
+/// several stations it disturbs the others. Audited. kSettingsEdit.
+void setSoundAtLimit(SessionContext& session, bool sound);
 
 }  // namespace torsio

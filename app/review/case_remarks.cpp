@@ -19,9 +19,11 @@ std::vector<CaseRemark> caseRemarks(SessionContext& session, const AssignmentId&
   if (assignment.trialId.empty()) {
     return own;
   }
-  for (const Remark& remark : RemarkRepository(session.connection()).remarks(assignment.trialId)) {
+  const RemarkRepository remarks(session.connection());
+  auto earlier = remarks.earlierWordings(assignment.trialId);
+  for (const Remark& remark : remarks.remarks(assignment.trialId)) {
     if (remark.author == session.actor().userId && remark.purpose != "reply") {
-      own.push_back({remark.time_us, remark.text});
+      own.push_back({remark.time_us, remark.text, remark.id, remark.editedUtc_us, earlier[remark.id]});
     }
   }
   return own;
@@ -52,6 +54,26 @@ void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, co
                 .objectKind = AuditObject::kTrialRemark,
                 .objectId = stored.id,
                 .newJson = {}});
+  transaction.commit();
+}
+
+void editCaseRemark(SessionContext& session, const AssignmentId& assignmentId, const RemarkId& remarkId,
+                    const std::string& text) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  RemarkRepository remarks(session.connection());
+  const std::optional<Remark> remark = remarks.find(remarkId);
+  if (!remark || assignment.trialId.empty() || remark->trialId != assignment.trialId) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("this case has no such remark"),
+                Text::tr("case %1", assignment.caseLabel), Text::tr("Open the case again"));
+  }
+  const Actor& actor = session.actor();
+  const RemarkRevision revision = revisionOf(*remark, actor.userId, actor.personId, text, session.now_us());
+  Transaction transaction(session.connection());
+  remarks.revise(revision);
+  session.note({.action = AuditAction::kRemarkAdd,
+                .objectKind = AuditObject::kTrialRemark,
+                .objectId = remark->id,
+                .newJson = revisionNote(revision)});
   transaction.commit();
 }
 

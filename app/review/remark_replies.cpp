@@ -19,20 +19,24 @@ std::vector<RemarkReply> repliesToMe(SessionContext& session) {
   std::vector<RemarkReply> replies;
   for (const Remark& reply : unread) {
     const std::optional<Remark> remark = repository.find(reply.replyTo);
-    replies.push_back({reply.id, remark ? remark->text : std::string(), reply.text, reply.time_us});
+    replies.push_back(
+        {reply.id, remark ? remark->text : std::string(), reply.text, reply.version, reply.time_us});
   }
   return replies;
 }
 
-void markReplyRead(SessionContext& session, const std::string& replyId) {
+void markReplyRead(SessionContext& session, const std::string& replyId, std::int64_t version) {
   const std::vector<RemarkReply> mine = repliesToMe(session);
-  if (std::none_of(mine.begin(), mine.end(), [&](const RemarkReply& one) { return one.id == replyId; })) {
+  if (std::none_of(mine.begin(), mine.end(), [&](const RemarkReply& one) {
+        return one.id == replyId && version >= 1 && version <= one.version;
+      })) {
     throw Error(ErrorCode::kBadParameter, Text::tr("there is no such answer"), replyId,
                 Text::tr("Open the list again"));
   }
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
       .markRead({.remarkId = replyId,
+                 .version = version,
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});

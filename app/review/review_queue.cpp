@@ -22,6 +22,8 @@ constexpr std::int64_t kPaceCases = 20;
 constexpr std::size_t kFewestForPace = 3;
 constexpr double kMinuteForTheSheet = 1.0;
 constexpr double kLiveCase_min = 4.0;
+constexpr double kShortSitting_min = 10.0;
+constexpr std::int64_t kAllCases = 1'000'000;
 constexpr double kMinute_us = 60e6;
 
 /// Minutes a case takes this rater; empty before there are enough of them.
@@ -33,6 +35,20 @@ std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) 
   const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
   std::nth_element(times_us.begin(), middle, times_us.end());
   return static_cast<double>(*middle) / kMinute_us;
+}
+
+/// How many of the lines, taken in their order, fit into a short sitting.
+std::size_t fittingCases(const std::vector<QueueLine>& lines) {
+  double needed_min = 0.0;
+  std::size_t cases = 0;
+  for (const QueueLine& line : lines) {
+    needed_min += line.estimate_min;
+    if (line.state == SheetState::kSubmitted || needed_min > kShortSitting_min) {
+      break;
+    }
+    ++cases;
+  }
+  return cases;
 }
 
 std::vector<QueueLine> allLines(SessionContext& session, const std::optional<double>& pace_min) {
@@ -96,6 +112,10 @@ ReviewQueue reviewQueue(SessionContext& session) {
   // Submitted ones sink to the end; the rest keeps the rater's own order.
   std::stable_partition(queue.lines.begin(), queue.lines.end(),
                         [](const QueueLine& line) { return line.state != SheetState::kSubmitted; });
+  queue.inTenMinutes = fittingCases(queue.lines);
+  for (const std::int64_t worked_us : desk.workingTimes_us(session.actor().personId, kAllCases)) {
+    queue.worked_us += worked_us;
+  }
   for (const SheetState wanted : {SheetState::kDraft, SheetState::kOpen}) {
     const auto found = std::find_if(queue.lines.begin(), queue.lines.end(),
                                     [wanted](const QueueLine& line) { return line.state == wanted; });

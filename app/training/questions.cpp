@@ -2,6 +2,7 @@
 #include "app/training/questions.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "app/recording/detorsion_rules.h"
@@ -107,7 +108,8 @@ QuestionDesk questionDesk(SessionContext& session, const TrialId& trialId) {
                               .askedUtc_us = stored.askedUtc_us,
                               .answered = !stored.answerId.empty(),
                               .answer = stored.answerText,
-                              .answeredUtc_us = stored.answeredUtc_us});
+                              .answeredUtc_us = stored.answeredUtc_us,
+                              .answerEditedUtc_us = stored.answerEditedUtc_us});
   }
   return desk;
 }
@@ -150,6 +152,10 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
   for (const TraineeQuestion& stored :
        QuestionRepository(session.connection()).toRater(session.actor().personId)) {
     const std::optional<Person> person = people.find(stored.personId);
+    std::map<RemarkId, std::vector<RemarkWording>> earlier;
+    if (stored.answerEditedUtc_us != 0) {
+      earlier = RemarkRepository(session.connection()).earlierWordings(stored.trialId);
+    }
     questions.push_back({.id = stored.remarkId,
                          .trainee = nameOf(people, stored.personId, person ? person->code : ""),
                          .moduleTitle = moduleTitle(session, stored.trialId),
@@ -158,7 +164,10 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
                          .text = stored.text,
                          .askedUtc_us = stored.askedUtc_us,
                          .answered = !stored.answerId.empty(),
-                         .answer = stored.answerText});
+                         .answer = stored.answerText,
+                         .answeredUtc_us = stored.answeredUtc_us,
+                         .answerEditedUtc_us = stored.answerEditedUtc_us,
+                         .earlierAnswers = std::move(earlier[stored.answerId])});
   }
   return questions;
 }
@@ -202,6 +211,25 @@ void answerQuestion(SessionContext& session, const RemarkId& questionId, const s
   session.note({.action = AuditAction::kQuestionAnswer,
                 .objectKind = AuditObject::kTrialQuestion,
                 .objectId = questionId});
+  transaction.commit();
+}
+
+void editAnswer(SessionContext& session, const RemarkId& questionId, const std::string& text) {
+  const TraineeQuestion question = questionToMe(session, questionId);
+  RemarkRepository remarks(session.connection());
+  const std::optional<Remark> answer = remarks.find(question.answerId);
+  if (!answer) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("this question has no answer yet"), questionId,
+                Text::tr("Answer it first"));
+  }
+  const Actor& actor = session.actor();
+  const RemarkRevision revision = revisionOf(*answer, actor.userId, actor.personId, text, session.now_us());
+  Transaction transaction(session.connection());
+  remarks.revise(revision);
+  session.note({.action = AuditAction::kRemarkAdd,
+                .objectKind = AuditObject::kTrialRemark,
+                .objectId = answer->id,
+                .newJson = revisionNote(revision)});
   transaction.commit();
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "app/training/debrief.h"
+#include "assessment/rating/remark.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -28,6 +29,7 @@ struct OwnQuestion {
   bool answered = false;
   std::string answer{};
   std::int64_t answeredUtc_us = 0;
+  std::int64_t answerEditedUtc_us = 0;  ///< 0: never edited
 };
 
 /// What may be asked about one own run.
@@ -59,6 +61,9 @@ struct PhysicianQuestion {
   std::int64_t askedUtc_us = 0;
   bool answered = false;
   std::string answer{};
+  std::int64_t answeredUtc_us = 0;
+  std::int64_t answerEditedUtc_us = 0;          ///< 0: never edited
+  std::vector<RemarkWording> earlierAnswers{};  ///< what was answered before, oldest first
 };
 /// What this physician was asked: what waits first, oldest first. kTrialViewAssigned.
 [[nodiscard]] std::vector<PhysicianQuestion> questionsToMe(SessionContext& session);
@@ -68,5 +73,8 @@ struct PhysicianQuestion {
 /// A remark at the moment of the question, for the trainee to read at once. Audited. kTrialViewAssigned; the
 /// question must be to the actor. Throws Error{kBadParameter} for an empty text.
 void answerQuestion(SessionContext& session, const RemarkId& questionId, const std::string& text);
+/// New words for one's answer, beside the old ones. Audited. kTrialViewAssigned; the question must be to the
+/// actor. Throws Error{kBadParameter} while it has no answer, and as revisionOf() does.
+void editAnswer(SessionContext& session, const RemarkId& questionId, const std::string& text);
 
 }  // namespace torsio

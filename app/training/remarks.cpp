@@ -63,30 +63,60 @@ class Release {
   std::map<std::string, std::vector<AssignmentStatus>> asked_;
 };
 
-TraineeRemark shown(const Remark& stored, const std::set<std::string>& read, const Actor& actor) {
+/// What is known of the remarks of one trial besides themselves.
+struct AboutRemarks {
+  std::set<RemarkId> answered;            ///< questions with an answer
+  std::map<RemarkId, std::int64_t> read;  ///< the newest version that the actor has read
+  std::map<RemarkId, std::vector<RemarkWording>> earlier;
+};
+
+AboutRemarks aboutRemarks(SessionContext& session, const TrialId& trialId) {
+  const RemarkRepository repository(session.connection());
+  AboutRemarks about;
+  about.earlier = repository.earlierWordings(trialId);
+  for (const ReadReceipt& receipt : repository.receipts(trialId)) {
+    if (receipt.reader == session.actor().userId) {
+      std::int64_t& version = about.read[receipt.remarkId];
+      version = std::max(version, receipt.version);
+    }
+  }
+  for (const TraineeQuestion& question : QuestionRepository(session.connection()).ofTrial(trialId)) {
+    if (!question.answerId.empty()) {
+      about.answered.insert(question.remarkId);
+    }
+  }
+  return about;
+}
+
+TraineeRemark shown(const Remark& stored, const AboutRemarks& about, const Actor& actor) {
   const bool own = stored.author == actor.userId || stored.authorPersonId == actor.personId;
+  const auto read = about.read.find(stored.id);
+  const auto earlier = about.earlier.find(stored.id);
   return {.id = stored.id,
           .trialId = stored.trialId,
           .at_s = static_cast<double>(stored.time_us) * 1e-6,
           .text = stored.text,
+          .version = stored.version,
           .writtenUtc_us = stored.createdUtc_us,
+          .editedUtc_us = stored.editedUtc_us,
+          .earlier = earlier == about.earlier.end() ? std::vector<RemarkWording>() : earlier->second,
           .own = own,
-          .read = own || read.contains(stored.id)};
+          .read = own || (read != about.read.end() && read->second >= stored.version)};
 }
 
 /// Answers stand below what they answer, also answers to answers. A question that was answered begins a
 /// thread like a physician's remark.
-std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const std::set<std::string>& answered,
-                                   const std::set<std::string>& read, const Actor& actor) {
+std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const AboutRemarks& about,
+                                   const Actor& actor) {
   std::map<std::string, std::string> rootOf;
   std::vector<TraineeRemark> roots;
   for (const Remark& stored : all) {
-    const bool question = answered.contains(stored.id);
+    const bool question = about.answered.contains(stored.id);
     if (stored.purpose != "remark" && !question) {
       continue;
     }
     rootOf[stored.id] = stored.id;
-    roots.push_back(shown(stored, read, actor));
+    roots.push_back(shown(stored, about, actor));
     roots.back().question = question;
   }
   std::vector<Remark> replies;
@@ -105,7 +135,7 @@ std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const std::se
     rootOf[reply.id] = root->second;
     for (TraineeRemark& remark : roots) {
       if (remark.id == root->second) {
-        remark.replies.push_back(shown(reply, read, actor));
+        remark.replies.push_back(shown(reply, about, actor));
       }
     }
   }
@@ -113,13 +143,6 @@ std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const std::se
 }
 
 TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, const TrialListing& trial) {
-  RemarkRepository repository(session.connection());
-  std::set<std::string> read;
-  for (const ReadReceipt& receipt : repository.receipts(trial.trialId)) {
-    if (receipt.reader == session.actor().userId) {
-      read.insert(receipt.remarkId);
-    }
-  }
   TrialRemarks out;
   out.trialId = trial.trialId;
   if (const TrainingModule* module = record.module(trial.moduleId)) {
@@ -127,13 +150,8 @@ TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, con
   }
   out.phaseLabel = trial.phaseLabel;
   out.startedUtc_us = trial.startedUtc_us;
-  std::set<std::string> answered;
-  for (const TraineeQuestion& question : QuestionRepository(session.connection()).ofTrial(trial.trialId)) {
-    if (!question.answerId.empty()) {
-      answered.insert(question.remarkId);
-    }
-  }
-  out.remarks = threads(repository.remarks(trial.trialId), answered, read, session.actor());
+  out.remarks = threads(RemarkRepository(session.connection()).remarks(trial.trialId),
+                        aboutRemarks(session, trial.trialId), session.actor());
   for (const TraineeRemark& remark : out.remarks) {
     if (!remark.read) {
       ++out.unread;
@@ -265,11 +283,16 @@ std::size_t unreadRemarks(SessionContext& session) {
   }));
 }
 
-void markRemarkRead(SessionContext& session, const RemarkId& remarkId) {
+void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int64_t version) {
   const Remark remark = visibleRemark(session, remarkId);
+  if (version < 1 || version > remark.version) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such version of the remark"), remarkId,
+                Text::tr("Open the list again"));
+  }
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
       .markRead({.remarkId = remark.id,
+                 .version = version,
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
@@ -302,6 +325,19 @@ RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const 
       {.action = AuditAction::kRemarkReply, .objectKind = AuditObject::kTrialRemark, .objectId = id});
   transaction.commit();
   return id;
+}
+
+void editRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
+  const Remark remark = visibleRemark(session, remarkId);
+  const Actor& actor = session.actor();
+  const RemarkRevision revision = revisionOf(remark, actor.userId, actor.personId, text, session.now_us());
+  Transaction transaction(session.connection());
+  RemarkRepository(session.connection()).revise(revision);
+  session.note({.action = AuditAction::kRemarkAdd,
+                .objectKind = AuditObject::kTrialRemark,
+                .objectId = remark.id,
+                .newJson = revisionNote(revision)});
+  transaction.commit();
 }
 
 ScoreGap scoreGap(SessionContext& session, const TrialId& trialId) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/rating/remark.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -16,11 +17,14 @@ struct TraineeRemark {
   RemarkId id{};
   TrialId trialId{};
   double at_s = 0.0;
-  std::string text{};
+  std::string text{};  ///< the newest words
+  std::int64_t version = 1;
   std::int64_t writtenUtc_us = 0;
-  bool own = false;       ///< written by the trainee (a reply, or a question)
-  bool question = false;  ///< the trainee's question to a named physician
-  bool read = false;
+  std::int64_t editedUtc_us = 0;         ///< 0: never edited
+  std::vector<RemarkWording> earlier{};  ///< what stood there before, oldest first
+  bool own = false;                      ///< written by the trainee (a reply, or a question)
+  bool question = false;                 ///< the trainee's question to a named physician
+  bool read = false;                     ///< the newest words
   std::vector<TraineeRemark> replies{};
 };
 
@@ -39,10 +43,14 @@ struct TrialRemarks {
 [[nodiscard]] std::vector<TrialRemarks> ownRemarks(SessionContext& session);
 /// Remarks that may be seen and were not read yet. kTrialViewOwn.
 [[nodiscard]] std::size_t unreadRemarks(SessionContext& session);
-/// Audited. kTrialViewOwn.
-void markRemarkRead(SessionContext& session, const RemarkId& remarkId);
+/// Notes that the actor has read a version of a remark. Audited. kTrialViewOwn.
+void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int64_t version);
 /// Returns the id of the reply. Audited. kTrialViewOwn. Throws Error{kBadParameter} for an empty text.
 RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text);
+
+/// New words for an own reply or question, beside the old ones. Audited. kTrialViewOwn. Throws Error as
+/// revisionOf() does.
+void editRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text);
 
 /// One row of a sheet beside the trainee's own answer; points, not steps.
 struct ScoreGapRow {

@@ -322,4 +322,14 @@ bool gradesWithMouse(SessionContext& session) {
   return SettingRepository(session.connection()).value("graded_with_mouse") == "yes";
 }
 
+bool soundsAtLimit(SessionContext& session) {
+  session.require(Operation::kPractice);
+  return SettingRepository(session.connection()).value("sound_at_limit") == "yes";
+}
+
+bool RunSession::firstEver() const noexcept {
+  return std::none_of(steps_.modules.begin(), steps_.modules.end(),
+                      [](const ModuleStep& step) { return step.last.has_value(); });
+}
+
 }  // namespace torsio

@@ -49,6 +49,8 @@ class RunSession {
   [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
   [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
   [[nodiscard]] bool graded() const noexcept { return graded_; }
+  /// Whether the trainee has not tried any module before.
+  [[nodiscard]] bool firstEver() const noexcept;
   /// What is practised in the present phase.
   [[nodiscard]] const TrainingModule& module() const;
 
@@ -109,5 +111,7 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
 
 /// Whether the centre grades runs with mouse and keyboard (setting "graded_with_mouse": "yes").
 [[nodiscard]] bool gradesWithMouse(SessionContext& session);
+/// Whether a sound tells that a limit is reached (setting "sound_at_limit": "yes"); else the sentence alone.
+[[nodiscard]] bool soundsAtLimit(SessionContext& session);
 
 }  // namespace torsio

@@ -281,6 +281,20 @@
             <numerusform>%n attempts left</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>One run</numerusform>
+            <numerusform>%n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s)</source>
+        <translation>
+            <numerusform>one twist</numerusform>
+            <numerusform>%n twists</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::PeopleDialog</name>
@@ -306,6 +320,16 @@
         <translation>
             <numerusform>%n trainee in each group; %1 when scores are adjusted for the score before</numerusform>
             <numerusform>%n trainees in each group; %1 when scores are adjusted for the score before</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::QueuePage</name>
+    <message numerus="yes">
+        <source>%n case(s) fit into ten minutes, %1</source>
+        <translation>
+            <numerusform>One case fits into ten minutes, %1</numerusform>
+            <numerusform>%n cases fit into ten minutes, %1</numerusform>
         </translation>
     </message>
 </context>

@@ -13160,6 +13160,74 @@ audit trail %3</source>
         <source>Kappa is agreement beyond what the raters&apos; own habits would give; a distance counts by its square. One pair far below the others names raters who should talk: see their severity.</source>
         <translation>κ 表示超出评分者各自习惯所能给出的一致性；差距按平方计。某一对远低于其他对时，这两位评分者应当沟通：参见其严格度。</translation>
     </message>
+    <message>
+        <source>there is no simulated trainee here</source>
+        <translation>这里没有模拟学员</translation>
+    </message>
+    <message>
+        <source>people</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Set up a centre with a demonstration cohort, or look round before the first set-up</source>
+        <translation>请在设置中心时加入演示队列，或在首次设置之前先随意看看</translation>
+    </message>
+    <message>
+        <source>this case has no such remark</source>
+        <translation>该案例没有这条评语</translation>
+    </message>
+    <message>
+        <source>Open the case again</source>
+        <translation>请重新打开该案例</translation>
+    </message>
+    <message>
+        <source>this question has no answer yet</source>
+        <translation>该提问尚无答复</translation>
+    </message>
+    <message>
+        <source>Answer it first</source>
+        <translation>请先答复</translation>
+    </message>
+    <message>
+        <source>there is no such version of the remark</source>
+        <translation>评语没有这个版本</translation>
+    </message>
+    <message>
+        <source>somebody else wrote this remark</source>
+        <translation>这条评语是别人写的</translation>
+    </message>
+    <message>
+        <source>Edit one of your own</source>
+        <translation>请修改您自己的评语</translation>
+    </message>
+    <message>
+        <source>this remark has no words</source>
+        <translation>这条评语没有文字</translation>
+    </message>
+    <message>
+        <source>Write a new one</source>
+        <translation>请另写一条</translation>
+    </message>
+    <message>
+        <source>the new words are missing</source>
+        <translation>缺少新的文字</translation>
+    </message>
+    <message>
+        <source>Write what you want to say; a remark is not taken away</source>
+        <translation>请写下要说的内容；评语不能撤销</translation>
+    </message>
+    <message>
+        <source>the words are the same</source>
+        <translation>文字没有变化</translation>
+    </message>
+    <message>
+        <source>Change them, or leave the remark as it is</source>
+        <translation>请修改文字，或保持原样</translation>
+    </message>
+    <message>
+        <source>this version of the remark</source>
+        <translation>评语的这个版本</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -13593,6 +13661,10 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <source>T&amp;o</source>
         <translation>收件人(&amp;O)</translation>
     </message>
+    <message>
+        <source>%1  ·  %2 answered on %3, edited since</source>
+        <translation>%1  ·  %2 于 %3 答复，之后修改过</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AuditPage</name>
@@ -13868,6 +13940,46 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>
             <numerusform>至少扭转 %n 次。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the jaw goes to the marked band.</source>
+        <translation>钳口移向标记的环带。</translation>
+    </message>
+    <message>
+        <source>it touches, and the jaw closes.</source>
+        <translation>接触组织，钳口夹紧。</translation>
+    </message>
+    <message>
+        <source>it holds the turned part and turns it back.</source>
+        <translation>夹住扭转的部分并将其转回。</translation>
+    </message>
+    <message>
+        <source>on target; it holds still before it lets go.</source>
+        <translation>已到目标；松开之前保持不动。</translation>
+    </message>
+    <message>
+        <source>one even turn, slower towards the target.</source>
+        <translation>一次平稳的转动，接近目标时放慢。</translation>
+    </message>
+    <message>
+        <source>hands off: does it stay undone, does blood flow?</source>
+        <translation>松手观察：是否不再回转，血流是否恢复？</translation>
+    </message>
+    <message>
+        <source>the jaw opens gently; the organ turns back by itself.</source>
+        <translation>钳口轻轻张开；器官自行回转。</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s run: it is over. Watch again, or start.</source>
+        <translation>专家操作已结束。可以再看一遍，或开始操作。</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s run: %1</source>
+        <translation>专家操作：%1</translation>
+    </message>
+    <message>
+        <source>S&amp;low motion</source>
+        <translation>慢动作(&amp;L)</translation>
     </message>
 </context>
 <context>
@@ -14372,10 +14484,6 @@ MSM = 质点弹簧</translation>
         <translation>没有可重做的操作</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
         <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
     </message>
@@ -14414,6 +14522,30 @@ MSM = 质点弹簧</translation>
     <message>
         <source>The panel&apos;s marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.</source>
         <translation>评分组的评分已公开：您可说明理由后调整评分，该调整会标记为在公开之后作出。两个版本都会保留。</translation>
+    </message>
+    <message>
+        <source>Auto-advance</source>
+        <translation>自动前进</translation>
+    </message>
+    <message>
+        <source>After each figure the next row is marked by itself</source>
+        <translation>每次打分后自动选中下一行</translation>
+    </message>
+    <message>
+        <source>Edit the nearest remark of yours</source>
+        <translation>修改您最近位置的评语</translation>
+    </message>
+    <message>
+        <source>%1 (edited)</source>
+        <translation>%1（已修改）</translation>
+    </message>
+    <message>
+        <source>%1, until it was edited: %2</source>
+        <translation>%1，修改之前：%2</translation>
+    </message>
+    <message>
+        <source>A click on the time edits the words (Shift+R: the nearest); the old ones are kept.</source>
+        <translation>点击时间即可修改文字（Shift+R：最近的一条）；原文保留。</translation>
     </message>
 </context>
 <context>
@@ -15658,6 +15790,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>About Torsio</source>
         <translation>关于 Torsio</translation>
+    </message>
+    <message>
+        <source>Enter as a simulated trainee</source>
+        <translation>以模拟学员身份进入</translation>
     </message>
 </context>
 <context>
@@ -17658,6 +17794,10 @@ Leave it empty to remove it.</source>
         <source>Everybody here is simulated. Sign out, and all of it is gone</source>
         <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
     </message>
+    <message>
+        <source>You are a simulated trainee. Sign out to become yourself again</source>
+        <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MaintenancePage</name>
@@ -18448,6 +18588,34 @@ Leave it empty to remove it.</source>
             <numerusform>还剩 %n 次尝试</numerusform>
         </translation>
     </message>
+    <message>
+        <source>This session</source>
+        <translation>本次训练</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s)</source>
+        <translation>
+            <numerusform>%n 次操作</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s)</source>
+        <translation>
+            <numerusform>%n 次扭转</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 released on target</source>
+        <translation>%1 次达标释放</translation>
+    </message>
+    <message>
+        <source>Your best twist: %1° off a target of %2°, at %3 of “%4”.</source>
+        <translation>最佳扭转：与目标 %2° 相差 %1°，位于“%4”的 %3。</translation>
+    </message>
+    <message>
+        <source>The organ at your best twist</source>
+        <translation>最佳扭转时的器官</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::OrderedList</name>
@@ -18826,6 +18994,14 @@ Leave it empty to remove it.</source>
         <source>The answer is with %1</source>
         <translation>回答已送达 %1</translation>
     </message>
+    <message>
+        <source>Your last answers to trainees</source>
+        <translation>您最近给学员的答复</translation>
+    </message>
+    <message>
+        <source>You answered %1</source>
+        <translation>您答复 %1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::QueuePage</name>
@@ -18984,6 +19160,20 @@ Leave it empty to remove it.</source>
     <message>
         <source>Cases that will be called to the real arm: %1. The sheet follows the call.</source>
         <translation>将被呼叫到实物手臂的案例：%1。评分表会随呼叫打开。</translation>
+    </message>
+    <message>
+        <source>%1, in %2 of your time: thank you</source>
+        <translation>%1，共用您 %2，谢谢</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n case(s) fit into ten minutes, %1</source>
+        <translation>
+            <numerusform>十分钟内可完成 %n 个案例，%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分钟</translation>
     </message>
 </context>
 <context>
@@ -19342,6 +19532,37 @@ Leave it empty to remove it.</source>
     <message>
         <source>You are pressing too deep: draw back</source>
         <translation>压得过深：请退回</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RemarkWords</name>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>修改</translation>
+    </message>
+    <message>
+        <source>New words; the old ones are kept</source>
+        <translation>新的文字；原文保留</translation>
+    </message>
+    <message>
+        <source>edited %1</source>
+        <translation>%1 修改</translation>
+    </message>
+    <message>
+        <source>Shows what stood there before</source>
+        <translation>显示修改之前的文字</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -21115,6 +21336,10 @@ Leave it empty to remove it.</source>
             <numerusform>扭转 %1 / %n</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Guide me</source>
+        <translation>引导我</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ScaleFields</name>
@@ -22242,6 +22467,10 @@ T-02,master,17</translation>
         <source>A password that was &amp;entered signs for</source>
         <translation>输入一次密码可签名(&amp;E)</translation>
     </message>
+    <message>
+        <source>A sound when a l&amp;imit is reached (not in a room that is shared)</source>
+        <translation>达到限值时发出提示音（不宜用于共用的房间）(&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StressLegend</name>
@@ -22615,6 +22844,89 @@ T-02,master,17</translation>
     <message>
         <source>Use another database…</source>
         <translation>使用其他数据库…</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TwistGuide</name>
+    <message>
+        <source>Your first twist</source>
+        <translation>第一次扭转</translation>
+    </message>
+    <message>
+        <source>Your first twist: movement %1 of %2</source>
+        <translation>第一次扭转：第 %1 个动作，共 %2 个</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
+    </message>
+    <message>
+        <source>It came loose. Bring the jaw to the band once more</source>
+        <translation>组织滑脱了。请再次将钳口移到环带处</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band</source>
+        <translation>将钳口移到标记的环带处</translation>
+    </message>
+    <message>
+        <source>Move the stylus until the jaw touches the organ.</source>
+        <translation>移动触笔，直到钳口接触器官。</translation>
+    </message>
+    <message>
+        <source>Move the mouse; the wheel moves the instrument nearer, until it touches.</source>
+        <translation>移动鼠标；滚轮使器械靠近，直到接触。</translation>
+    </message>
+    <message>
+        <source>Close the jaw</source>
+        <translation>夹紧钳口</translation>
+    </message>
+    <message>
+        <source>Press the button of the stylus and keep it pressed.</source>
+        <translation>按住触笔上的按钮不放。</translation>
+    </message>
+    <message>
+        <source>Hold the left mouse button or Space, and keep it held.</source>
+        <translation>按住鼠标左键或空格键不放。</translation>
+    </message>
+    <message>
+        <source>Turn to the mark on the dial</source>
+        <translation>转到表盘上的标记处</translation>
+    </message>
+    <message>
+        <source>Carry the jaw round the organ in one even movement.</source>
+        <translation>带着钳口绕器官平稳地转动一次。</translation>
+    </message>
+    <message>
+        <source>Drag, or press Q or E, in one even movement.</source>
+        <translation>拖动鼠标，或按 Q 或 E，平稳地转动一次。</translation>
+    </message>
+    <message>
+        <source>Hold it there</source>
+        <translation>在此保持</translation>
+    </message>
+    <message>
+        <source>The ring round the dial fills while you hold.</source>
+        <translation>保持期间，表盘外圈逐渐填满。</translation>
+    </message>
+    <message>
+        <source>Open the jaw gently</source>
+        <translation>轻轻张开钳口</translation>
+    </message>
+    <message>
+        <source>Let go without a jerk; the organ turns back by itself.</source>
+        <translation>松开时不要猛拉；器官自行回转。</translation>
+    </message>
+    <message>
+        <source>That was a whole twist</source>
+        <translation>一次完整的扭转完成了</translation>
+    </message>
+    <message>
+        <source>Go on as you like; the debrief shows this run afterwards.</source>
+        <translation>可以继续练习；之后训练复盘会显示本次操作。</translation>
     </message>
 </context>
 <context>

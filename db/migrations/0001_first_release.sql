@@ -789,12 +789,26 @@ CREATE INDEX trial_remark_author_person ON trial_remark (author_person_id);
 CREATE INDEX trial_remark_reply_to ON trial_remark (reply_to);
 {{append_only trial_remark}}
 
+-- What an author made of a remark afterwards, beside the first words, which are version 1. The newest is what is read.
+CREATE TABLE remark_revision (
+  remark_id TEXT NOT NULL REFERENCES trial_remark (id),
+  version BIGINT NOT NULL CHECK (version >= 2),
+  author TEXT NOT NULL,
+  author_person_id TEXT REFERENCES person (id),
+  text TEXT,
+  created_utc_us BIGINT NOT NULL,
+  PRIMARY KEY (remark_id, version)
+);
+CREATE INDEX remark_revision_author_person ON remark_revision (author_person_id);
+{{append_only remark_revision}}
+
 CREATE TABLE remark_receipt (
   remark_id TEXT NOT NULL REFERENCES trial_remark (id),
   reader TEXT NOT NULL,
+  version BIGINT NOT NULL CHECK (version >= 1),
   reader_person_id TEXT REFERENCES person (id),
   read_utc_us BIGINT NOT NULL,
-  PRIMARY KEY (remark_id, reader)
+  PRIMARY KEY (remark_id, reader, version)
 );
 CREATE INDEX remark_receipt_reader_person ON remark_receipt (reader_person_id);
 {{append_only remark_receipt}}

@@ -145,6 +145,7 @@ TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
   Connection connection = openWithSchema();
   RemarkRepository remarks(connection);
   expectNoWalk(plansOf(connection, [&] { (void)remarks.remarks("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.earlierWordings("t"); }));
   expectNoWalk(plansOf(connection, [&] { (void)remarks.receipts("t"); }));
   expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadOnTrialsOf("p", "r"); }));
   expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadReplies("a"); }));

@@ -82,8 +82,8 @@ TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
   ASSERT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
   EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.chief).empty());  // one's own are never unread
 
-  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us + 10});
-  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us + 20});
+  desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us + 10});
+  desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us + 20});
 
   EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).empty());
   const std::vector<ReadReceipt> receipts = desk.remarks.receipts(desk.trialId);
@@ -104,7 +104,7 @@ TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
   const std::vector<Remark> unread = desk.remarks.unreadReplies(desk.chief);
   ASSERT_EQ(unread.size(), 1U);
   EXPECT_EQ(unread[0].replyTo, remark.id);
-  desk.remarks.markRead({reply.id, desk.chief, desk.chief, kSampleTime_us});
+  desk.remarks.markRead({reply.id, 1, desk.chief, desk.chief, kSampleTime_us});
   EXPECT_TRUE(desk.remarks.unreadReplies(desk.chief).empty());
   EXPECT_EQ(faultFrom([&] { desk.remarks.add(desk.remark(desk.chief, "reply", 1, "to nothing")); }),
             DbFault::kCheck);
@@ -118,7 +118,7 @@ TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
   Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(remark);
-  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us});
+  desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us});
   remark.text = "look away";
 
   EXPECT_EQ(faultFrom([&] { desk.remarks.add(remark); }), DbFault::kUnique);
@@ -126,6 +126,47 @@ TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
             DbFault::kAppendOnly);
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM remark_receipt"); }), DbFault::kAppendOnly);
   EXPECT_EQ(desk.remarks.remarks(desk.trialId).size(), 1U);
+}
+
+TEST_F(RemarkRepositoryTest, AnEditIsARowBesideTheOldWordsAndIsUnreadAgain) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const Remark remark = desk.remark(desk.chief, "remark", 1, "look");
+  desk.remarks.add(remark);
+  desk.remarks.add(desk.remark(desk.chief, "remark", 2, "never edited"));
+  desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us});
+  ASSERT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
+  const RemarkRevision second{remark.id, 2, desk.chief, desk.chief, "look closely", kSampleTime_us + 50};
+  const RemarkRevision third{remark.id, 3, desk.chief, desk.chief, "look here", kSampleTime_us + 90};
+
+  desk.remarks.revise(second);
+  desk.remarks.revise(second);
+  desk.remarks.revise(third);
+
+  const Remark now = *desk.remarks.find(remark.id);
+  EXPECT_EQ(now.text, "look here");
+  EXPECT_EQ(now.version, 3);
+  EXPECT_EQ(now.editedUtc_us, kSampleTime_us + 90);
+  EXPECT_EQ(now.createdUtc_us, remark.createdUtc_us);
+  const auto earlier = desk.remarks.earlierWordings(desk.trialId);
+  ASSERT_EQ(earlier.size(), 1U);
+  ASSERT_EQ(earlier.at(remark.id).size(), 2U);
+  EXPECT_EQ(earlier.at(remark.id)[0].text, "look");
+  EXPECT_EQ(earlier.at(remark.id)[1].text, "look closely");
+  EXPECT_EQ(earlier.at(remark.id)[1].writtenUtc_us, kSampleTime_us + 50);
+  EXPECT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 2U);
+  desk.remarks.markRead({remark.id, 3, desk.trainee, desk.trainee, kSampleTime_us});
+  EXPECT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
+  EXPECT_EQ(faultFrom([&] {
+              desk.remarks.revise({remark.id, 3, desk.chief, desk.chief, "other"});
+            }),
+            DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] {
+              desk.remarks.revise({"none", 2, desk.chief, desk.chief, "x"});
+            }),
+            DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE remark_revision SET text = ?", {"x"}); }),
+            DbFault::kAppendOnly);
 }
 
 TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {

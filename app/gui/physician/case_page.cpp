@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSettings>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -31,6 +32,11 @@ namespace {
 constexpr std::int64_t kLongestPause_us = 60'000'000;  // longer without a key or play is a coffee, not work
 constexpr std::int64_t kSaveWatchedEvery_us = 5'000'000;
 
+/// Whether the sheet goes on by itself is a habit of each person.
+QString advanceKey(ShellContext& shell) {
+  return QStringLiteral("users/%1/advance").arg(toQString(shell.session().actor().userId));
+}
+
 }  // namespace
 
 CasePage::CasePage(ShellContext& shell, QWidget* parent)
@@ -41,6 +47,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
       clear_(new QToolButton(this)),
+      advance_(new QToolButton(this)),
       amend_(new QPushButton(this)),
       submit_(primaryButton(this)),
       halves_(new QSplitter(Qt::Horizontal, this)),
@@ -66,6 +73,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   marks->addWidget(remarks_, 1);
   leftColumn->addLayout(marks);
   leftColumn->addWidget(remarkField_);
+  remarks_->setObjectName(QStringLiteral("remarks"));
+  remarks_->setTextFormat(Qt::RichText);
+  remarkField_->setObjectName(QStringLiteral("remarkField"));
   remarkField_->hide();
   remarkField_->setMaxLength(400);
   halves_->addWidget(left);
@@ -93,6 +103,8 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   });
   connect(bookmark_, &QToolButton::clicked, this, [this] { addBookmark(QString()); });
   connect(remark_, &QToolButton::clicked, this, &CasePage::askRemark);
+  connect(remarks_, &QLabel::linkActivated, this,
+          [this](const QString& id) { editRemark(id.toStdString()); });
   connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
     watched_.played(from, to, speed);
     noteWork();
@@ -116,6 +128,13 @@ void CasePage::createHead(QVBoxLayout* column) {
   head->addSpacing(kSpace);
   head->addWidget(facts_, 1);
   head->addWidget(saved_);
+  advance_->setObjectName(QStringLiteral("advance"));
+  advance_->setCheckable(true);
+  connect(advance_, &QToolButton::toggled, this, [this](bool on) { sheet_->setAdvancing(on); });
+  // By the hand alone: what a program sets is no choice of the person.
+  connect(advance_, &QToolButton::clicked, this,
+          [this](bool on) { QSettings().setValue(advanceKey(shell()), on); });
+  head->addWidget(advance_);
   head->addWidget(undo_);
   head->addWidget(redo_);
   head->addWidget(clear_);
@@ -169,6 +188,7 @@ void CasePage::enter(const QVariant& argument) {
   caseRemarks_ = caseRemarks(shell().session(), id);
   versions_ = sheetVersions(shell().session(), id);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
+  advance_->setChecked(QSettings().value(advanceKey(shell())).toBool());
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
   setLook(saved_, "caution", false);
@@ -245,7 +265,7 @@ void CasePage::addBookmark(const QString& text) {
   }
   attempt(shell(), [&] {
     addCaseRemark(shell().session(), opened_.shown.assignmentId,
-                  {replay_->position_us(), text.toStdString()});
+                  {.time_us = replay_->position_us(), .text = text.toStdString()});
     caseRemarks_ = caseRemarks(shell().session(), opened_.shown.assignmentId);
   });
   showRemarks();
@@ -255,9 +275,50 @@ void CasePage::askRemark() {
   if (!replay_->ready()) {
     return;
   }
+  edited_ = {};
   replay_->pause();
   remarkField_->show();
   remarkField_->setFocus(Qt::OtherFocusReason);
+}
+
+void CasePage::editRemark(const RemarkId& id) {
+  const CaseRemark* chosen = nullptr;
+  const auto distance = [this](const CaseRemark& one) {
+    return std::abs(one.time_us - replay_->position_us());
+  };
+  for (const CaseRemark& one : caseRemarks_) {
+    const bool nearer = chosen == nullptr || distance(one) < distance(*chosen);
+    if (!one.text.empty() && (id.empty() ? nearer : one.id == id)) {
+      chosen = &one;
+    }
+  }
+  if (chosen == nullptr) {
+    return;
+  }
+  askRemark();
+  edited_ = chosen->id;
+  remarkField_->setText(toQString(chosen->text));
+  remarkField_->selectAll();
+}
+
+void CasePage::storeRemark() {
+  const QString text = remarkField_->text().trimmed();
+  if (text.isEmpty()) {
+    return;
+  }
+  if (edited_.empty()) {
+    return addBookmark(text);
+  }
+  const auto old = std::find_if(caseRemarks_.begin(), caseRemarks_.end(),
+                                [this](const CaseRemark& one) { return one.id == edited_; });
+  if (old != caseRemarks_.end() && toQString(old->text) == text) {
+    return;
+  }
+  attempt(shell(), [&] {
+    editCaseRemark(shell().session(), opened_.shown.assignmentId, edited_, text.toStdString());
+    caseRemarks_ = caseRemarks(shell().session(), opened_.shown.assignmentId);
+  });
+  showRemarks();
 }
 
 void CasePage::askSubmit() {
@@ -345,7 +406,7 @@ void CasePage::keyPressEvent(QKeyEvent* event) {
     return addBookmark(QString());
   }
   if (plain && event->key() == Qt::Key_R) {
-    return askRemark();
+    return (modifiers & Qt::ShiftModifier) != 0 ? editRemark({}) : askRemark();
   }
   if (plain && replay_->handleKey(event->key())) {
     return;
@@ -363,10 +424,10 @@ bool CasePage::eventFilter(QObject* watched, QEvent* event) {
   auto* key = static_cast<QKeyEvent*>(event);
   const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
   if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
-    const QString text = remarkField_->text().trimmed();
-    if (enter && !text.isEmpty()) {
-      addBookmark(text);
+    if (enter) {
+      storeRemark();
     }
+    edited_ = {};
     remarkField_->clear();
     remarkField_->hide();
     sheet_->takeFocus();

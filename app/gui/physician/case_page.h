@@ -52,6 +52,10 @@ class CasePage : public Page {
   void save();
   void addBookmark(const QString& text);
   void askRemark();
+  /// Opens the field with the words of an own remark; the nearest one to the playhead when `id` is empty.
+  void editRemark(const RemarkId& id);
+  /// Stores what the field holds, as a new remark or as new words of the one that is edited.
+  void storeRemark();
   void askSubmit();
   void submit();
   void startAmending();
@@ -72,6 +76,7 @@ class CasePage : public Page {
   QToolButton* undo_;
   QToolButton* redo_;
   QToolButton* clear_;
+  QToolButton* advance_;
   QPushButton* amend_;
   QPushButton* submit_;
   QSplitter* halves_;
@@ -91,6 +96,7 @@ class CasePage : public Page {
   ViewingRules rules_;
   WatchLog watched_;
   std::vector<CaseRemark> caseRemarks_;
+  RemarkId edited_;  ///< remark whose words stand in the field; empty: a new one
   std::vector<SheetVersion> versions_;
   QElapsedTimer sinceKey_;
   std::uint64_t loads_ = 0;

@@ -35,6 +35,8 @@ void CasePage::retranslate() {
   redo_->setText(tr("Redo"));
   clear_->setText(tr("Clear"));
   clear_->setToolTip(tr("Takes every mark, reason and comment away; Undo brings them back"));
+  advance_->setText(tr("Auto-advance"));
+  advance_->setToolTip(tr("After each figure the next row is marked by itself"));
   submit_->setText(tr("Submit"));
   submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
   bookmark_->setText(tr("Bookmark"));
@@ -54,6 +56,7 @@ std::vector<std::pair<QString, QString>> CasePage::keys() const {
   std::vector<std::pair<QString, QString>> all = replayKeys();
   all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
   all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
+  all.emplace_back(tr("Edit the nearest remark of yours"), QStringLiteral("Shift+R"));
   for (auto& one : sheetKeys()) {
     all.push_back(std::move(one));
   }
@@ -206,17 +209,30 @@ void CasePage::showRemarks() {
   remark_->setEnabled(replay_->ready());
   std::vector<std::int64_t> times_us;
   QStringList lines;
+  QStringList before;
   for (const CaseRemark& one : caseRemarks_) {
     times_us.push_back(one.time_us);
     if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) {
       continue;
     }
-    lines << tr("%1 %2").arg(clockTime(one.time_us), toQString(one.text));
+    const QString words = toQString(one.text).toHtmlEscaped();
+    lines << QStringLiteral("<a href=\"%1\">%2</a> ").arg(toQString(one.id), clockTime(one.time_us)) +
+                 (one.editedUtc_us != 0 ? tr("%1 (edited)").arg(words) : words);
+    for (const RemarkWording& old : one.earlier) {
+      before << tr("%1, until it was edited: %2").arg(clockTime(one.time_us), toQString(old.text));
+    }
   }
   replay_->setBookmarks(std::move(times_us));
   remarks_->setText(lines.isEmpty()
                         ? tr("Bookmarks are yours; remarks reach the trainee when the marks are released.")
-                        : lines.join(QStringLiteral("   \u00b7   ")));
+                        : lines.join(QStringLiteral(" &nbsp; \u00b7 &nbsp; ")));
+  remarks_->setToolTip(lines.isEmpty() ? QString()
+                                       : (QStringList{tr("A click on the time edits the words (Shift+R: the "
+                                                         "nearest); the old ones are kept.")} +
+                                          before)
+                                             .join(QLatin1Char('\n'))
+                                             .toHtmlEscaped()
+                                             .replace(QLatin1Char('\n'), QStringLiteral("<br>")));
 }
 
 }  // namespace torsio::gui

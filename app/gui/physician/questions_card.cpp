@@ -15,6 +15,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/remark_words.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
@@ -27,6 +28,8 @@ namespace {
 
 constexpr double kRound_s = 5.0;  // before and after the moment
 constexpr std::size_t kShown = 3;
+constexpr std::size_t kShownAnswers = 2;
+constexpr std::int64_t kAnswersListed_us = 7LL * 24 * 3600 * 1'000'000;
 constexpr int kAnswerHeight = 90;
 
 }  // namespace
@@ -40,13 +43,21 @@ QuestionsCard::QuestionsCard(ShellContext& shell, QWidget* parent)
 
 void QuestionsCard::read() {
   questions_ = questionsToMe(shell_.session());
+  answered_.clear();
+  const std::int64_t since_us = shell_.session().now_us() - kAnswersListed_us;
+  for (const PhysicianQuestion& question : questions_) {
+    if (question.answeredUtc_us > since_us && answered_.size() < kShownAnswers) {
+      answered_.push_back(question);
+    }
+  }
   std::erase_if(questions_, [](const PhysicianQuestion& question) { return question.answered; });
-  setVisible(!questions_.empty());
+  setVisible(!questions_.empty() || !answered_.empty());
   fill();
 }
 
 void QuestionsCard::fill() {
   setTitle(questions_.size() > kShown ? tr("Trainees ask you: %1").arg(questions_.size())
+           : questions_.empty()       ? tr("Your last answers to trainees")
                                       : tr("Trainees ask you"));
   emptyLayout(list_);
   for (std::size_t i = 0; i < std::min(kShown, questions_.size()); ++i) {
@@ -65,6 +76,22 @@ void QuestionsCard::fill() {
     row->addWidget(look);
     list_->addLayout(row);
   }
+  for (const PhysicianQuestion& question : answered_) {
+    addAnswer(question);
+  }
+}
+
+void QuestionsCard::addAnswer(const PhysicianQuestion& question) {
+  auto* words = new RemarkWords(this);
+  words->setWords(toQString(question.answer), question.answerEditedUtc_us, question.earlierAnswers, true);
+  words->setLead(tr("You answered %1").arg(toQString(question.trainee)));
+  connect(words, &RemarkWords::edited, this, [this, id = question.id](const QString& text) {
+    attempt(shell_, [&] {
+      editAnswer(shell_.session(), id, text.toStdString());
+      read();
+    });
+  });
+  list_->addWidget(words);
 }
 
 void QuestionsCard::open(const RemarkId& questionId) {

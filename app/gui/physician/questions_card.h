@@ -16,7 +16,7 @@ namespace torsio::gui {
 class ShellContext;
 
 /// In a physician's queue: moments of practice runs that trainees ask about by name, the longest waiting
-/// first. Hidden while there is none.
+/// first, and the last answers of a week, which can be edited. Hidden while there is neither.
 class QuestionsCard : public Card {
   Q_OBJECT
 
@@ -34,10 +34,12 @@ class QuestionsCard : public Card {
 
  private:
   void fill();
+  void addAnswer(const PhysicianQuestion& question);
   void show(const PhysicianQuestion& question, const Debrief& run);
 
   ShellContext& shell_;
-  std::vector<PhysicianQuestion> questions_;
+  std::vector<PhysicianQuestion> questions_;  ///< what waits
+  std::vector<PhysicianQuestion> answered_;   ///< lately, the last answer first
   QVBoxLayout* list_;
 };
 

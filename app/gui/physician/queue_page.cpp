@@ -30,6 +30,7 @@ namespace {
 
 constexpr int kTableHeight = 20 * kSpace;
 constexpr int kDoorsBeside = 2;  // a third would leave no room for their sentences
+constexpr std::int64_t kMinute_us = 60'000'000;
 
 }  // namespace
 
@@ -135,14 +136,22 @@ void QueuePage::retranslate() {
 void QueuePage::showFigures() {
   const QLocale locale;
   waiting_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.waiting)));
-  waiting_.words->setText(tr("%1 submitted so far").arg(queue_.submitted));
+  const QString submitted = tr("%1 submitted so far").arg(queue_.submitted);
+  const std::int64_t worked_min = queue_.worked_us / kMinute_us;
+  const QString worked = worked_min < 60 ? tr("%1 min").arg(worked_min)
+                                         : tr("%1 h %2 min").arg(worked_min / 60).arg(worked_min % 60);
+  waiting_.words->setText(worked_min == 0 ? submitted
+                                          : tr("%1, in %2 of your time: thank you").arg(submitted, worked));
   drafts_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.drafts)));
   drafts_.words->setText(queue_.drafts > 0 ? tr("begun and saved with every key")
                                            : tr("nothing is half done"));
   const auto minutes = static_cast<int>(std::ceil(queue_.minutes));
   time_.figure->setText(tr("%1 min").arg(locale.toString(minutes)));
-  time_.words->setText(queue_.fromOwnPace ? tr("at your own pace so far")
-                                          : tr("from the length of the recordings"));
+  const QString from =
+      queue_.fromOwnPace ? tr("at your own pace so far") : tr("from the length of the recordings");
+  const auto fitting = static_cast<int>(queue_.inTenMinutes);
+  time_.words->setText(fitting > 0 ? tr("%n case(s) fit into ten minutes, %1", nullptr, fitting).arg(from)
+                                   : from);
   due_.figure->setText(queue_.nextDueUtc_us ? dayText(*queue_.nextDueUtc_us) : QStringLiteral("\u2013"));
   due_.words->setText(queue_.overdue > 0 ? tr("%1 overdue").arg(queue_.overdue) : tr("nothing is overdue"));
   setLook(due_.words, "caution", queue_.overdue > 0);

@@ -44,9 +44,9 @@ void RepliesCard::read() {
     words->setText(tr("%1 (you wrote: %2)").arg(toQString(reply.text), toQString(reply.remark)));
     auto* done = new QPushButton(tr("Read"), this);
     done->setObjectName(QStringLiteral("readReply"));
-    connect(done, &QPushButton::clicked, this, [this, id = reply.id] {
+    connect(done, &QPushButton::clicked, this, [this, id = reply.id, version = reply.version] {
       attempt(shell_, [&] {
-        markReplyRead(shell_.session(), id);
+        markReplyRead(shell_.session(), id, version);
         read();
       });
     });

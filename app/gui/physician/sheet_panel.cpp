@@ -244,6 +244,9 @@ void SheetPanel::choose(const std::string& row, std::int64_t steps) {
   if (editor_->setScore(row, steps)) {
     changed();
   }
+  if (advancing_) {
+    step(+1);
+  }
 }
 
 void SheetPanel::step(int direction) {
@@ -268,15 +271,26 @@ void SheetPanel::adjust(std::int64_t steps) {
 }
 
 void SheetPanel::digit(int value) {
+  const auto longer = [this](std::int64_t points, int next) {
+    const std::optional<std::int64_t> steps = stepsForDigit(editor_->scale(current_), next, points);
+    return points > 0 && steps && *steps / editor_->scale(current_).stepsPerPoint == points * 10 + next;
+  };
+  if (advancing_ && typed_points_ && !longer(*typed_points_, value)) {
+    step(+1);  // the figure before was complete
+  }
   const ScoreScale& scale = editor_->scale(current_);
   const auto steps = stepsForDigit(scale, value, typed_points_);
   if (!steps) {
     return;
   }
   const bool joins = typed_points_.has_value() && *steps / scale.stepsPerPoint > 9;
-  typed_points_ = *steps / scale.stepsPerPoint;
+  const std::int64_t points = *steps / scale.stepsPerPoint;
+  typed_points_ = points;
   if (editor_->setScore(current_, *steps, joins)) {
     changed();
+  }
+  if (advancing_ && (joins || !longer(points, 0))) {
+    step(+1);
   }
 }
 

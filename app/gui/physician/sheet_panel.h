@@ -38,6 +38,12 @@ class SheetPanel : public QWidget {
   void retranslate();
   /// Scores alone, in compact rows: no comment, no "not assessable".
   void setScoresOnly(RowShape shape = RowShape::kCompact);
+  /// Goes on to the next row after a figure. After a "1" that may become a "10" it waits for the next key.
+  void setAdvancing(bool advancing) noexcept {
+    advancing_ = advancing;
+    typed_points_.reset();
+  }
+  [[nodiscard]] bool advancing() const noexcept { return advancing_; }
   /// A sealed sheet is read only.
   void setReadOnly(bool readOnly);
   /// After undo, redo or another change from outside.
@@ -85,6 +91,7 @@ class SheetPanel : public QWidget {
   std::vector<ScoreRow*> rows_;
   std::string current_;
   std::optional<std::int64_t> typed_points_;
+  bool advancing_ = false;
   bool filling_ = false;
 };
 

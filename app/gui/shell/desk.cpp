@@ -342,6 +342,9 @@ void Desk::retranslate() {
     userMenu_->addAction(tr("Lock now"), QKeySequence(QStringLiteral("Ctrl+Alt+L")), this, &Desk::lockWanted);
     userMenu_->addSeparator();
   }
+  if (!actor.practiceOnly && context_.may(Operation::kUserManage)) {
+    userMenu_->addAction(tr("Enter as a simulated trainee"), this, &Desk::simulatedTraineeWanted);
+  }
   if (!actor.practiceOnly && context_.may(Operation::kPersonErase)) {
     userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::demonstrationRemovalWanted);
     userMenu_->addSeparator();

@@ -82,6 +82,7 @@ class Desk : public QWidget {
   void shortcutsWanted();
   void aboutWanted();
   void demonstrationRemovalWanted();
+  void simulatedTraineeWanted();
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -199,13 +199,13 @@ void MainWindow::watchIdleness() {
   }
   if (state == IdleState::kWarning) {
     const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
     idleWarning_->setText(
         ends ? tr("Nobody here? You will be signed out in %1 s. Press any key to stay").arg(left_s)
              : tr("Nobody here? The screen will be locked in %1 s. Press any key to stay").arg(left_s));
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_;
+    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
     if (ends) {
       signOutBeyondDialogs(tr("You were signed out because nobody was here"));
     } else {

@@ -115,6 +115,8 @@ class MainWindow : public QWidget {
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);
   void enterAsGuest();
+  /// In place of the administrator who is signed in; signing out leads to the sign-in.
+  void enterAsSimulatedTrainee();
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
   void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
   void unlock(const QString& password);
@@ -146,6 +148,7 @@ class MainWindow : public QWidget {
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   std::size_t refusedTold_ = 0;
+  bool simulated_ = false;    // an administrator looks at a simulated trainee's desk
   bool answered_ = true;      // the database, at the last heartbeat
   bool settleDue_ = false;    // recordings may have gone to files meanwhile
   bool filesClosed_ = false;  ///< files that others could read were looked for since the start

@@ -65,6 +65,7 @@ void MainWindow::openDesk() {
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &MainWindow::removeDemonstration);
+  connect(desk_, &Desk::simulatedTraineeWanted, this, &MainWindow::enterAsSimulatedTrainee);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(toQString(session_->actor().login), {}, false);
     show(password_);
@@ -95,6 +96,7 @@ bool MainWindow::signOut(const QString& reason) {
     return false;
   }
   leaveDesk();
+  simulated_ = false;
   const QString notKept = forgetActor();
   if (lookedAt_) {
     endLookRound();
@@ -114,7 +116,7 @@ bool MainWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
     return false;
   }
-  if (session_->actor().practiceOnly || lookedAt_) {
+  if (session_->actor().practiceOnly || lookedAt_ || simulated_) {
     return signOut();  // nothing to come back to
   }
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
 
 #include "app/access/first_run.h"
@@ -314,6 +315,25 @@ void MainWindow::enterAsGuest() {
   guest.practiceOnly = true;
   session_->setActor(guest);
   enterDesk();
+}
+
+void MainWindow::enterAsSimulatedTrainee() {
+  if (desk_ == nullptr || !desk_->mayLeave()) {
+    return;
+  }
+  Actor trainee;
+  if (!attempt(desk_->context(), [&] { trainee = simulatedTrainee(desk_->context().session()); })) {
+    return;
+  }
+  // Later, since the menu that asked dies with the desk.
+  QTimer::singleShot(0, this, [this, trainee] {
+    leaveDesk();
+    forgetActor();
+    session_->setActor(trainee);
+    simulated_ = true;
+    enterDesk();
+    desk_->context().notify(tr("You are a simulated trainee. Sign out to become yourself again"));
+  });
 }
 
 void MainWindow::changePassword(const QString& login, const QString& oldPassword,

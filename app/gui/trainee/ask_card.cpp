@@ -90,7 +90,8 @@ void AskCard::addQuestion(const OwnQuestion& question) {
   const QString moment = StationLabels::seconds(question.at_s);
   const QString physician = toQString(question.physician);
   head->setText(question.answered
-                    ? tr("%1  \u00b7  %2 answered on %3")
+                    ? (question.answerEditedUtc_us != 0 ? tr("%1  \u00b7  %2 answered on %3, edited since")
+                                                        : tr("%1  \u00b7  %2 answered on %3"))
                           .arg(moment, physician, StationLabels::when(question.answeredUtc_us))
                     : tr("%1  \u00b7  with %2, waiting for %3")
                           .arg(moment, physician,

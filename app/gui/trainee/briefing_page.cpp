@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/briefing_page.h"
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -62,6 +63,28 @@ QStringList twist(const TrainingModule& module) {
 }
 
 constexpr int kBriefingWidth = 340;
+constexpr double kSlowMotion = 0.25;
+
+/// What a hand does at this moment, as an onlooker says it.
+QString doneNow(const LiveState& state, const TrainingModule& module, bool undone) {
+  switch (state.phase) {
+    case ExercisePhase::kTracking:
+      return BriefingPage::tr("the jaw goes to the marked band.");
+    case ExercisePhase::kContact:
+      return BriefingPage::tr("it touches, and the jaw closes.");
+    case ExercisePhase::kTwisting:
+      if (undone) {
+        return BriefingPage::tr("it holds the turned part and turns it back.");
+      }
+      return std::abs(state.response.angle_rad - module.targetAngle_rad) <= module.tolerance_rad
+                 ? BriefingPage::tr("on target; it holds still before it lets go.")
+                 : BriefingPage::tr("one even turn, slower towards the target.");
+    case ExercisePhase::kReleased:
+      return undone ? BriefingPage::tr("hands off: does it stay undone, does blood flow?")
+                    : BriefingPage::tr("the jaw opens gently; the organ turns back by itself.");
+  }
+  return {};
+}
 
 /// Says what an untwisting begins with and when it is done. The angle of the start is drawn at its beginning.
 QStringList untwistingTask(const Detorsion& detorsion) {
@@ -105,8 +128,13 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
   caption_ = plainLabel(this, "quiet");
+  caption_->setObjectName(QStringLiteral("caption"));
+  slow_ = new QPushButton(this);
+  slow_->setObjectName(QStringLiteral("slow"));
+  slow_->setCheckable(true);
   again_ = new QPushButton(this);
   bar->addWidget(caption_, 1);
+  bar->addWidget(slow_);
   bar->addWidget(again_);
   left->addLayout(bar);
   row->addLayout(left, 1);
@@ -159,6 +187,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(start_, &QPushButton::clicked, this, [this] { shell().open(PageId::kRun); });
   connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
+  connect(scene_, &LiveScene::shown, this, &BriefingPage::follow);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     fill();
     if (!asked_) {
@@ -208,6 +237,23 @@ void BriefingPage::showExpert() {
   });
 }
 
+void BriefingPage::follow(const LiveState& state) {
+  TrialPlayback* expert = scene_->controller().playback();
+  if (expert == nullptr) {
+    return;
+  }
+  const double speed = slow_->isChecked() ? kSlowMotion : 1.0;
+  if (expert->speed() != speed) {
+    expert->setSpeed(speed);
+  }
+  const bool over = expert->position_us() >= expert->duration_us();
+  const QString said = over ? tr("An expert's run: it is over. Watch again, or start.")
+                            : tr("An expert's run: %1").arg(doneNow(state, step_.module, undone_));
+  if (said != caption_->text()) {
+    caption_->setText(said);
+  }
+}
+
 void BriefingPage::retranslate() {
   fill();
 }
@@ -223,6 +269,7 @@ void BriefingPage::fill() {
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
   const std::shared_ptr<const Detorsion> undone = untwistingOf(shell().assets(), step_.module);
+  undone_ = undone != nullptr;
   QStringList task = undone ? untwistingTask(*undone) : twist(step_.module);
   if (step_.module.maxForce_N) {
     task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
@@ -253,6 +300,7 @@ void BriefingPage::fill() {
            "Doppler.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
   }
   caption_->setText(undone ? tr("An expert undoes the same organ") : tr("An expert's run of the same twist"));
+  slow_->setText(tr("S&low motion"));
   again_->setText(tr("&Watch again"));
   start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));
   back_->setText(tr("&Back"));

@@ -36,11 +36,14 @@ class BriefingPage : public Page {
   StationDesk& desk_;
 
   void showExpert();
+  /// Says below the picture what the expert does at this moment, and plays as slowly as is wanted.
+  void follow(const LiveState& state);
   void fill();
 
   ModuleStep step_;
   CompetenceVerdict competence_{};
-  bool asked_ = false;  // the expert's run was asked for
+  bool asked_ = false;   // the expert's run was asked for
+  bool undone_ = false;  // the module undoes an organ that came twisted
   LiveScene* scene_;
   QLabel* title_;
   QLabel* task_;
@@ -53,6 +56,7 @@ class BriefingPage : public Page {
   QLabel* design_;
   QLabel* errors_;
   QLabel* caption_;
+  QPushButton* slow_;
   QPushButton* again_;
   QPushButton* start_;
   QPushButton* back_;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
@@ -24,6 +25,12 @@
 #include "sim/base/ids.h"
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr int kLaidOut_ms = 300;
+
+}  // namespace
 
 DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
@@ -160,11 +167,25 @@ void DebriefPage::compute(const TrialId& trialId) {
         plot_->setDebrief(debrief_);
         haveReplay_ = *recordings != nullptr;
         replay_->show(std::move(*recordings));
+        tellStory();
         untwisting_->setStory(debrief_.detorsion.value_or(DetorsionStory{}));
         fill();
         readQuestions();
         next_->setFocus();
       });
+}
+
+void DebriefPage::tellStory() {
+  if (!desk_.story.add(debrief_) || !haveReplay_) {
+    return;
+  }
+  // The window has to lay the view out before it can be drawn in its size.
+  QTimer::singleShot(kLaidOut_ms, this, [this, trialId = debrief_.trialId] {
+    const std::optional<BestTwist>& best = desk_.story.best();
+    if (best && best->trialId == trialId && debrief_.trialId == trialId) {
+      desk_.story.setPicture(replay_->pictureAt(best->twist.when.to_s));
+    }
+  });
 }
 
 void DebriefPage::addBookmarkAt(double at_s) {

@@ -42,6 +42,8 @@ class DebriefPage : public Page {
   void readQuestions();
   void showBookmark(double at_s);
   void compute(const TrialId& trialId);
+  /// Takes the run into what the session tells, with a picture when its best twist is in it.
+  void tellStory();
   void connectParts();
   void fill();
   void fillNotes();

@@ -171,6 +171,21 @@ void DebriefReplay::seek(double at_s) {
   Q_EMIT moved(position_s());
 }
 
+QImage DebriefReplay::pictureAt(double at_s) {
+  if (recordings_ == nullptr || !SceneView::platformCanRender()) {
+    return {};
+  }
+  const double before_s = position_s();
+  const bool expert = std::exchange(expertVisible_, false);
+  recordings_->own.seek_us(inMicroseconds(at_s));
+  showState();
+  QImage picture = view_->picture();
+  expertVisible_ = expert;
+  recordings_->own.seek_us(inMicroseconds(before_s));
+  showState();
+  return picture;
+}
+
 void DebriefReplay::togglePlay() {
   if (recordings_ == nullptr) {
     return;

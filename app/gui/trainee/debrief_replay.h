@@ -61,6 +61,9 @@ class DebriefReplay : public QWidget {
   void setTheme(const Theme& theme);
   void retranslate();
   void seek(double at_s);
+  /// The organ at a moment of the run, without the expert's; null where nothing can be drawn. The view stands
+  /// where it stood.
+  [[nodiscard]] QImage pictureAt(double at_s);
   [[nodiscard]] double position_s() const noexcept;
   /// Whether the expert's organ is in the picture at this moment.
   [[nodiscard]] bool ghostShown() const noexcept { return ghost_; }

@@ -5,18 +5,21 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/trainee/session_story.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "sim/base/angle.h"
 #include "sim/base/ids.h"
 
 namespace torsio::gui {
@@ -24,6 +27,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kStepsWidest = 1080;
+constexpr QSize kBestPicture{240, 150};
 
 const RunPhase* presentPhase(const RunPlan& plan) {
   const auto open = std::find_if(plan.phases.begin(), plan.phases.end(),
@@ -62,6 +66,24 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
   nextContent_->setSpacing(kSpace);
   next_->content()->addLayout(nextContent_);
   page.column->addWidget(next_);
+  session_ = new Card(QString(), this);
+  session_->setObjectName(QStringLiteral("session"));
+  auto* told = new QHBoxLayout;
+  told->setSpacing(2 * kSpace);
+  bestPicture_ = new QLabel(session_);
+  sessionWords_ = plainLabel(session_);
+  sessionWords_->setObjectName(QStringLiteral("sessionWords"));
+  lookAtBest_ = linkButton(session_);
+  told->addWidget(bestPicture_);
+  told->addWidget(sessionWords_, 1);
+  told->addWidget(lookAtBest_);
+  session_->content()->addLayout(told);
+  page.column->addWidget(session_);
+  connect(lookAtBest_, &QPushButton::clicked, this, [this] {
+    if (const std::optional<BestTwist>& best = desk_.story.best()) {
+      shell().open(PageId::kDebrief, toQString(best->trialId));
+    }
+  });
   listTitle_ = plainLabel(this, "subheading");
   page.column->addWidget(listTitle_);
   modules_ = new QVBoxLayout;
@@ -72,6 +94,7 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
 
 void NextStepPage::enter(const QVariant&) {
   attempt(shell(), [&] {
+    desk_.story.begin(shell().session().now_us());
     for (RecoveredTrial& trial : recoverInterrupted(shell().session())) {
       recovered_.push_back(std::move(trial));
     }
@@ -209,6 +232,34 @@ void NextStepPage::fillNext() {
   nextContent_->addLayout(row);
 }
 
+void NextStepPage::fillSession() {
+  const SessionStory& story = desk_.story;
+  session_->setVisible(story.runs() > 0);
+  session_->setTitle(tr("This session"));
+  QStringList lines{tr("%n run(s)", nullptr, static_cast<int>(story.runs())) + QStringLiteral("  \u00b7  ") +
+                    tr("%n twist(s)", nullptr, static_cast<int>(story.twists())) +
+                    QStringLiteral("  \u00b7  ") + tr("%1 released on target").arg(story.onTarget())};
+  const std::optional<BestTwist>& best = story.best();
+  if (best) {
+    lines << tr("Your best twist: %1\u00b0 off a target of %2\u00b0, at %3 of \u201c%4\u201d.")
+                 .arg(QLocale().toString(degrees(best->error_rad), 'f', 1),
+                      QLocale()
+                          .toString(degrees(best->twist.target_rad), 'f', 0)
+                          .replace(QLatin1Char('-'), QChar(0x2212)),
+                      StationLabels::seconds(best->twist.when.to_s), toQString(Text(best->moduleTitle)));
+  }
+  sessionWords_->setText(lines.join(QLatin1Char('\n')));
+  lookAtBest_->setText(tr("Look at it"));
+  lookAtBest_->setVisible(best.has_value());
+  const bool pictured = best && !best->picture.isNull();
+  bestPicture_->setVisible(pictured);
+  if (pictured) {
+    bestPicture_->setAccessibleName(tr("The organ at your best twist"));
+    bestPicture_->setPixmap(QPixmap::fromImage(
+        best->picture.scaled(kBestPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  }
+}
+
 void NextStepPage::addModule(const ModuleStep& step) {
   auto* frame = new QFrame(this);
   frame->setObjectName(QStringLiteral("card"));
@@ -280,6 +331,7 @@ void NextStepPage::fill() {
   listTitle_->setVisible(!steps_.modules.empty());
   fillNotices();
   fillNext();
+  fillSession();
   emptyLayout(modules_);
   for (const ModuleStep& step : steps_.modules) {
     addModule(step);

@@ -38,6 +38,7 @@ class NextStepPage : public Page {
   /// Of the next step; null when there is none.
   [[nodiscard]] QPushButton* startButton() const;
   void fillNext();
+  void fillSession();
   void fillNotices();
   void addModule(const ModuleStep& step);
   void begin(const ModuleId& moduleId, bool graded);
@@ -50,6 +51,10 @@ class NextStepPage : public Page {
   QVBoxLayout* notices_;
   Card* next_;
   QVBoxLayout* nextContent_;
+  Card* session_;
+  QLabel* bestPicture_;
+  QLabel* sessionWords_;
+  QPushButton* lookAtBest_;
   QLabel* listTitle_;
   QVBoxLayout* modules_;
 };

@@ -16,6 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/trainee/remark_words.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
@@ -154,14 +155,8 @@ void RemarksPage::fillList() {
   fillMarks();
 }
 
-void RemarksPage::answer(const RemarkId& remarkId, const QString& text) {
-  attempt(shell(), [&] {
-    if (text.isEmpty()) {
-      markRemarkRead(shell().session(), remarkId);
-    } else {
-      replyToRemark(shell().session(), remarkId, text.toStdString());
-    }
-  });
+void RemarksPage::change(const std::function<void(SessionContext&)>& action) {
+  attempt(shell(), [&] { action(shell().session()); });
   readAll();
 }
 
@@ -180,7 +175,9 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
     auto* read = linkButton(remarks_);
     read->setObjectName(QStringLiteral("read"));
     read->setText(tr("Mark as read"));
-    connect(read, &QPushButton::clicked, this, [this, id = remark.id] { answer(id, {}); });
+    connect(read, &QPushButton::clicked, this, [this, id = remark.id, version = remark.version] {
+      change([&](SessionContext& session) { markRemarkRead(session, id, version); });
+    });
     head->addWidget(read);
   }
   if (!reply) {
@@ -195,9 +192,13 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   if (reply) {
     body->addSpacing(3 * kSpace);
   }
-  auto* text = plainLabel(remarks_);
-  text->setText(remark.question && remark.text.empty() ? tr("About this moment") : toQString(remark.text));
-  body->addWidget(text, 1);
+  auto* words = new RemarkWords(remarks_);
+  words->setWords(remark.question && remark.text.empty() ? tr("About this moment") : toQString(remark.text),
+                  remark.editedUtc_us, remark.earlier, remark.own && !remark.text.empty());
+  connect(words, &RemarkWords::edited, this, [this, id = remark.id](const QString& text) {
+    change([&](SessionContext& session) { editRemark(session, id, text.toStdString()); });
+  });
+  body->addWidget(words, 1);
   threads_->addLayout(body);
 }
 
@@ -222,8 +223,10 @@ void RemarksPage::fillRemarks() {
     send->setEnabled(false);
     connect(field, &QLineEdit::textChanged, send,
             [send](const QString& now) { send->setEnabled(!now.trimmed().isEmpty()); });
-    connect(send, &QPushButton::clicked, this,
-            [this, field, id = remark.id] { answer(id, field->text().trimmed()); });
+    connect(send, &QPushButton::clicked, this, [this, field, id = remark.id] {
+      const std::string text = field->text().trimmed().toStdString();
+      change([&](SessionContext& session) { (void)replyToRemark(session, id, text); });
+    });
     row->addWidget(field, 1);
     row->addWidget(send);
     threads_->addLayout(row);

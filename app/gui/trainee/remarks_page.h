@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -33,7 +34,8 @@ class RemarksPage : public Page {
   void fillRemarks();
   void fillMarks();
   void addRemark(const TraineeRemark& remark, bool reply);
-  void answer(const RemarkId& remarkId, const QString& text);
+  /// Does something to the record and reads it anew.
+  void change(const std::function<void(SessionContext&)>& action);
   [[nodiscard]] const TrialRemarks* chosen() const;
 
   std::vector<TrialRemarks> all_;

@@ -10,7 +10,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStringList>
 #include <QVBoxLayout>
@@ -22,6 +21,7 @@
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -35,10 +35,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kPanelWidth = 316;
 constexpr int kClock_ms = 100;
-constexpr double kCountdown_pt = 30.0;
-constexpr double kNotice_pt = 64.0;
 constexpr std::chrono::milliseconds kLastWrites{500};
 const QVariant kLater = QStringLiteral("later");
 
@@ -79,115 +76,6 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
 
 RunPage::~RunPage() {
   timer_.stop();
-}
-
-QWidget* RunPage::createNotice() {
-  auto* ground = new QWidget(this);
-  auto* column = new QVBoxLayout(ground);
-  column->setContentsMargins(6 * kSpace, 6 * kSpace, 6 * kSpace, 6 * kSpace);
-  column->setSpacing(2 * kSpace);
-  noticeTitle_ = plainLabel(ground, "heading");
-  noticeFigure_ = plainLabel(ground);
-  makeHuge(noticeFigure_, kNotice_pt);
-  noticeText_ = plainLabel(ground, "quiet");
-  goOn_ = primaryButton(ground);
-  goOn_->setObjectName(QStringLiteral("goOn"));
-  column->addStretch(2);
-  for (QLabel* label : {noticeTitle_, noticeFigure_, noticeText_}) {
-    label->setAlignment(Qt::AlignHCenter);
-    column->addWidget(label);
-  }
-  column->addWidget(goOn_, 0, Qt::AlignHCenter);
-  column->addStretch(3);
-  connect(goOn_, &QPushButton::clicked, this, [this] {
-    if (waiting_) {
-      cancelWaiting();
-    } else if (runSession_) {
-      follow(runSession_->resume());
-    }
-  });
-  return ground;
-}
-
-QWidget* RunPage::createPanel() {
-  // What must always be in reach stands below; what is taller than a small screen scrolls.
-  auto* side = new QWidget(this);
-  side->setFixedWidth(kPanelWidth);
-  auto* whole = new QVBoxLayout(side);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->setSpacing(0);
-  auto* scroll = new QScrollArea(side);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* panel = new QWidget;
-  scroll->setWidget(panel);
-  whole->addWidget(scroll, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
-  buttons->setSpacing(kSpace);
-  whole->addLayout(buttons);
-  auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
-  column->setSpacing(kSpace);
-  title_ = plainLabel(panel, "subheading");
-  mode_ = plainLabel(panel, "quiet");
-  validity_ = new ValidityButton(panel);
-  auto* heading = new QHBoxLayout;
-  heading->addWidget(title_, 1);
-  heading->addWidget(validity_, 0, Qt::AlignTop);
-  column->addLayout(heading);
-  column->addWidget(mode_);
-  time_ = new Card(QString(), panel);
-  countdown_ = plainLabel(time_);
-  countdown_->setObjectName(QStringLiteral("countdown"));
-  makeHuge(countdown_, kCountdown_pt);
-  progress_ = new QProgressBar(time_);
-  progress_->setTextVisible(false);
-  progress_->setRange(0, 1000);
-  phase_ = plainLabel(time_, "quiet");
-  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_}) {
-    time_->content()->addWidget(widget);
-  }
-  column->addWidget(time_);
-  angle_ = new Card(QString(), panel);
-  dial_ = new AngleDial(angle_);
-  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
-  count_ = plainLabel(angle_, "subheading");
-  count_->setObjectName(QStringLiteral("twistCount"));
-  count_->setAlignment(Qt::AlignHCenter);
-  angle_->content()->addWidget(count_);
-  column->addWidget(angle_);
-  detorsion_ = new DetorsionPanel(panel);
-  detorsion_->steer(scene_->controller());
-  column->addWidget(detorsion_);
-  load_ = new Card(QString(), panel);
-  torque_ = new LevelBar(QString(), QString(), 3, load_);
-  force_ = new LevelBar(QString(), QString(), 2, load_);
-  warning_ = plainLabel(load_, "caution");
-  load_->content()->addWidget(torque_);
-  load_->content()->addWidget(force_);
-  load_->content()->addWidget(warning_);
-  column->addWidget(load_);
-  cue_ = plainLabel(panel, "quiet");
-  cue_->setObjectName(QStringLiteral("cue"));
-  column->addWidget(cue_);
-  column->addStretch(1);
-  rest_ = new QPushButton(side);
-  rest_->setObjectName(QStringLiteral("rest"));
-  stop_ = new QPushButton(side);
-  stop_->setObjectName(QStringLiteral("stop"));
-  buttons->addWidget(rest_);
-  buttons->addWidget(stop_);
-  connect(rest_, &QPushButton::clicked, this, [this] {
-    if (!runSession_ || !runSession_->rest()) {
-      return;
-    }
-    endRecording(TrialOutcome::kCompleted);
-    tick();
-  });
-  connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
-  return side;
 }
 
 bool RunPage::askWhyUnscored(RunRequest& request) {
@@ -231,6 +119,8 @@ void RunPage::enter(const QVariant& argument) {
   }
   lastTrial_.clear();
   inFile_ = false;
+  wasOver_ = false;
+  attempt(shell(), [&] { soundAtLimit_ = soundsAtLimit(shell().session()); });
   retranslate();
   if (runSession_->run().phase().arm == PhaseKind::kReal) {
     begin();
@@ -318,6 +208,18 @@ void RunPage::record() {
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));
+  if (runSession_->firstEver() && runSession_->trials().size() == 1) {
+    guide();
+  }
+  scene_->view().setFocus();
+}
+
+void RunPage::guide() {
+  const Scene* scene = scene_->controller().scene();
+  if (!runSession_ || runSession_->graded() || scene == nullptr || scene->hollow != nullptr) {
+    return;
+  }
+  guide_->begin(haptic_, runSession_->step().module.hold_us > 0);
   scene_->view().setFocus();
 }
 
@@ -401,6 +303,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
 }
 
 void RunPage::endRecording(TrialOutcome outcome) {
+  guide_->end();
   const std::optional<RecordingResult> result = scene_->controller().endTraining(outcome);
   inFile_ = inFile_ || (result && result->spillFile);
 }

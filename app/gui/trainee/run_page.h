@@ -17,6 +17,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace torsio::gui {
 
@@ -27,6 +28,7 @@ class Card;
 class DetorsionPanel;
 class LevelBar;
 class LiveScene;
+class TwistGuide;
 class ValidityButton;
 
 /// The run itself: big countdown, phase, rest with its allowance, gauges, quiet cues in practice only, hard
@@ -60,6 +62,7 @@ class RunPage : public Page {
   StationDesk& desk_;
 
   QWidget* createPanel();
+  QVBoxLayout* createHeading(QWidget* panel);
   /// Asks why training goes on while sheets of the real arm are missing; false: it does not.
   [[nodiscard]] bool askWhyUnscored(RunRequest& request);
   QWidget* createNotice();
@@ -79,6 +82,8 @@ class RunPage : public Page {
   void showLive(const LiveState& state);
   void showCount();
   [[nodiscard]] QString cue(const LiveState& state) const;
+  /// Shows a first twist movement by movement, in practice of a twist.
+  void guide();
   /// How much of the time to be held on target is over.
   double heldShare(const LiveState& state);
 
@@ -116,6 +121,10 @@ class RunPage : public Page {
   QLabel* count_ = nullptr;
   QLabel* cue_ = nullptr;
   QLabel* warning_ = nullptr;
+  TwistGuide* guide_ = nullptr;
+  QPushButton* guideMe_ = nullptr;
+  bool soundAtLimit_ = false;  // the centre's choice
+  bool wasOver_ = false;       // the limit, a frame ago
   QPushButton* rest_ = nullptr;
   QPushButton* stop_ = nullptr;
 };

@@ -13,7 +13,9 @@
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -38,6 +40,8 @@ void RunPage::retranslate() {
   torque_->setName(tr("Torque"), tr("N m"));
   force_->setName(tr("Force"), tr("N"));
   stop_->setText(tr("&End the run"));
+  guideMe_->setText(tr("Guide me"));
+  guide_->retranslate();
   dial_->retranslate();
   detorsion_->retranslate();
   validity_->retranslate();
@@ -98,6 +102,7 @@ void RunPage::showState() {
   detorsion_->setUsable(runs && run.state() == RunState::kRunning);
   load_->setVisible(!real);
   cue_->setVisible(!real && !runSession_->graded());
+  guideMe_->setVisible(!real && !undone && !runSession_->graded());
   stage_->setCurrentIndex(showNotice() ? 1 : 0);
 }
 
@@ -203,12 +208,18 @@ void RunPage::showLive(const LiveState& state) {
   }
   detorsion_->show(state);
   dial_->setAngle(state.response.angle_rad);
-  dial_->setHeld(heldShare(state));
+  const double held = heldShare(state);
+  dial_->setHeld(held);
+  guide_->follow(state, dial_->onTarget(), held);
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
   twists_.see(state);
   showCount();
   const bool over = torque_->overLimit() || force_->overLimit();
+  if (over && !wasOver_ && soundAtLimit_) {
+    desk_.sound();
+  }
+  wasOver_ = over;
   const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
                       state.times.folded_us == state.times.released_us;
   const QString otherwise = folded ? ReadoutPanel::releaseText(state) : QString();

@@ -3,10 +3,16 @@
 
 #include <utility>
 
+#include <QApplication>
+
 #include "app/devices/haptic_station.h"
 #include "app/recording/station_writer.h"
 
 namespace torsio::gui {
+
+void soundOfTheSystem() {
+  QApplication::beep();
+}
 
 void StationDesk::announce(StationWriter* line) {
   if (line == nullptr || std::exchange(announced_, true)) {

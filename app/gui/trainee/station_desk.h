@@ -10,6 +10,7 @@
 
 #include "app/devices/device_readiness.h"
 #include "app/gui/simulator/simulation_controller.h"
+#include "app/gui/trainee/session_story.h"
 #include "sim/base/clock.h"
 #include "sim/base/ids.h"
 #include "sim/device/haptic_device.h"
@@ -19,6 +20,9 @@ class StationWriter;
 }
 
 namespace torsio::gui {
+
+/// The short sound that the desktop gives for "look here".
+void soundOfTheSystem();
 
 /// What the pages of one trainee at one station hand to each other, and what a test puts in place of the
 /// real world. Made with the pages of a sign-in, handed to those that need it, and gone with them. GUI
@@ -35,9 +39,12 @@ class StationDesk {
   bool rendersForce = false;  ///< that device does
   DeviceProbe probe;          ///< empty: mouse and keyboard
   DeviceOpener openDevice;
+  std::function<void()> sound = soundOfTheSystem;  ///< when a limit is reached, where the centre wants it
 
   /// Of the run that has just ended: the debrief need not load it again.
   std::shared_ptr<const Scene> lastScene;
+
+  SessionStory story;  ///< since the sign-in
 
   std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
   bool chosen = false;                       ///< something was chosen on the first page

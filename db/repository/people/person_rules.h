@@ -39,6 +39,9 @@ inline constexpr std::string_view kDrafts =
 inline constexpr std::string_view kRemarks =
     "(author_person_id = ? OR author IN (SELECT id FROM app_user WHERE person_id = ?)"
     " OR trial_id IN (SELECT id FROM trial WHERE trainee_id = ?))";
+inline constexpr std::string_view kRevisions =
+    "(author_person_id = ? OR author IN (SELECT id FROM app_user WHERE person_id = ?) OR remark_id IN"
+    " (SELECT m.id FROM trial_remark m JOIN trial t ON t.id = m.trial_id WHERE t.trainee_id = ?))";
 inline constexpr std::string_view kReceipts =
     "(reader_person_id = ? OR reader IN (SELECT id FROM app_user WHERE person_id = ?))";
 inline constexpr std::string_view kQuestions =
@@ -59,6 +62,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"station_state", person_conditions::kOwnUser, OnErase::kClear, "user_id = NULL"},
     PersonRule{"remark_receipt", person_conditions::kReceipts},
     PersonRule{"trial_question", person_conditions::kQuestions},
+    PersonRule{"remark_revision", person_conditions::kRevisions, OnErase::kClear, "text = NULL"},
     PersonRule{"trial_remark", person_conditions::kRemarks, OnErase::kClear, "text = NULL"},
     PersonRule{"user_role", person_conditions::kOwnUser, OnErase::kDelete},
     PersonRule{"audit_entry",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "db/connection/row_reader.h"
+#include "db/repository/trial/newest_of_remark.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -11,7 +12,8 @@ namespace torsio {
 namespace {
 
 const std::string kQuestions =
-    "SELECT q.remark_id, q.rater_id, q.asked_utc_us, m.trial_id, m.author_person_id, m.time_us, m.text"
+    "SELECT q.remark_id, q.rater_id, q.asked_utc_us, m.trial_id, m.author_person_id, m.time_us, " +
+    newestOfRemark("m", "text", "m.text") +
     " FROM trial_question q JOIN trial_remark m ON m.id = q.remark_id WHERE ";
 
 bool waits(const TraineeQuestion& question) {
@@ -37,9 +39,11 @@ std::vector<TraineeQuestion> QuestionRepository::read(const std::string& conditi
                                .time_us = row.int64(),
                                .text = row.text()};
       });
-  Statement answer = connection_.prepare(
-      "SELECT id, text, created_utc_us FROM trial_remark WHERE reply_to = ? AND author_person_id = ?"
-      " ORDER BY created_utc_us, id LIMIT 1");
+  Statement answer =
+      connection_.prepare("SELECT a.id, " + newestOfRemark("a", "text", "a.text") + ", a.created_utc_us, " +
+                          newestOfRemark("a", "created_utc_us", "0") +
+                          " FROM trial_remark a WHERE a.reply_to = ? AND a.author_person_id = ?"
+                          " ORDER BY a.created_utc_us, a.id LIMIT 1");
   for (TraineeQuestion& question : questions) {
     answer.execute({question.remarkId, question.raterId});
     while (answer.step()) {
@@ -47,6 +51,7 @@ std::vector<TraineeQuestion> QuestionRepository::read(const std::string& conditi
       question.answerId = row.text();
       question.answerText = row.text();
       question.answeredUtc_us = row.int64();
+      question.answerEditedUtc_us = row.int64();
     }
   }
   return questions;

@@ -6,6 +6,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
+#include "db/repository/trial/newest_of_remark.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -15,11 +16,14 @@ namespace {
 using Kind = IdempotentColumn::Kind;
 
 const std::string kRemarks =
-    "SELECT m.id, m.trial_id, m.author, m.author_person_id, m.purpose, m.reply_to, m.tick, m.time_us, m.text,"
-    " m.created_utc_us, m.demonstration FROM trial_remark m";
+    "SELECT m.id, m.trial_id, m.author, m.author_person_id, m.purpose, m.reply_to, m.tick, m.time_us, " +
+    newestOfRemark("m", "text", "m.text") + ", m.created_utc_us, m.demonstration, " +
+    newestOfRemark("m", "version", "1") + ", " + newestOfRemark("m", "created_utc_us", "0") +
+    " FROM trial_remark m";
 const std::string kNotReadBy =
     " AND m.author <> ? AND NOT EXISTS (SELECT 1 FROM remark_receipt c WHERE c.remark_id = m.id"
-    " AND c.reader = ?) ORDER BY m.created_utc_us, m.id";
+    " AND c.reader = ? AND c.version = " +
+    newestOfRemark("m", "version", "1") + ") ORDER BY m.created_utc_us, m.id";
 
 Remark remarkOf(RowReader& row) {
   return {.id = row.text(),
@@ -32,7 +36,9 @@ Remark remarkOf(RowReader& row) {
           .time_us = row.int64(),
           .text = row.text(),
           .createdUtc_us = row.int64(),
-          .demonstration = row.boolean()};
+          .demonstration = row.boolean(),
+          .version = row.int64(),
+          .editedUtc_us = row.int64()};
 }
 
 std::vector<SelfScoreLine> selfScoreRows(Connection& connection, const SelfScoreId& selfScoreId) {
@@ -72,21 +78,55 @@ std::vector<Remark> RemarkRepository::remarks(const TrialId& trialId) const {
                    {trialId}, remarkOf);
 }
 
+void RemarkRepository::revise(const RemarkRevision& revision) {
+  Transaction transaction(connection_);
+  const std::array<IdempotentColumn, 6> columns{{{"remark_id", revision.remarkId, Kind::kKey},
+                                                 {"version", revision.version, Kind::kKey},
+                                                 {"author", revision.author},
+                                                 {"author_person_id", textOrNull(revision.authorPersonId)},
+                                                 {"text", revision.text},
+                                                 {"created_utc_us", revision.createdUtc_us, Kind::kIgnored}}};
+  insertIdempotent(connection_, "remark_revision", columns, Text::tr("this version of the remark"));
+  transaction.commit();
+}
+
+std::map<RemarkId, std::vector<RemarkWording>> RemarkRepository::earlierWordings(
+    const TrialId& trialId) const {
+  Statement rows = connection_.prepare(
+      "SELECT m.id, 1 AS version, m.text, m.created_utc_us FROM trial_remark m WHERE m.trial_id = ?"
+      " AND EXISTS (SELECT 1 FROM remark_revision n WHERE n.remark_id = m.id)"
+      " UNION ALL SELECT v.remark_id, v.version, v.text, v.created_utc_us FROM trial_remark o"
+      " JOIN remark_revision v ON v.remark_id = o.id WHERE o.trial_id = ?"
+      " AND EXISTS (SELECT 1 FROM remark_revision n WHERE n.remark_id = v.remark_id"
+      " AND n.version > v.version) ORDER BY 1, 2");
+  rows.execute({trialId, trialId});
+  std::map<RemarkId, std::vector<RemarkWording>> earlier;
+  while (rows.step()) {
+    RowReader row(rows);
+    const RemarkId remarkId = row.text();
+    row.skip(1);
+    const std::string text = row.text();
+    earlier[remarkId].push_back({text, row.int64()});
+  }
+  return earlier;
+}
+
 void RemarkRepository::markRead(const ReadReceipt& receipt) {
   connection_.execute(
-      insertInto("remark_receipt", "remark_id, reader, reader_person_id, read_utc_us") +
-          " ON CONFLICT (remark_id, reader) DO NOTHING",
-      {receipt.remarkId, receipt.reader, textOrNull(receipt.readerPersonId), receipt.readUtc_us});
+      insertInto("remark_receipt", "remark_id, reader, version, reader_person_id, read_utc_us") +
+          " ON CONFLICT (remark_id, reader, version) DO NOTHING",
+      {receipt.remarkId, receipt.reader, receipt.version, textOrNull(receipt.readerPersonId),
+       receipt.readUtc_us});
 }
 
 std::vector<ReadReceipt> RemarkRepository::receipts(const TrialId& trialId) const {
   return selectAll(
       connection_,
-      "SELECT c.remark_id, c.reader, c.reader_person_id, c.read_utc_us FROM trial_remark m"
+      "SELECT c.remark_id, c.version, c.reader, c.reader_person_id, c.read_utc_us FROM trial_remark m"
       " JOIN remark_receipt c ON c.remark_id = m.id WHERE m.trial_id = ? ORDER BY c.read_utc_us, c.remark_id,"
       " c.reader",
       {trialId}, [](RowReader& row) {
-        return ReadReceipt{row.text(), row.text(), row.text(), row.int64()};
+        return ReadReceipt{row.text(), row.int64(), row.text(), row.text(), row.int64()};
       });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,13 +29,18 @@ class RemarkRepository {
   [[nodiscard]] std::optional<Remark> find(const RemarkId& remarkId) const;
   /// By time in the trial, then by when they were written.
   [[nodiscard]] std::vector<Remark> remarks(const TrialId& trialId) const;
-  /// The first reading counts; later ones change nothing.
+  /// Throws DbError (kUnique) when somebody else's window has stored this version with other words.
+  void revise(const RemarkRevision& revision);
+  /// What was written before the newest words, oldest first, of the edited remarks of a trial.
+  [[nodiscard]] std::map<RemarkId, std::vector<RemarkWording>> earlierWordings(const TrialId& trialId) const;
+  /// The first reading of a version counts; later ones change nothing.
   void markRead(const ReadReceipt& receipt);
   [[nodiscard]] std::vector<ReadReceipt> receipts(const TrialId& trialId) const;
-  /// Remarks and replies of others on this trainee's trials that `reader` has not read, oldest first.
+  /// Remarks and replies of others on this trainee's trials whose newest words `reader` has not read, oldest
+  /// first.
   [[nodiscard]] std::vector<Remark> unreadOnTrialsOf(const TraineeId& traineeId,
                                                      const std::string& reader) const;
-  /// Replies of others to remarks of `author` that `author` has not read, oldest first.
+  /// Replies of others to remarks of `author` whose newest words `author` has not read, oldest first.
   [[nodiscard]] std::vector<Remark> unreadReplies(const std::string& author) const;
 
   void addSelfScore(const SelfScore& score);

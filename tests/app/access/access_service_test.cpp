@@ -69,6 +69,25 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   EXPECT_THROW(setOwnPin(session, "4712"), Error);
 }
 
+TEST(AccessService, AnAdministratorEntersAsASimulatedTraineeOnlyAndTheTrailSaysSo) {
+  StudyCentre centre;
+  EXPECT_THROW((void)simulatedTrainee(centre.as("administrator")), Error);  // real people are no choice
+  addUser(centre.as("administrator"),
+          {.login = "demo.trainee", .roles = {"trainee"}, .startPassword = kStart, .demonstration = true});
+
+  const Actor trainee = simulatedTrainee(centre.as("administrator"));
+
+  EXPECT_EQ(trainee.login, "demo.trainee");
+  EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
+  EXPECT_EQ(trainee.passwordShownUtc_us, 0);  // signs nothing
+  const AuditEntry newest = AuditRepository(centre.connection()).entries({.limit = 1}).front();
+  EXPECT_EQ(newest.action, "user.sign_in");
+  EXPECT_EQ(newest.objectId, trainee.userId);
+  EXPECT_NE(newest.actor, trainee.userId);
+  EXPECT_NE(newest.reason.find("simulated trainee"), std::string::npos);
+  EXPECT_THROW((void)simulatedTrainee(centre.as("trainee")), Error);
+}
+
 TEST(AccessService, LastAdministratorStays) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");

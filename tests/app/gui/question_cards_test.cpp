@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTest>
 #include <QTimer>
 #include <gtest/gtest.h>
 
@@ -153,7 +154,14 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     settle();
 
     EXPECT_TRUE(seen);
-    EXPECT_TRUE(card.isHidden());  // nothing waits any more
+    EXPECT_TRUE(card.questions().empty());  // nothing waits any more
+    EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: No, but let go later.")));
+    card.findChild<QPushButton*>(QStringLiteral("editWords"))->click();
+    card.findChild<QPlainTextEdit*>(QStringLiteral("newWords"))
+        ->setPlainText(QStringLiteral("Let go later."));
+    card.findChild<QPushButton*>(QStringLiteral("saveWords"))->click();
+    settle();
+    EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: Let go later.")));
     EXPECT_EQ(said_, QStringList{QStringLiteral("The answer is with Chen Wei")});
   }
 
@@ -161,7 +169,8 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
   card.setRun(trial_);
 
   EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Dr. Li Na answered on")));
-  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("No, but let go later.")));
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("edited since")));
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Let go later.")));
 }
 
 TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
@@ -206,6 +215,52 @@ TEST_F(QuestionCards, AnAnswerToARemarkIsShownUntilItWasRead) {
   settle();
   EXPECT_TRUE(card.isHidden());
   EXPECT_TRUE(repliesToMe(shell.session()).empty());
+  EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
+}
+
+TEST_F(QuestionCards, AReplyIsEditedInPlaceAndTheOldWordsUnfold) {
+  ShellContext& chief = shellOf("chief");
+  RemarkRepository remarks(centre_.connection());
+  remarks.add({.id = "11111111-1111-4111-8111-111111111111",
+               .trialId = trial_,
+               .author = chief.session().actor().userId,
+               .authorPersonId = chief.session().actor().personId,
+               .purpose = "remark",
+               .text = "let go more gently"});
+  RemarksPage page(shellOf("T-01"));
+  page.retranslate();
+  page.enter({});
+  page.show();
+  page.findChild<QLineEdit*>(QStringLiteral("reply"))->setText(QStringLiteral("I will"));
+  page.findChild<QPushButton*>(QStringLiteral("send"))->click();
+  settle();
+  const auto visible = [&page](const char* name) {
+    QList<QPushButton*> found = page.findChildren<QPushButton*>(QString::fromLatin1(name));
+    found.removeIf([](const QPushButton* button) { return !button->isVisible(); });
+    return found;
+  };
+  ASSERT_EQ(visible("editWords").size(), 1);  // one's own only
+  EXPECT_TRUE(visible("edited").isEmpty());
+
+  visible("editWords").front()->click();
+  QPlainTextEdit* field = nullptr;
+  for (auto* one : page.findChildren<QPlainTextEdit*>(QStringLiteral("newWords"))) {
+    field = one->isVisible() ? one : field;
+  }
+  ASSERT_NE(field, nullptr);
+  EXPECT_EQ(field->toPlainText(), QStringLiteral("I will"));
+  field->setPlainText(QStringLiteral("I will try"));
+  QTest::keyClick(field, Qt::Key_Return, Qt::ControlModifier);
+  settle();
+
+  EXPECT_TRUE(textsOf(page).contains(QStringLiteral("I will try")));
+  ASSERT_EQ(visible("edited").size(), 1);
+  visible("edited").front()->click();
+  bool unfolded = false;
+  for (const auto* earlier : page.findChildren<QLabel*>(QStringLiteral("earlierWords"))) {
+    unfolded = unfolded || (earlier->isVisible() && earlier->text().endsWith(QStringLiteral(": I will")));
+  }
+  EXPECT_TRUE(unfolded);
   EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 

@@ -294,6 +294,40 @@ TEST(CasePage, ClearsTheSheetInOneStepThatUndoTakesBack) {
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
 }
 
+TEST(CasePage, GoesOnAfterAFigureWhereThatIsWanted) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& sheet = child<SheetEditorPanel>(page, "sheetPanel");
+  const std::vector<std::string> rows = editorOf(page)->order();
+  ASSERT_GE(rows.size(), 3U);
+  desk.press(Qt::Key_7);
+  EXPECT_EQ(sheet.currentRow(), rows[0]);  // unless it is asked for, nothing moves
+  child<QToolButton>(page, "advance").click();
+
+  desk.press(Qt::Key_6);
+  EXPECT_EQ(sheet.currentRow(), rows[1]);
+  desk.press(Qt::Key_1);
+  EXPECT_EQ(sheet.currentRow(), rows[1]);  // it may become a ten
+  desk.press(Qt::Key_0);
+  EXPECT_EQ(sheet.currentRow(), rows[2]);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_Up);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_4);
+
+  const SheetEditor& editor = *editorOf(page);
+  const auto points = [&](std::size_t row) {
+    const std::int64_t steps = editor.answer(rows[row]).score_steps.value_or(0);
+    return steps / editor.scale(rows[row]).stepsPerPoint;
+  };
+  EXPECT_EQ(points(0), 6);
+  EXPECT_EQ(points(1), 1);
+  EXPECT_EQ(points(2), 4);  // the four was the next row's, not a fourteen
+  child<QToolButton>(page, "advance").click();
+  EXPECT_FALSE(sheet.advancing());
+}
+
 TEST(CasePage, BookmarksRemarksAndSteps) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
@@ -313,6 +347,24 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   EXPECT_EQ(remarks[0].time_us, 40'000);
   EXPECT_EQ(remarks[0].text, "second grip slips");
   EXPECT_EQ(remarks[1].time_us, 80'000);
+
+  desk.press(Qt::Key_R, Qt::ShiftModifier);
+  auto& field = child<QLineEdit>(page, "remarkField");
+  EXPECT_EQ(field.text(), QStringLiteral("second grip slips"));
+  field.setText(QStringLiteral("the <b>second</b> grip"));
+  desk.press(Qt::Key_Return);
+
+  const CaseRemark edited = caseRemarks(desk.session(), centre.cases(0).front()).front();
+  EXPECT_EQ(edited.text, "the <b>second</b> grip");
+  EXPECT_EQ(edited.time_us, 40'000);
+  ASSERT_EQ(edited.earlier.size(), 1U);
+  auto& listed = child<QLabel>(page, "remarks");
+  EXPECT_TRUE(listed.text().contains(QStringLiteral("the &lt;b&gt;second&lt;/b&gt; grip (edited)")));
+  EXPECT_TRUE(listed.toolTip().contains(QStringLiteral("second grip slips")));
+  Q_EMIT listed.linkActivated(QString::fromStdString(edited.id));
+  EXPECT_EQ(field.text(), QStringLiteral("the <b>second</b> grip"));
+  desk.press(Qt::Key_Escape);
+  EXPECT_EQ(caseRemarks(desk.session(), centre.cases(0).front()).front().earlier.size(), 1U);
 }
 
 TEST(CasePage, TheOverallMarkIsSeenWithoutScrollingAndRowsAreSliders) {

@@ -518,6 +518,25 @@ TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
   EXPECT_FALSE(window_->session()->may(Operation::kTrialRecordOwn));
 }
 
+TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedTraineeAndComesBackByTheSignIn) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);  // there is none
+  addUser(*window_->session(),
+          {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
+
+  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  QApplication::processEvents();
+
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(window_->session()->actor().login, "demo");
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kNextStep);
+  EXPECT_FALSE(window_->desk()->open(PageId::kUsers));
+  EXPECT_TRUE(window_->lock());  // nobody knows a password to come back with
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
+}
+
 TEST_F(Shell, AGuestWhoLeavesIsSignedOutNotLocked) {
   openFoundedCentre(setup());
   press(*window_, QStringLiteral("Practise as a guest"));

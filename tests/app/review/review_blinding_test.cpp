@@ -185,6 +185,33 @@ TEST(CaseRemarks, AreTheRatersOwn) {
   EXPECT_TRUE(caseRemarks(*centre.physician(1), centre.caseAbout(1, 0)).empty());
 }
 
+TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  const AssignmentId own = centre.caseAbout(0, 0);
+  addCaseRemark(*first, own, {900'000, "second grip slips"});
+  addCaseRemark(*first, own, {300'000, ""});
+  const std::vector<CaseRemark> before = caseRemarks(*first, own);
+
+  editCaseRemark(*first, own, before[1].id, "second grip slips twice");
+
+  const std::vector<CaseRemark> now = caseRemarks(*first, own);
+  ASSERT_EQ(now.size(), 2U);
+  EXPECT_EQ(now[1].text, "second grip slips twice");
+  EXPECT_EQ(now[1].time_us, 900'000);
+  EXPECT_NE(now[1].editedUtc_us, 0);
+  ASSERT_EQ(now[1].earlier.size(), 1U);
+  EXPECT_EQ(now[1].earlier[0].text, "second grip slips");
+  const auto other = centre.physician(1);
+  EXPECT_EQ(refusal([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }).first,
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusal([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusal([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first, ErrorCode::kBadParameter);
+}
+
 TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
@@ -356,6 +383,8 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   });
   auditedBy(*desk, "warmup.score", [&] { scoreReferenceRun(*desk, 1, 50); });
   auditedBy(*desk, "remark.add", [&] { addCaseRemark(*desk, own, {900'000, "second grip slips"}); });
+  auditedBy(*desk, "remark.add",
+            [&] { editCaseRemark(*desk, own, caseRemarks(*desk, own)[0].id, "first grip slips"); });
   auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), whole()); });
   auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, reviewSheet(3, 3, 3), "a slip"); });
   const auto other = centre.physician(1);

@@ -383,12 +383,14 @@ TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
   EXPECT_FALSE(fresh.fromOwnPace);
   EXPECT_NEAR(fresh.minutes, 5.0 * (2.0 / 60.0 + 1.0),
               1e-9);  // 2 s of recording and one minute for the sheet
+  EXPECT_EQ(fresh.inTenMinutes, 5U);
+  EXPECT_EQ(fresh.worked_us, 0);
   ASSERT_TRUE(fresh.nextDueUtc_us.has_value());
   EXPECT_EQ(*fresh.nextDueUtc_us, testing::kReviewTime_us + 3 * testing::kReviewDay_us);
 
   for (std::size_t i = 0; i < 3; ++i) {
     WatchLog watched = whole(2'000'000);
-    watched.worked(120'000'000);
+    watched.worked(360'000'000);
     submitSheet(*desk, ids[i], reviewSheet(5, 5, 5), watched);
   }
   static_cast<void>(saveSheet(*desk, ids[4], {}, WatchLog(2'000'000)));
@@ -400,7 +402,9 @@ TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
   EXPECT_EQ(later.waiting, 1U);
   EXPECT_EQ(later.next, ids[4]);  // the draft first
   EXPECT_TRUE(later.fromOwnPace);
-  EXPECT_DOUBLE_EQ(later.minutes, 4.0);  // two cases at the own pace of two minutes
+  EXPECT_DOUBLE_EQ(later.minutes, 12.0);  // two cases at the own pace of six minutes
+  EXPECT_EQ(later.inTenMinutes, 1U);
+  EXPECT_EQ(later.worked_us, 3 * 360'000'000);
   EXPECT_EQ(later.overdue, 7U);
   EXPECT_EQ(liveLines(*desk).size(), 5U);
 }

@@ -107,6 +107,29 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
   EXPECT_EQ(remarks[0].remarks[0].replies[0].text, "No, but let go later.");
 }
 
+TEST_F(QuestionsTest, AnAnswerCanBeEditedByWhoGaveIt) {
+  const RemarkId id = askPhysician(desk(), trial_, 3.5, chief_, "too fast?");
+  centre_.become("chief");
+  EXPECT_EQ(refusedWith([&] { editAnswer(desk(), id, "yes"); }), ErrorCode::kBadParameter);
+  answerQuestion(desk(), id, "No, but let go later.");
+  centre_.passTime_us(kMinute_us);
+
+  testing::expectAudited(centre_.connection(), desk().actor().userId, "remark.add",
+                         [&] { editAnswer(desk(), id, "Yes, and let go later."); });
+
+  const PhysicianQuestion mine = questionsToMe(desk())[0];
+  EXPECT_EQ(mine.answer, "Yes, and let go later.");
+  EXPECT_EQ(mine.answerEditedUtc_us - mine.answeredUtc_us, kMinute_us);
+  ASSERT_EQ(mine.earlierAnswers.size(), 1U);
+  EXPECT_EQ(mine.earlierAnswers[0].text, "No, but let go later.");
+  EXPECT_EQ(refusedWith([&] { editAnswer(desk(), id, " "); }), ErrorCode::kBadParameter);
+  centre_.become("T-01");
+  EXPECT_EQ(questionDesk(desk(), trial_).questions[0].answer, "Yes, and let go later.");
+  const TraineeRemark thread = ownRemarks(desk())[0].remarks[0];
+  EXPECT_EQ(thread.replies[0].earlier.size(), 1U);
+  EXPECT_FALSE(thread.replies[0].read);
+}
+
 TEST_F(QuestionsTest, NeedWordsAndAreBookmarksToo) {
   for (const char* nothing : {"", "  "}) {
     EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 2.0, chief_, nothing); }),

@@ -79,7 +79,7 @@ class RemarksTest : public ::testing::Test {
 TEST_F(RemarksTest, AppearWhenTheMarksAreReleased) {
   EXPECT_TRUE(ownRemarks(centre_.session()).empty());
   EXPECT_EQ(unreadRemarks(centre_.session()), 0U);
-  EXPECT_THROW(markRemarkRead(centre_.session(), remark_), Error);
+  EXPECT_THROW(markRemarkRead(centre_.session(), remark_, 1), Error);
 
   release();
 
@@ -95,7 +95,7 @@ TEST_F(RemarksTest, AppearWhenTheMarksAreReleased) {
 
 TEST_F(RemarksTest, CanBeReadAndAnswered) {
   release();
-  markRemarkRead(centre_.session(), remark_);
+  markRemarkRead(centre_.session(), remark_, 1);
   replyToRemark(centre_.session(), remark_, "I will");
 
   const std::vector<TrialRemarks> all = ownRemarks(centre_.session());
@@ -107,11 +107,52 @@ TEST_F(RemarksTest, CanBeReadAndAnswered) {
   EXPECT_THROW(replyToRemark(centre_.session(), remark_, ""), Error);
 }
 
+TEST_F(RemarksTest, AnEditShowsTheNewestWordsAndKeepsTheOld) {
+  release();
+  SessionContext& desk = centre_.session();
+  const RemarkId reply = replyToRemark(desk, remark_, "I will");
+  centre_.passTime_us(testing::kMinute_us);
+
+  editRemark(desk, reply, "I will try");
+
+  const TraineeRemark own = ownRemarks(desk)[0].remarks[0].replies[0];
+  EXPECT_EQ(own.text, "I will try");
+  EXPECT_EQ(own.version, 2);
+  EXPECT_EQ(own.editedUtc_us - own.writtenUtc_us, testing::kMinute_us);
+  ASSERT_EQ(own.earlier.size(), 1U);
+  EXPECT_EQ(own.earlier[0].text, "I will");
+  EXPECT_EQ(own.earlier[0].writtenUtc_us, own.writtenUtc_us);
+  for (const char* words : {"", " ", "I will try"}) {
+    EXPECT_THROW(editRemark(desk, reply, words), Error) << words;
+  }
+  EXPECT_THROW(editRemark(desk, remark_, "not mine"), Error);
+  EXPECT_THROW(editRemark(desk, "none", "nothing"), Error);
+  EXPECT_EQ(ownRemarks(desk)[0].remarks[0].text, "let go more gently");
+}
+
+TEST_F(RemarksTest, WhatWasEditedAfterItWasReadIsUnreadAgain) {
+  release();
+  SessionContext& desk = centre_.session();
+  markRemarkRead(desk, remark_, 1);
+  ASSERT_EQ(unreadRemarks(desk), 0U);
+
+  RemarkRepository(centre_.connection())
+      .revise({remark_, 2, chief_, chief_, "let go later", kCentreTime_us + 5});
+
+  EXPECT_EQ(unreadRemarks(desk), 1U);
+  EXPECT_FALSE(ownRemarks(desk)[0].remarks[0].read);
+  markRemarkRead(desk, remark_, 1);  // what stood on the screen before
+  EXPECT_EQ(unreadRemarks(desk), 1U);
+  EXPECT_THROW(markRemarkRead(desk, remark_, 3), Error);
+  markRemarkRead(desk, remark_, 2);
+  EXPECT_EQ(unreadRemarks(desk), 0U);
+}
+
 TEST_F(RemarksTest, BelongToTheTraineeOnly) {
   release();
   centre_.become("T-02");
   EXPECT_TRUE(ownRemarks(centre_.session()).empty());
-  EXPECT_THROW(markRemarkRead(centre_.session(), remark_), Error);
+  EXPECT_THROW(markRemarkRead(centre_.session(), remark_, 1), Error);
   EXPECT_THROW(static_cast<void>(scoreGap(centre_.session(), trial_)), Error);
 }
 
@@ -163,8 +204,10 @@ TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
   audited("trial.self_score", [&] { selfScore(desk, trial_, 6.0, {}); });
   audited("trial.bookmark", [&] { addBookmark(desk, trial_, 2.5, "good grip"); });
   release();
-  audited("remark.read", [&] { markRemarkRead(desk, remark_); });
-  audited("remark.reply", [&] { replyToRemark(desk, remark_, "I will"); });
+  audited("remark.read", [&] { markRemarkRead(desk, remark_, 1); });
+  RemarkId reply;
+  audited("remark.reply", [&] { reply = replyToRemark(desk, remark_, "I will"); });
+  audited("remark.add", [&] { editRemark(desk, reply, "I shall"); });
   audited("transcript.make", [&] { (void)transcript(desk, centre_.person()); });
   audited("consent.own", [&] { decideOwnConsent(desk, "training_record", false, "1"); });
 }

@@ -254,5 +254,12 @@ TEST(RunSession, MouseAndKeyboardAreForPracticeUnlessTheCentreSaysOtherwise) {
   EXPECT_EQ(pointerReadiness(gradesWithMouse(centre.session())).light(), Light::kGreen);
 }
 
+TEST(RunSession, NoSoundTellsOfALimitUnlessTheCentreWantsIt) {
+  TrainingCentre centre;
+  EXPECT_FALSE(soundsAtLimit(centre.session()));
+  SettingRepository(centre.connection()).set("sound_at_limit", "yes", 0);
+  EXPECT_TRUE(soundsAtLimit(centre.session()));
+}
+
 }  // namespace
 }  // namespace torsio

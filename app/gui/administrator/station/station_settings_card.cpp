@@ -37,6 +37,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       lockLabel_(nullptr),
       lock_(new QSpinBox(this)),
       mouse_(new QCheckBox(this)),
+      sound_(new QCheckBox(this)),
       two_(new QCheckBox(this)),
       signLabel_(nullptr),
       sign_(new QSpinBox(this)),
@@ -47,6 +48,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   lock_->setObjectName(QStringLiteral("idleLock"));
   keep_->setObjectName(QStringLiteral("keepSettings"));
   mouse_->setObjectName(QStringLiteral("gradedWithMouse"));
+  sound_->setObjectName(QStringLiteral("soundAtLimit"));
   two_->setObjectName(QStringLiteral("twoPeople"));
   sign_->setObjectName(QStringLiteral("signMinutes"));
   sign_->setRange(0, kLongestSignMinutes);
@@ -64,6 +66,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   row->addWidget(keep_);
   content()->addLayout(row);
   content()->addWidget(mouse_);
+  content()->addWidget(sound_);
   content()->addWidget(two_);
   auto* signing = new QHBoxLayout;
   signing->setSpacing(kSpace);
@@ -88,6 +91,7 @@ void StationSettingsCard::read() {
     keepInBounds();
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
     mouse_->setChecked(gradesWithMouse(shell_.session()));
+    sound_->setChecked(soundsAtLimit(shell_.session()));
     two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
     sign_->setValue(signMinutes(shell_.session().connectionWithoutRight()));
   });
@@ -98,6 +102,7 @@ void StationSettingsCard::keep() {
     setCentreName(shell_.session(), name_->text().trimmed().toStdString());
     setCentreIdleLimits(shell_.session(), warn_->value(), lock_->value());
     setGradedWithMouse(shell_.session(), mouse_->isChecked());
+    setSoundAtLimit(shell_.session(), sound_->isChecked());
     setSignMinutes(shell_.session(), sign_->value());
     if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
       keepTwoPeople();
@@ -123,6 +128,7 @@ void StationSettingsCard::retranslate() {
   warn_->setSuffix(tr(" min"));
   lock_->setSuffix(tr(" min"));
   mouse_->setText(tr("&Grade runs with mouse and keyboard"));
+  sound_->setText(tr("A sound when a l&imit is reached (not in a room that is shared)"));
   two_->setText(
       tr("&Two people for new passwords and roles of those who score or run the study, for erasing, "
          "restoring and opening the allocation"));

@@ -39,6 +39,7 @@ class StationSettingsCard : public Card {
   QLabel* lockLabel_;
   QSpinBox* lock_;
   QCheckBox* mouse_;
+  QCheckBox* sound_;
   QCheckBox* two_;
   QLabel* signLabel_;
   QSpinBox* sign_;

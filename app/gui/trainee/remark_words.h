@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "assessment/rating/remark.h"
+
+class QBoxLayout;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+/// The newest words of a remark. Once they were edited, "edited" unfolds what stood there before; one's own
+/// can be edited in place (Ctrl+Enter saves, Esc leaves them as they are).
+class RemarkWords : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RemarkWords(QWidget* parent = nullptr);
+
+  /// `editedUtc_us` 0: never edited. `own`: the reader wrote it and may edit it.
+  void setWords(const QString& text, std::int64_t editedUtc_us, const std::vector<RemarkWording>& earlier,
+                bool own);
+  /// What stands before the words, "You answered"; empty: nothing.
+  void setLead(const QString& lead);
+
+ Q_SIGNALS:
+  /// Other words, trimmed, never empty.
+  void edited(const QString& text);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void setEditing(bool editing);
+  void save();
+  void showText();
+
+  QString words_;
+  QString lead_;
+  QLabel* text_;
+  QPushButton* history_;
+  QPushButton* edit_;
+  QLabel* earlier_;
+  QWidget* editor_;
+  QPlainTextEdit* field_;
+  QPushButton* save_;
+};
+
+}  // namespace torsio::gui

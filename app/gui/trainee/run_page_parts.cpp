@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of RunPage: the widgets it is made of.
+#include <initializer_list>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/twist_guide.h"
+#include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/level_bar.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 316;
+constexpr double kCountdown_pt = 30.0;
+constexpr double kNotice_pt = 64.0;
+
+}  // namespace
+
+QWidget* RunPage::createNotice() {
+  auto* ground = new QWidget(this);
+  auto* column = new QVBoxLayout(ground);
+  column->setContentsMargins(6 * kSpace, 6 * kSpace, 6 * kSpace, 6 * kSpace);
+  column->setSpacing(2 * kSpace);
+  noticeTitle_ = plainLabel(ground, "heading");
+  noticeFigure_ = plainLabel(ground);
+  makeHuge(noticeFigure_, kNotice_pt);
+  noticeText_ = plainLabel(ground, "quiet");
+  goOn_ = primaryButton(ground);
+  goOn_->setObjectName(QStringLiteral("goOn"));
+  column->addStretch(2);
+  for (QLabel* label : {noticeTitle_, noticeFigure_, noticeText_}) {
+    label->setAlignment(Qt::AlignHCenter);
+    column->addWidget(label);
+  }
+  column->addWidget(goOn_, 0, Qt::AlignHCenter);
+  column->addStretch(3);
+  connect(goOn_, &QPushButton::clicked, this, [this] {
+    if (waiting_) {
+      cancelWaiting();
+    } else if (runSession_) {
+      follow(runSession_->resume());
+    }
+  });
+  return ground;
+}
+
+QVBoxLayout* RunPage::createHeading(QWidget* panel) {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(kSpace);
+  title_ = plainLabel(panel, "subheading");
+  mode_ = plainLabel(panel, "quiet");
+  validity_ = new ValidityButton(panel);
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(title_, 1);
+  heading->addWidget(validity_, 0, Qt::AlignTop);
+  column->addLayout(heading);
+  guideMe_ = linkButton(panel);
+  guideMe_->setObjectName(QStringLiteral("guideMe"));
+  guideMe_->setStyleSheet(QStringLiteral("padding: 0;"));  // stands in line with the sentence beside it
+  auto* kind = new QHBoxLayout;
+  kind->addWidget(mode_, 1);
+  kind->addWidget(guideMe_);
+  column->addLayout(kind);
+  return column;
+}
+
+QWidget* RunPage::createPanel() {
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  auto* side = new QWidget(this);
+  side->setFixedWidth(kPanelWidth);
+  auto* whole = new QVBoxLayout(side);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scroll = new QScrollArea(side);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* panel = new QWidget;
+  scroll->setWidget(panel);
+  whole->addWidget(scroll, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
+  buttons->setSpacing(kSpace);
+  whole->addLayout(buttons);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
+  column->setSpacing(kSpace);
+  column->addLayout(createHeading(panel));
+  time_ = new Card(QString(), panel);
+  countdown_ = plainLabel(time_);
+  countdown_->setObjectName(QStringLiteral("countdown"));
+  makeHuge(countdown_, kCountdown_pt);
+  progress_ = new QProgressBar(time_);
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  phase_ = plainLabel(time_, "quiet");
+  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_}) {
+    time_->content()->addWidget(widget);
+  }
+  column->addWidget(time_);
+  angle_ = new Card(QString(), panel);
+  dial_ = new AngleDial(angle_);
+  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  count_ = plainLabel(angle_, "subheading");
+  count_->setObjectName(QStringLiteral("twistCount"));
+  count_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(count_);
+  column->addWidget(angle_);
+  detorsion_ = new DetorsionPanel(panel);
+  detorsion_->steer(scene_->controller());
+  column->addWidget(detorsion_);
+  load_ = new Card(QString(), panel);
+  torque_ = new LevelBar(QString(), QString(), 3, load_);
+  force_ = new LevelBar(QString(), QString(), 2, load_);
+  warning_ = plainLabel(load_, "caution");
+  load_->content()->addWidget(torque_);
+  load_->content()->addWidget(force_);
+  load_->content()->addWidget(warning_);
+  column->addWidget(load_);
+  cue_ = plainLabel(panel, "quiet");
+  cue_->setObjectName(QStringLiteral("cue"));
+  column->addWidget(cue_);
+  guide_ = new TwistGuide(scene_);
+  guide_->setObjectName(QStringLiteral("guide"));
+  connect(guideMe_, &QPushButton::clicked, this, &RunPage::guide);
+  column->addStretch(1);
+  rest_ = new QPushButton(side);
+  rest_->setObjectName(QStringLiteral("rest"));
+  stop_ = new QPushButton(side);
+  stop_->setObjectName(QStringLiteral("stop"));
+  buttons->addWidget(rest_);
+  buttons->addWidget(stop_);
+  connect(rest_, &QPushButton::clicked, this, [this] {
+    if (!runSession_ || !runSession_->rest()) {
+      return;
+    }
+    endRecording(TrialOutcome::kCompleted);
+    tick();
+  });
+  connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
+  return side;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the first page to a passed exercise with mouse and keys, every action done on the real widgets and
+// counted. The servo is stepped by the test, 16 ticks a frame; an action takes the time of the
+// keystroke-level model (Card, Moran and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
+#include <cmath>
+#include <functional>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QTest>
+#include <QTimer>
+#include <QWheelEvent>
+#include <gtest/gtest.h>
+
+#include "app/gui/trainee/debrief_page.h"
+#include "app/gui/trainee/live_scene.h"
+#include "sim/base/angle.h"
+#include "tests/app/gui/trainee_station.h"
+#include "tests/app/support/training_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::kSecond_us;
+using torsio::testing::TrainingCentre;
+
+constexpr double kAction_s = 1.35 + 1.1 + 0.28;
+constexpr int kFrame_ms = 16;
+constexpr int kMostActions = 25;
+constexpr double kFourMinutes_s = 240.0;
+constexpr double kPatience_s = 120.0;  // of the run's own time
+
+/// A trainee who has never sat here, with mouse and keyboard.
+class Newcomer {
+ public:
+  explicit Newcomer(TrainingCentre& centre) : centre_(centre), station_(centre) {
+    station_.desk().probe = nullptr;
+    station_.desk().openDevice = nullptr;
+  }
+
+  void click(const char* button) {
+    ++actions_;
+    QTest::mouseClick(station_.find<QPushButton>(button), Qt::LeftButton);
+  }
+  void tick(const char* box) {
+    ++actions_;
+    station_.find<QCheckBox>(box)->click();
+  }
+  /// Time goes by for servo, window and clock.
+  void pass(double seconds) {
+    for (double gone_s = 0.0; gone_s < seconds; gone_s += kFrame_ms * 1e-3) {
+      scene().frame(kFrame_ms * 1e-3);
+      scene().controller().run()->step(kFrame_ms);
+      station_.clock->advance_us(kFrame_ms * 1000);
+      centre_.passTime_us(kFrame_ms * 1000);
+      run_s_ += kFrame_ms * 1e-3;
+    }
+  }
+  void hold(int key) { send(QEvent::KeyPress, key, true); }
+  void release(int key) { send(QEvent::KeyRelease, key, false); }
+  /// One turn of the wheel until something happens, notch by notch.
+  void wheelUntil(const std::function<bool()>& there) {
+    ++actions_;
+    while (!there() && run_s_ < kPatience_s) {
+      const QPointF at(0.5 * view().width(), 0.5 * view().height());
+      QWheelEvent event(at, at, {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&view(), &event);
+      pass(0.1);
+    }
+  }
+  void waitUntil(const std::function<bool()>& there) {
+    while (!there() && run_s_ < kPatience_s) {
+      pass(kFrame_ms * 1e-3);
+    }
+  }
+  [[nodiscard]] LiveState state() { return scene().controller().state(); }
+  Station& station() { return station_; }
+  [[nodiscard]] int actions() const { return actions_; }
+  [[nodiscard]] double needed_s() const { return run_s_ + actions_ * kAction_s; }
+  void countOne() { ++actions_; }
+
+ private:
+  LiveScene& scene() { return child<LiveScene>(station_.run(), "scene"); }
+  SceneView& view() { return scene().view(); }
+  void send(QEvent::Type type, int key, bool counts) {
+    actions_ += counts ? 1 : 0;
+    QKeyEvent event(type, key, Qt::NoModifier);
+    QApplication::sendEvent(&view(), &event);
+  }
+
+  TrainingCentre& centre_;
+  Station station_;
+  int actions_ = 0;
+  double run_s_ = 0.0;
+};
+
+TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
+  TrainingCentre::Setup setup;
+  setup.consent = false;
+  TrainingCentre centre(setup);
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.open(PageId::kNextStep);
+  newcomer.click("begin");
+  ASSERT_EQ(station.pageId, PageId::kConsent);
+  newcomer.tick("understood");
+  newcomer.click("agree");
+  ASSERT_EQ(station.pageId, PageId::kDeviceCheck);
+  newcomer.click("goOn");
+  ASSERT_EQ(station.pageId, PageId::kBriefing);
+  newcomer.click("start");
+  ASSERT_EQ(station.pageId, PageId::kRun);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+
+  const TrainingModule module = station.run().runSession()->module();
+  const auto off_rad = [&] { return newcomer.state().response.angle_rad - module.targetAngle_rad; };
+  newcomer.pass(0.5);
+  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
+  newcomer.hold(Qt::Key_Space);
+  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  const int way = off_rad() < 0.0 ? Qt::Key_E : Qt::Key_Q;
+  newcomer.hold(way);
+  newcomer.pass(0.1);
+  const bool wrongWay = std::abs(off_rad()) > std::abs(module.targetAngle_rad);
+  const int right = !wrongWay ? way : way == Qt::Key_E ? Qt::Key_Q : Qt::Key_E;
+  if (wrongWay) {
+    newcomer.release(way);
+    newcomer.hold(right);
+  }
+  newcomer.waitUntil([&] { return std::abs(off_rad()) < 0.3 * module.tolerance_rad; });
+  newcomer.release(right);
+  newcomer.pass(1.0 + static_cast<double>(module.hold_us) * 1e-6);
+  newcomer.release(Qt::Key_Space);
+  newcomer.pass(2.0);
+  QTimer::singleShot(0, qApp, [] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    for (QAbstractButton* button : question->buttons()) {
+      if (question->buttonRole(button) == QMessageBox::AcceptRole) {
+        button->click();
+      }
+    }
+  });
+  newcomer.countOne();  // the answer to the question
+  newcomer.click("stop");
+  station.shell().waitForJobs();
+
+  ASSERT_EQ(station.pageId, PageId::kDebrief);
+  const Debrief& told = static_cast<DebriefPage&>(*station.page).debrief();
+  EXPECT_EQ(told.twists.size(), 1U);
+  EXPECT_TRUE(told.passed);
+  EXPECT_LE(newcomer.actions(), kMostActions);
+  EXPECT_LE(newcomer.needed_s(), kFourMinutes_s);
+  RecordProperty("actions", newcomer.actions());
+  RecordProperty("seconds", static_cast<int>(newcomer.needed_s()));
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+}  // namespace
+}  // namespace torsio::gui
