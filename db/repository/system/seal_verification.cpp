@@ -183,7 +183,10 @@ bool SealVerification::concernsErased(const SealEntry& entry, const RowSeal& sea
     if (first) {
       const auto marks = std::count(rule->condition.begin(), rule->condition.end(), '?');
       const std::vector<Value> values(static_cast<std::size_t>(marks), Value(person));
-      const std::string key = columnsOf(sealRuleOf(seal.table)->key).front();
+      std::string key;  // as SealShape::keyOf() writes it
+      for (const std::string& column : columnsOf(sealRuleOf(seal.table)->key)) {
+        key += (key.empty() ? "CAST(" : " || '/' || CAST(") + column + " AS TEXT)";
+      }
       for (std::string& id :
            selectAll(connection_,
                      "SELECT " + key + " FROM " + seal.table + " WHERE " + std::string(rule->condition),
