@@ -48,7 +48,8 @@ ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
   connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
     const QString text = link.toString(QUrl::FullyEncoded);
     if (text.startsWith(QLatin1String(kNumber))) {
-      Q_EMIT numberPressed(QUrl::fromPercentEncoding(text.mid(qstrlen(kNumber)).toLatin1()));
+      Q_EMIT numberPressed(
+          QUrl::fromPercentEncoding(text.mid(static_cast<qsizetype>(qstrlen(kNumber))).toLatin1()));
     }
   });
   QPalette paper = palette();
