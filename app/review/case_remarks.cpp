@@ -2,6 +2,7 @@
 #include "app/review/case_remarks.h"
 
 #include "app/review/blinded_case.h"
+#include "app/study/remark_revision.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/remark.h"
 #include "db/connection/connection.h"
@@ -66,15 +67,7 @@ void editCaseRemark(SessionContext& session, const AssignmentId& assignmentId, c
     throw Error(ErrorCode::kBadParameter, Text::tr("this case has no such remark"),
                 Text::tr("case %1", assignment.caseLabel), Text::tr("Open the case again"));
   }
-  const Actor& actor = session.actor();
-  const RemarkRevision revision = revisionOf(*remark, actor.userId, actor.personId, text, session.now_us());
-  Transaction transaction(session.connection());
-  remarks.revise(revision);
-  session.note({.action = AuditAction::kRemarkAdd,
-                .objectKind = AuditObject::kTrialRemark,
-                .objectId = remark->id,
-                .newJson = revisionNote(revision)});
-  transaction.commit();
+  reviseRemark(session, *remark, text);
 }
 
 }  // namespace torsio

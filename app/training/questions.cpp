@@ -7,6 +7,7 @@
 
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
+#include "app/study/remark_revision.h"
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
@@ -222,15 +223,7 @@ void editAnswer(SessionContext& session, const RemarkId& questionId, const std::
     throw Error(ErrorCode::kBadParameter, Text::tr("this question has no answer yet"), questionId,
                 Text::tr("Answer it first"));
   }
-  const Actor& actor = session.actor();
-  const RemarkRevision revision = revisionOf(*answer, actor.userId, actor.personId, text, session.now_us());
-  Transaction transaction(session.connection());
-  remarks.revise(revision);
-  session.note({.action = AuditAction::kRemarkAdd,
-                .objectKind = AuditObject::kTrialRemark,
-                .objectId = answer->id,
-                .newJson = revisionNote(revision)});
-  transaction.commit();
+  reviseRemark(session, *answer, text);
 }
 
 }  // namespace torsio

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/study/remark_revision.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/rating/assignment.h"
@@ -329,15 +330,7 @@ RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const 
 
 void editRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
   const Remark remark = visibleRemark(session, remarkId);
-  const Actor& actor = session.actor();
-  const RemarkRevision revision = revisionOf(remark, actor.userId, actor.personId, text, session.now_us());
-  Transaction transaction(session.connection());
-  RemarkRepository(session.connection()).revise(revision);
-  session.note({.action = AuditAction::kRemarkAdd,
-                .objectKind = AuditObject::kTrialRemark,
-                .objectId = remark.id,
-                .newJson = revisionNote(revision)});
-  transaction.commit();
+  reviseRemark(session, remark, text);
 }
 
 ScoreGap scoreGap(SessionContext& session, const TrialId& trialId) {
