@@ -13,6 +13,7 @@
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/refusal.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
@@ -66,7 +67,7 @@ void refuseClash(const DaySlot& wanted, const std::vector<DaySlot>& present) {
 
 std::string slotJson(const DaySlot& slot) {
   return nlohmann::json{
-      {"place", slot.place}, {"starts_utc_us", slot.startsUtc_us}, {"minutes", slot.duration_us / 60'000'000}}
+      {"place", slot.place}, {"starts_utc_us", slot.startsUtc_us}, {"minutes", slot.duration_us / kMinute_us}}
       .dump();
 }
 
