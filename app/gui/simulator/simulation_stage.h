@@ -6,7 +6,7 @@
 #include <memory>
 #include <variant>
 
-#include "app/gui/simulator/trial_playback.h"
+#include "app/recording/trial_playback.h"
 #include "app/recording/beside_playback.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/live_types.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/simulator/scripted_twist.h"
-#include "app/gui/simulator/trial_playback.h"
+#include "app/recording/trial_playback.h"
 #include "app/gui/simulator/trial_recording.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
