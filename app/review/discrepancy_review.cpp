@@ -164,6 +164,15 @@ void moveMark(SessionContext& session, const AssignmentId& assignmentId, const S
   transaction.commit();
 }
 
+void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                     const std::string& reason) {
+  if (openSheet(session, assignmentId).panelOpen) {
+    moveMark(session, assignmentId, sheet, reason);
+  } else {
+    amendSheet(session, assignmentId, sheet, reason);
+  }
+}
+
 void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);

@@ -74,6 +74,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/report",
         "app/reporting",
         "app/study",
+        "app/web",
         "assessment/attempt",
         "assessment/metrics",
         "assessment/people",

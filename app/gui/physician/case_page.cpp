@@ -373,16 +373,8 @@ void CasePage::finishAmending() {
     return;
   }
   if (!attempt(shell(), [&] {
-        const auto amend = [this](auto&& change) {
-          change(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
-                 stripReason_->text().trimmed().toStdString());
-        };
-        if (opened_.panelOpen) {
-          amend(moveMark);
-        } else {
-          amend([](SessionContext& session, const AssignmentId& id, const Sheet& sheet,
-                   const std::string& reason) { amendSheet(session, id, sheet, reason); });
-        }
+        changeSubmitted(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
+                        stripReason_->text().trimmed().toStdString());
         stripReason_->clear();
         shell().notify(tr("The new version is sealed; the one before is kept"));
         shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));
