@@ -11,6 +11,7 @@ const kLongestRemark = 400;
 export class RemarksView {
   #edited = null; // whose words stand in the field; null: a new one
   #time_us = 0;
+  #last = Promise.resolve();
 
   /// `store`: add(time_us, text), edit(id, text), read(): promises of the list. `player`: where the playhead is.
   constructor(remarks, store, player, done) {
@@ -40,7 +41,8 @@ export class RemarksView {
     return !this.form.hidden && this.input.value.trim() !== '';
   }
   addBookmark() {
-    if (this.player.ready) this.#store(() => this.store.add(this.player.position_us, ''));
+    const { ready, position_us } = this.player;
+    if (ready) this.#store(() => this.store.add(position_us, ''));
   }
   ask() {
     if (!this.player.ready) return;
@@ -85,21 +87,20 @@ export class RemarksView {
     const stored = await this.#store(() => (id === null ? this.store.add(time_us, text) : this.store.edit(id, text)));
     if (stored) this.#close();
   }
-  /// A new one whose answer got lost may be there already: then it is not stored twice.
-  async #store(send) {
-    if (this.busy) return false;
-    this.busy = true;
-    try {
-      this.remarks = await send();
-      say(this.said, '');
-      this.#show();
-      return true;
-    } catch (error) {
-      say(this.said, error instanceof NoConnection ? t('Not stored: the server does not answer. Try again.') : problemText(error));
-      return false;
-    } finally {
-      this.busy = false;
-    }
+  /// One after the other: a remark may be typed while a bookmark is still on its way.
+  #store(send) {
+    this.#last = this.#last.then(async () => {
+      try {
+        this.remarks = await send();
+        say(this.said, '');
+        this.#show();
+        return true;
+      } catch (error) {
+        say(this.said, error instanceof NoConnection ? t('Not stored: the server does not answer. Try again.') : problemText(error));
+        return false;
+      }
+    });
+    return this.#last;
   }
   #show() {
     this.player.setBookmarks(this.remarks.map((one) => one.time_us));

@@ -119,6 +119,7 @@ class Desk:
         self.idle_s = 300
         self.refusing = False  # answers 503 to each change
         self.away = False      # ends each connection without an answer
+        self.loses_answers = False  # does what is asked and ends the connection
         self.asks_password = True
         self.wrong = 0
         self.saves = 0
@@ -277,6 +278,10 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(body)
 
     def answer(self, value, status=200, headers=()):
+        if self.desk.loses_answers:
+            self.close_connection = True
+            self.connection.close()
+            return
         self.send(status, json.dumps(value).encode(), "application/json", headers)
 
     def cookie(self):
@@ -341,10 +346,16 @@ class Handler(BaseHTTPRequestHandler):
     do_GET = do_POST = do_PUT = handle_any
 
 
+class Server(ThreadingHTTPServer):
+    def handle_error(self, request, client_address):
+        if not isinstance(sys.exc_info()[1], ConnectionError):  # a browser may leave in the middle
+            super().handle_error(request, client_address)
+
+
 def start(port=0):
     """(server, desk), running in a thread of its own."""
     desk = Desk()
-    server = ThreadingHTTPServer(("127.0.0.1", port), type("Bound", (Handler,), {"desk": desk}))
+    server = Server(("127.0.0.1", port), type("Bound", (Handler,), {"desk": desk}))
     server.daemon_threads = True
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return server, desk
