@@ -93,7 +93,7 @@ function drawFrame({ centre, languages }) {
   head.replaceChildren(
     h('a', { class: 'skip', href: '#main', onclick: skip }, t('To the content')),
     h('a', { class: 'brand', href: '#' }, 'Torsio'),
-    h('span', { class: 'centre' }, centre),
+    h('span', { class: 'centre' }, centre ?? ''),
     who, choice, leave,
   );
   foot.replaceChildren(t('A training tool and not a medical device. No patient data.'));

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One case: the recording at the left, the sheet at the right, each keystroke on its way to the server.
 import { api, NoConnection } from './api.js';
+import { pressKey } from './case_keys.js';
+import { stepName, versionsText } from './case_words.js';
 import { askConflict } from './dialogs.js';
 import { DraftKeeper } from './draft_keeper.js';
-import { button, h, say, show } from './dom.js';
+import { button, h, say } from './dom.js';
 import { keysHelp } from './keys_help.js';
-import { clockTime, dayText } from './numbers.js';
+import { clockTime } from './numbers.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
+import { remarkStore } from './remark_store.js';
 import { RemarksView } from './remarks_view.js';
 import { SheetEditor } from './sheet_editor.js';
 import { SheetView } from './sheet_view.js';
@@ -15,6 +18,11 @@ import { SubmitBar } from './submit_bar.js';
 import { t } from './texts.js';
 import { dropUnsaved, keepUnsaved, unsavedSheet } from './unsaved.js';
 import { ViewingReporter } from './viewing_reporter.js';
+
+/// A password that was not asked for is not sent.
+function shown(password) {
+  return password === null ? {} : { password };
+}
 
 /// Drafts of cases that were left and are still on their way: path -> keeper.
 const underway = new Map();
@@ -33,13 +41,18 @@ export class CasePage {
     return this.opened.state === 'submitted';
   }
   get unsaved() {
-    return Boolean(this.opened) && (this.keeper.unsaved || this.remarks.unsaved || this.bar.amending);
+    return Boolean(this.keeper) && (this.keeper.unsaved || this.remarks.unsaved || this.bar.amending);
   }
 
   async load() {
     await underway.get(this.path)?.stop();
     underway.delete(this.path);
-    this.opened = await api.get(this.path);
+    this.opened = await this.#open();
+    if (this.opened.live) {
+      this.element.replaceChildren(h('h1', {}, this.title), h('p', {}, t('This case is scored live; there is no recording.')),
+        h('p', {}, h('a', { href: '#' }, t('Your queue'))));
+      return;
+    }
     this.check = this.opened.check;
     const kept = this.sealed ? null : unsavedSheet(this.frame.login, this.opened.label);
     this.editor = new SheetEditor(this.opened.rubric, kept ?? this.opened.sheet);
@@ -47,6 +60,29 @@ export class CasePage {
     if (kept) this.#save();
     this.view.takeFocus();
     await this.#openRecording();
+  }
+
+  /// A new session gives a case another handle; its label stays, and is found in the queue again.
+  async #open() {
+    try {
+      const opened = await api.get(this.path);
+      window.history.replaceState({ label: opened.label }, '');
+      return opened;
+    } catch (error) {
+      const label = window.history.state?.label;
+      if (!label || ![403, 404].includes(error.status) || !(await this.#follow(label))) throw error;
+      return api.get(this.path);
+    }
+  }
+  /// Takes the handle that the case of this label has now. False: it is not in the queue.
+  async #follow(label) {
+    const { lines } = await api.get('/api/queue');
+    const line = lines.find((one) => one.label === label);
+    if (!line) return false;
+    this.path = `/api/cases/${encodeURIComponent(line.case)}`;
+    if (this.player) this.player.path = this.path;
+    window.history.replaceState({ label }, '', `#case/${encodeURIComponent(line.case)}`);
+    return true;
   }
 
   #build() {
@@ -60,7 +96,7 @@ export class CasePage {
       post: (body, options) => api.post(`${this.path}/viewing`, body, options),
       onAnswer: (answer, unheard) => this.#viewed(answer, unheard),
     });
-    this.view = new SheetView(opened.rubric, opened.reasons, {
+    this.view = new SheetView(opened.rubric, opened.reasons ?? [], {
       edited: () => this.#edited(),
       out: () => this.bar.cancel() || this.bar.takeFocus(),
     });
@@ -70,7 +106,7 @@ export class CasePage {
       played: (stretch) => this.#played(stretch),
       paused: () => this.reporter.report(),
     });
-    this.remarks = new RemarksView(opened.remarks, this.#remarkStore(), this.player, () => this.view.takeFocus());
+    this.remarks = new RemarksView(opened.remarks, remarkStore(() => this.path), this.player, () => this.view.takeFocus());
     this.bar = new SubmitBar(this);
     const right = h('div', { class: 'right' }, this.view.element, this.bar.element);
     const left = h('div', { class: 'left' }, this.player.element, this.remarks.element);
@@ -80,8 +116,7 @@ export class CasePage {
   }
   #head() {
     const { opened } = this;
-    const facts = [];
-    if (!opened.live) facts.push(t('%1 long', clockTime(opened.length_us)));
+    const facts = [t('%1 long', clockTime(opened.length_us))];
     if (this.sealed) facts.push(t('submitted and sealed'));
     if (opened.versions.length > 1) facts.push(t('version %1', opened.versions.at(-1).version));
     this.savedText = h('span', { class: 'saved', role: 'status' });
@@ -100,10 +135,6 @@ export class CasePage {
         this.undoButton, this.redoButton, this.clearButton));
   }
   async #openRecording() {
-    if (this.opened.live) {
-      say(this.player.sentence, t('This case is scored live; there is no recording.'));
-      return;
-    }
     try {
       await this.player.load();
       this.player.setWatched(this.opened.watched, []);
@@ -170,25 +201,9 @@ export class CasePage {
     this.undoButton.disabled = !open || !undoable;
     this.redoButton.disabled = !open || !redoable;
     this.clearButton.disabled = !open;
-    this.undoButton.title = undoable ? t('Undo %1 (Ctrl+Z)', this.#stepName(undoable)) : t('Nothing to undo');
-    this.redoButton.title = redoable ? t('Redo %1 (Ctrl+Y)', this.#stepName(redoable)) : t('Nothing to redo');
+    this.undoButton.title = undoable ? t('Undo %1 (Ctrl+Z)', stepName(undoable, this.view)) : t('Nothing to undo');
+    this.redoButton.title = redoable ? t('Redo %1 (Ctrl+Y)', stepName(redoable, this.view)) : t('Nothing to redo');
   }
-  #stepName({ kind, row }) {
-    const name = this.view.nameOf(row);
-    switch (kind) {
-      case 'score':
-        return t('mark of %1', name);
-      case 'cleared':
-        return t('clearing of %1', name);
-      case 'not_assessable':
-        return t('reason for %1', name);
-      case 'comment':
-        return t('comment');
-      default:
-        return t('clearing of the sheet');
-    }
-  }
-
   // Watching.
   #played(stretch) {
     this.frame.active();
@@ -203,27 +218,6 @@ export class CasePage {
     this.bar.refresh();
   }
 
-  /// Remarks at the server. A new one whose answer got lost is looked for before it is sent again.
-  #remarkStore() {
-    let doubtful = false;
-    return {
-      add: async (time_us, text) => {
-        if (doubtful) {
-          const { remarks } = await api.get(this.path);
-          doubtful = false;
-          if (remarks.some((one) => one.time_us === time_us && one.text === text)) return remarks;
-        }
-        try {
-          return (await api.post(`${this.path}/remarks`, { time_us, text })).remarks;
-        } catch (error) {
-          doubtful = error instanceof NoConnection;
-          throw error;
-        }
-      },
-      edit: async (id, text) => (await api.put(`${this.path}/remarks/${encodeURIComponent(id)}`, { text })).remarks,
-    };
-  }
-
   // What SubmitBar asks of its page.
   /// Throws Refusal, NoConnection.
   async sendSubmit(password) {
@@ -231,10 +225,10 @@ export class CasePage {
     await this.keeper.settled();
     if (this.doubtful && (await api.get(this.path)).state === 'submitted') return;
     try {
-      this.answer = await api.post(`${this.path}/submit`, { sheet: this.editor.sheet, password });
+      this.answer = await api.post(`${this.path}/submit`, { sheet: this.editor.sheet, ...shown(password) });
     } catch (error) {
       this.doubtful = error instanceof NoConnection;
-      if (error.status === 409 && error.body.sheet) this.#save(); // the keeper finds out and asks
+      if (error.status === 409) this.#save(); // the keeper finds out and asks
       throw error;
     }
   }
@@ -258,7 +252,7 @@ export class CasePage {
     this.#showHistory();
   }
   sendAmend(reason, password) {
-    return api.post(`${this.path}/amend`, { sheet: this.editor.sheet, reason, password });
+    return api.post(`${this.path}/amend`, { sheet: this.editor.sheet, reason, ...shown(password) });
   }
   amended() {
     this.frame.notify(t('The new version is sealed; the one before is kept'));
@@ -276,7 +270,7 @@ export class CasePage {
     await this.keeper?.settled();
   }
   left() {
-    if (!this.opened) return;
+    if (!this.keeper) return;
     this.pause();
     this.reporter.close();
     if (this.keeper.unsaved) underway.set(this.path, this.keeper);
@@ -284,13 +278,7 @@ export class CasePage {
   /// Somebody signed in again; the case may have another handle in the new session.
   async resume() {
     try {
-      const { lines } = await api.get('/api/queue');
-      const line = lines.find((one) => one.label === this.opened?.label);
-      if (line) {
-        this.path = `/api/cases/${encodeURIComponent(line.case)}`;
-        this.player.path = this.path;
-        window.history.replaceState(null, '', `#case/${encodeURIComponent(line.case)}`);
-      }
+      await this.#follow(this.opened.label);
     } catch (error) {
       this.frame.notify(problemText(error));
     }
@@ -300,52 +288,6 @@ export class CasePage {
     this.bar.refresh();
   }
   key(event) {
-    if (!this.view || event.isComposing || event.defaultPrevented) return;
-    const typing = ['INPUT', 'TEXTAREA', 'SELECT'].includes(event.target.tagName) && event.target.type !== 'checkbox';
-    if (this.#command(event) || (!typing && this.#plainKey(event))) event.preventDefault();
+    if (this.view) pressKey(this, event);
   }
-  #command(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
-    const key = event.key.toLowerCase();
-    if (key === 'enter') {
-      this.bar.go();
-      return true;
-    }
-    // One history for the whole sheet; a remark keeps its own.
-    if (event.target.tagName === 'INPUT' && !this.view.element.contains(event.target)) return false;
-    if (key === 'z' && !event.shiftKey) {
-      this.view.undo();
-    } else if (key === 'y' || (key === 'z' && event.shiftKey)) {
-      this.view.redo();
-    } else {
-      return false;
-    }
-    return true;
-  }
-  #plainKey(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey) return false;
-    if (event.key === 'Escape') return this.bar.cancel();
-    const pressesButton = event.target.closest('button, a, summary, [type=checkbox]') && event.key === ' ';
-    if (pressesButton) return false;
-    switch (event.key) {
-      case 'b':
-      case 'B':
-        this.remarks.addBookmark();
-        return true;
-      case 'r':
-        this.remarks.ask();
-        return true;
-      case 'R':
-        this.remarks.editNearest();
-        return true;
-      default:
-        return this.player.key(event) || this.view.key(event);
-    }
-  }
-}
-
-function versionsText(versions) {
-  const line = ({ version, submitted_utc_us: day, reason }) =>
-    reason ? t('Version %1, %2: %3', version, dayText(day), reason) : t('Version %1, %2', version, dayText(day));
-  return versions.map(line).join('\n');
 }

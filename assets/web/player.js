@@ -30,7 +30,7 @@ export class Player {
       button(t('Fit'), () => this.stage.fit()));
     this.stagePlace = h('div', { class: 'stage' }, this.stage.canvas, this.views);
     this.element = h('section', { class: 'player', 'aria-label': t('Recording') },
-      h('p', { class: 'task' }, taskText(opened.task)), this.stagePlace, this.sentence, this.traces.canvas,
+      h('p', { class: 'task' }, opened.task ? taskText(opened.task) : ''), this.stagePlace, this.sentence, this.traces.canvas,
       this.#transport());
     show(this.stagePlace, false);
     this.#showState();

@@ -9,6 +9,6 @@ export function problemText(error) {
   if (!(error instanceof Refusal)) throw error; // a fault of the pages themselves
   if (error.wait_s > 0) return t('Please wait %1 s, then try again.', Math.ceil(error.wait_s));
   if (error.passes && !error.code) return t('The server is busy. Try again in a moment.');
-  const said = error.where ? t('%1: %2', error.where, error.message) : error.message;
-  return error.remedy ? t('%1. %2', said.replace(/[.。]$/, ''), error.remedy) : said;
+  const said = error.message.charAt(0).toUpperCase() + error.message.slice(1);
+  return error.remedy ? t('%1. %2', said, error.remedy) : said;
 }

@@ -109,7 +109,7 @@ export class RemarksView {
       const go = button(at, () => this.player.seek(one.time_us), { class: 'time', 'aria-label': t('Go to %1', at) });
       return one.text === ''
         ? h('li', {}, go)
-        : h('li', {}, go, h('span', {}, one.text), button(t('Edit'), () => this.#edit(one), { class: 'small', 'aria-label': t('Edit the remark at %1', at) }));
+        : h('li', {}, go, h('span', {}, one.edited ? t('%1 (edited)', one.text) : one.text), button(t('Edit'), () => this.#edit(one), { class: 'small', 'aria-label': t('Edit the remark at %1', at) }));
     }));
     if (this.remarks.length === 0) {
       this.list.append(h('li', { class: 'quiet' }, t('Bookmarks are yours; remarks reach the trainee when the marks are released.')));

@@ -64,8 +64,10 @@ void main() {
   if (fine > 0.5) {
     float broad = grain(still / 7.3);
     mottle = 0.55 * broad + 0.45 * grain(still / 2.1);
-    vec3 lean = vec3(dFdx(mottle), dFdy(mottle), 0.0);
-    film = normalize(n - 1.6 * (headlight * lean));
+    // Waves shorter than a few pixels are left out: they would glitter.
+    float pixel = max(length(dFdx(still)), 1e-3);
+    vec3 lean = vec3(dFdx(mottle), dFdy(mottle), 0.0) / pixel * (1.0 - smoothstep(0.25, 0.9, pixel));
+    film = normalize(n - 0.9 * (headlight * lean));
   }
   vec3 base = skin * mix(0.82, 1.16, mottle);
   // Light goes in, wanders and comes out beside: the edge of the shade is soft, and red, which goes furthest.

@@ -7,7 +7,7 @@ import { kOverallRow } from './sheet_editor.js';
 import { SheetKeys } from './sheet_keys.js';
 import { t } from './texts.js';
 
-const kLongestComment = 4000;
+const kLongestComment = 10000;
 
 export class SheetView {
   readOnly = false;

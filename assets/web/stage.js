@@ -15,6 +15,7 @@ const kShares = [1, 0.8, 0.6, 0.45];
 const kMostRatio = 2;
 const kSlow_ms = 36;
 const kJudgedFrames = 20;
+const kStill_ms = 300; // after it the picture stands, and may take its time
 
 export class Stage {
   camera = new OrbitCamera();
@@ -35,11 +36,15 @@ export class Stage {
       this.#meshes = null;
     });
     this.canvas.addEventListener('webglcontextrestored', () => this.#upload());
-    new ResizeObserver(() => this.#resize()).observe(this.canvas);
+    new ResizeObserver(() => {
+      this.#resize();
+      this.redraw();
+    }).observe(this.canvas);
     return true;
   }
 
   #meshes = null;
+  #toolParts = [];
   /// Containers of the recording and the organ.
   setCase(recording, organ) {
     this.recording = recording;
@@ -57,6 +62,7 @@ export class Stage {
     const vertices = new Float32Array(2 * mean.length);
     for (let i = 0; i < mean.length; ++i) vertices[6 * Math.floor(i / 3) + (i % 3)] = mean[i];
     addNormals(index, vertices);
+    this.#toolParts = partsOf(index, organ.meta.tool.parts);
     this.#meshes = {
       organ: makeMesh(gl, { ...organ, vertices: organ.evaluate(this.#time_s), moves: true }),
       tool: makeMesh(gl, { index, vertices, colour: kSteel }),
@@ -94,18 +100,36 @@ export class Stage {
     requestAnimationFrame((now_ms) => {
       this.#awaits = false;
       if (!this.#meshes || this.canvas.clientWidth === 0) return;
+      if (this.#still !== this.#sharpens) {
+        this.#still = this.#sharpens;
+        this.#resize();
+      }
+      this.#sharpens = false;
       this.#draw();
-      this.#judge(now_ms);
+      if (!this.#still) this.#judge(now_ms);
     });
   }
+  #still = false;
+  #sharpens = false;
+  #later = null;
+  /// What stands is drawn once more with all pixels.
+  #sharpen() {
+    clearTimeout(this.#later);
+    if (this.#share === 0 || this.#still) return;
+    this.#later = setTimeout(() => {
+      if (this.#awaits) return;
+      this.#sharpens = true;
+      this.redraw();
+    }, kStill_ms);
+  }
   #resize() {
-    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * kShares[this.#share];
+    const share = kShares[this.#still ? 0 : this.#share];
+    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * share;
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width === width && this.canvas.height === height) return;
     this.canvas.width = width;
     this.canvas.height = height;
-    this.redraw();
   }
   /// Pictures that follow each other closely tell how fast this machine is.
   #judge(now_ms) {
@@ -119,6 +143,7 @@ export class Stage {
     if (middle_ms > kSlow_ms && this.#share + 1 < kShares.length) {
       this.#share += 1;
       this.#resize();
+      this.redraw();
     }
   }
 
@@ -131,11 +156,12 @@ export class Stage {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.#begin(this.tissue);
-    this.tissue.fine(this.#share < 2);
+    this.tissue.fine(this.#still || this.#share < 2);
     this.tissue.model(kIdentity);
     organ.draw();
     this.#begin(this.steel);
     this.#drawTool(tool);
+    this.#sharpen();
   }
   #begin(program) {
     const { right, up, back } = this.camera.axes();
@@ -144,22 +170,29 @@ export class Stage {
     program.eye(this.camera.position());
     program.headlight(new Float32Array([...right, ...up, ...back]));
   }
-  /// meta.tool.parts: {name, first, count} in indices; 'upper_jaw' opens by +opening_deg about axis and pivot,
-  /// 'lower_jaw' by -opening_deg. Without parts it is one rigid body.
+  /// meta.tool.parts: {name, first, count} of vertices; 'upper_jaw' opens by +opening_deg about axis and pivot,
+  /// 'lower_jaw' by -opening_deg.
   #drawTool(mesh) {
     const pose = poseMatrix(this.recording, this.#time_s);
-    const { parts, pivot_mm = [0, 0, 0], axis = [1, 0, 0], opening_deg = 0 } = this.organ.meta.tool ?? {};
-    if (!parts) {
-      this.steel.model(pose);
-      mesh.draw();
-      return;
-    }
+    const { pivot_mm, axis = [1, 0, 0], opening_deg } = this.organ.meta.tool;
     const opening_rad = (jawOpening(this.recording, this.#time_s) * opening_deg * Math.PI) / 180;
     const sides = { upper_jaw: 1, lower_jaw: -1 };
-    for (const { name, first, count } of parts) {
+    for (const { name, first, count } of this.#toolParts) {
       const side = sides[name] ?? 0;
       this.steel.model(side === 0 ? pose : product(pose, turnedAbout(axis, pivot_mm, side * opening_rad)));
       mesh.draw(first, count);
     }
   }
+}
+
+/// Which indices draw each part, given its vertices; the triangles of a part lie together.
+function partsOf(index, parts) {
+  return parts.map(({ name, first, count }) => {
+    const inside = (at) => index[at] >= first && index[at] < first + count;
+    let begin = 0;
+    while (begin < index.length && !inside(begin)) begin += 3;
+    let end = begin;
+    while (end < index.length && inside(end)) end += 3;
+    return { name, first: begin, count: end - begin };
+  });
 }

@@ -46,12 +46,12 @@ export class SubmitBar {
   async go() {
     if (this.#busy) return;
     if (this.#amending) {
-      await this.#seal(() => this.#amendOnce(null));
+      await this.#seal(() => this.#amendOnce());
     } else if (!this.page.sealed) {
       if (!this.#asking) {
         this.#ask();
       } else if (this.#ready()) {
-        await this.#seal(() => this.#submitOnce(null));
+        await this.#seal(() => this.#submitOnce());
       } else {
         this.#lead();
       }
@@ -154,10 +154,11 @@ export class SubmitBar {
       await send(password);
       return true;
     } catch (error) {
-      if (error.status !== 403 || !error.body.need_password) throw error;
-      const given = await askSignature({
-        meaning: error.body.meaning, login: this.page.frame.login, problem: password === null ? '' : problemText(error),
-      });
+      const asked = error.status === 403 && error.body.need_password;
+      if (!asked && (error.status !== 403 || password === null)) throw error;
+      this.meaning = error.body.meaning ?? this.meaning;
+      const problem = asked && password === null ? '' : problemText(error);
+      const given = await askSignature({ meaning: this.meaning, login: this.page.frame.login, problem });
       return given === null ? false : this.#signed(send, given);
     }
   }

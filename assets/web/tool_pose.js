@@ -2,15 +2,18 @@
 // Where the instrument is and how far its jaw stands open at any moment of the recording. Knows no WebGL.
 
 const kFloatsAPose = 7; // x y z mm, quaternion w x y z
-const kHalfTravel_s = 0.06; // the jaw needs about a tenth of a second
+
+/// The frames before and after a time, and how far it lies between them.
+function momentOf({ rate_hz, frames }, time_s) {
+  const at = Math.min(Math.max(time_s * rate_hz, 0), frames - 1);
+  const before = Math.floor(at);
+  return { before, after: Math.min(before + 1, frames - 1), share: at - before };
+}
 
 /// Model matrix by columns: what lies in the instrument's frame comes into the view frame.
 export function poseMatrix({ meta, arrays }, time_s) {
   const { tool } = arrays;
-  const at = Math.min(Math.max(time_s * meta.rate_hz, 0), meta.frames - 1);
-  const before = Math.floor(at);
-  const after = Math.min(before + 1, meta.frames - 1);
-  const share = at - before;
+  const { before, after, share } = momentOf(meta, time_s);
   const a = tool.subarray(kFloatsAPose * before, kFloatsAPose * (before + 1));
   const b = tool.subarray(kFloatsAPose * after, kFloatsAPose * (after + 1));
   // The shorter of the two ways between the orientations.
@@ -21,14 +24,10 @@ export function poseMatrix({ meta, arrays }, time_s) {
   return rigid(q.map((value) => value / length), [0, 1, 2].map((i) => between(i, 1)));
 }
 
-/// 0 closed, 1 open: the mean over the moments around.
+/// 0 closed, 1 open; the recording holds how far it is closed in 255 steps.
 export function jawOpening({ meta, arrays }, time_s) {
-  const { closed } = arrays;
-  const low = Math.max(0, Math.round((time_s - kHalfTravel_s) * meta.rate_hz));
-  const high = Math.min(meta.frames - 1, Math.round((time_s + kHalfTravel_s) * meta.rate_hz));
-  let open = 0;
-  for (let i = low; i <= high; ++i) open += closed[i] ? 0 : 1;
-  return high >= low ? open / (high - low + 1) : 0;
+  const { before, after, share } = momentOf(meta, time_s);
+  return 1 - (arrays.closed[before] * (1 - share) + arrays.closed[after] * share) / 255;
 }
 
 /// A jaw that turned by `angle_rad` about the axis through the pivot.

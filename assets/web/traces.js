@@ -5,7 +5,6 @@ import { clockTime, figure } from './numbers.js';
 import { t } from './texts.js';
 
 const kLaneGap = 6;
-const kAxis = 26;
 const kWatchedHeight = 4;
 const kRoom = 1.05; // a limit does not lie on the edge
 const kTicks_s = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800];
@@ -19,7 +18,10 @@ function colours() {
 }
 
 export class Traces {
-  canvas = h('canvas', { class: 'traces', role: 'slider', tabindex: '0', 'aria-valuemin': 0 });
+  canvas = h('canvas', {
+    class: 'traces', role: 'slider', tabindex: '0', 'aria-label': t('Time in the recording'), 'aria-valuemin': 0,
+    'aria-valuemax': 0, 'aria-valuenow': 0,
+  });
   #still = document.createElement('canvas');
   #lanes = [];
   #watched = [];
@@ -62,7 +64,6 @@ export class Traces {
       }),
     ];
     const peak = (one) => figure(Math.max(-one.least, one.most), one.decimals);
-    this.canvas.setAttribute('aria-label', t('Time in the recording'));
     this.canvas.setAttribute('aria-valuemax', Math.round(recording.meta.length_us / 1e6));
     this.canvas.setAttribute(
       'aria-description',
@@ -101,10 +102,20 @@ export class Traces {
     event.stopPropagation();
     this.onSeek(this.#position_us + steps[event.key]);
   }
+  em_px = 16;
+  #measure() {
+    const style = getComputedStyle(this.canvas);
+    this.em_px = parseFloat(style.fontSize);
+    this.typeface = style.fontFamily;
+  }
   #plot() {
+    const { em_px } = this;
     const width = this.canvas.clientWidth;
-    const narrow = width < 420;
-    return { left: narrow ? 62 : 92, right: width - (narrow ? 8 : 76), top: 8, bottom: this.canvas.clientHeight - kAxis };
+    const narrow = width < 26 * em_px; // then there is no room for readings
+    return {
+      left: Math.round((narrow ? 4.8 : 5.8) * em_px), right: Math.round(width - (narrow ? 1 : 4.8) * em_px), top: 8,
+      bottom: Math.round(this.canvas.clientHeight - 1.7 * em_px),
+    };
   }
   #xOf(time_us) {
     const { left, right } = this.#plot();
@@ -125,6 +136,7 @@ export class Traces {
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
     if (this.#stale) {
       this.palette = colours();
+      this.#measure();
       for (const canvas of [this.canvas, this.#still]) {
         canvas.width = Math.round(width * ratio);
         canvas.height = Math.round(height * ratio);
@@ -140,7 +152,7 @@ export class Traces {
   #context(canvas, ratio) {
     const paint = canvas.getContext('2d');
     paint.setTransform(ratio, 0, 0, ratio, 0, 0);
-    paint.font = `12px ${getComputedStyle(this.canvas).fontFamily}`;
+    paint.font = `${0.78 * this.em_px}px ${this.typeface}`;
     return paint;
   }
   #areaOf(i) {
@@ -155,7 +167,7 @@ export class Traces {
   #drawAxis(paint) {
     const { left, right, bottom } = this.#plot();
     const length_s = this.recording.meta.length_us / 1e6;
-    const step_s = kTicks_s.find((step) => (step / length_s) * (right - left) > 56) ?? kTicks_s.at(-1);
+    const step_s = kTicks_s.find((step) => (step / length_s) * (right - left) > 3.5 * this.em_px) ?? kTicks_s.at(-1);
     paint.fillStyle = this.palette.quiet;
     paint.textAlign = 'center';
     paint.textBaseline = 'top';
@@ -184,7 +196,7 @@ export class Traces {
     }
     const x = this.#xOf(this.#position_us);
     paint.fillRect(x - 1, top - 2, 2, bottom - top + kWatchedHeight + 6);
-    if (this.canvas.clientWidth - right < 40) return;
+    if (this.canvas.clientWidth - right < 2 * this.em_px) return;
     paint.textAlign = 'right';
     paint.textBaseline = 'middle';
     this.readings().forEach((text, i) => {
@@ -252,10 +264,10 @@ function drawLane(paint, one, area, palette) {
   paint.textAlign = 'left';
   paint.textBaseline = 'bottom';
   paint.fillStyle = palette.text;
-  paint.fillText(one.name, 0, top + height / 2);
+  paint.fillText(one.name, 0, top + height / 2 + 1);
   paint.textBaseline = 'top';
   paint.fillStyle = palette.quiet;
-  const low = one.bottom === 0 ? '0' : figure(one.bottom, one.decimals);
+  const low = Math.abs(one.bottom) < 0.5 * 10 ** -one.decimals ? '0' : figure(one.bottom, one.decimals);
   paint.fillText(withUnit(`${low}\u2026${figure(one.top, one.decimals)}`, one.unit), 0, top + height / 2);
 }
 

@@ -77,7 +77,7 @@ def recording(length_s=LENGTH_S, picture=True):
             "force_high_N": ("f32", array("f", [1.06 * f for f in force])),
             "target_deg": ("f32", array("f", [TARGET_DEG] * frames)),
             "tool": ("f32", poses),
-            "closed": ("u8", array("B", [held(t) for t in times])),
+            "closed": ("u8", array("B", [255 * held(t) for t in times])),
             "held": ("u8", array("B", [held(t) for t in times])),
         },
     )
@@ -142,7 +142,7 @@ def organ():
     meta = {
         "vertices": ROUND * ALONG, "components": POSES - 1, "frames": len(angles), "rate_hz": RATE_HZ / 2,
         "scale": [largest / 32767.0] * (POSES - 1),
-        "tool": {"parts": parts, "pivot_mm": [0.0, 0.0, 20.0], "axis": [1.0, 0.0, 0.0], "opening_deg": 25.0},
+        "tool": {"parts": parts, "pivot_mm": [0.0, 0.0, 20.0], "opening_deg": 25.0},
     }
     return container(meta, {
         "index": ("u32", quads(ALONG, ROUND)), "mean": ("f32", mean), "basis": ("i16", basis),
@@ -169,6 +169,6 @@ def tool():
                     y = abs(y) if name == "upper_jaw" else -abs(y)
                 mean.extend((x, y, z))
         piece = quads(len(stations), columns, first)
-        parts.append({"name": name, "first": len(index), "count": len(piece)})
+        parts.append({"name": name, "first": first, "count": len(mean) // 3 - first})
         index.extend(piece)
     return index, mean, parts
