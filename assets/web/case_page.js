@@ -166,7 +166,7 @@ export class CasePage {
     const { state, problem } = this.keeper;
     const texts = {
       idle: '',
-      saving: t('Saving \u2026'),
+      saving: t('Saving …'),
       saved: t('Saved'),
       waiting: t('Not saved yet, trying again'),
       signed_out: t('Not saved yet: sign in again'),

@@ -26,7 +26,7 @@ export function versionsText(versions) {
     const day = dayText(sealed_us);
     if (!reason) return t('Version %1, %2', version, day);
     return afterPanel
-      ? t('Version %1, %2, moved after the panel\'s marks were open: %3', version, day, reason)
+      ? t("Version %1, %2, moved after the panel's marks were open: %3", version, day, reason)
       : t('Version %1, %2: %3', version, day, reason);
   }).join('\n');
 }

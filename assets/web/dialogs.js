@@ -39,7 +39,7 @@ export function askSignature({ meaning, login, problem }) {
         if (secret.input.value) finish(secret.input.value);
       },
     },
-      h('p', { class: 'meaning' }, t('\u201C%1\u201D', meaning)),
+      h('p', { class: 'meaning' }, t('“%1”', meaning)),
       h('p', { class: 'quiet' }, t('You sign this as %1. Your name, the time and this meaning are kept with it for good.', login)),
       h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
       secret.row, said,

@@ -176,7 +176,7 @@ export class Player {
         onchange: () => {
           this.playback.speed = Number(this.speed.value);
         },
-      }, speeds.map((one) => h('option', { value: one }, t('%1 \u00d7', pointsText(one)))));
+      }, speeds.map((one) => h('option', { value: one }, t('%1 ×', pointsText(one)))));
     this.#showSpeed();
     return h('div', { class: 'transport' }, this.back, this.play, this.forward, this.time, this.speed, this.digest);
   }
@@ -184,7 +184,7 @@ export class Player {
     if (this.speed.tagName === 'SELECT') {
       this.speed.value = String(this.playback.speed);
     } else {
-      say(this.speed, t('%1 \u00d7, locked', pointsText(this.playback.speed)));
+      say(this.speed, t('%1 ×, locked', pointsText(this.playback.speed)));
     }
   }
   #showState() {
@@ -204,7 +204,7 @@ function taskText(task) {
   if (task.untwisting) {
     parts.push(t('Undo the twist, then hands off'));
   } else {
-    parts.push(t('Twist to %1\u00b0 and let go within \u00b1%2\u00b0', figure(task.target_deg), pointsText(task.tolerance_deg)));
+    parts.push(t('Twist to %1° and let go within ±%2°', figure(task.target_deg), pointsText(task.tolerance_deg)));
     if (task.hold_s > 0) parts.push(t('hold for %1 s', pointsText(task.hold_s)));
     if (task.least_twists > 1) parts.push(t('at least %1 {twist|twists}', task.least_twists));
   }

@@ -34,7 +34,7 @@ export class QueuePage {
     return h('div', { class: 'page-head' },
       h('div', {},
         h('h1', {}, t('Your queue')),
-        h('p', { class: 'quiet' }, t('Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody\'s.'))),
+        h('p', { class: 'quiet' }, t("Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's."))),
       next
         ? h('a', { class: 'button primary', href: `#case/${encodeURIComponent(next)}` }, words)
         : h('p', { class: 'good' }, words));

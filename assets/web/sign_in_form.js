@@ -73,7 +73,7 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
     'form',
     { class: 'stack', novalidate: true, onsubmit: send },
     h('h2', {}, t('Choose a new password')),
-    h('p', {}, t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example. Nothing else is asked for.')),
+    h('p', {}, t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.')),
     // Keeps password managers from filing the new password under nobody.
     h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
     fresh.row, again.row, said, go,

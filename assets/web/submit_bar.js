@@ -25,7 +25,7 @@ export class SubmitBar {
       autocomplete: 'off',
     });
     this.submit = button(t('Submit'), () => this.go(), { class: 'primary submit', title: t('Checks the sheet and asks once more (Ctrl+Enter)') });
-    this.amend = button(page.opened.panel_open ? t('Move with a reason \u2026') : t('Amend \u2026'), () => this.#startAmending(), { class: 'amend' });
+    this.amend = button(page.opened.panel_open ? t('Move with a reason …') : t('Amend …'), () => this.#startAmending(), { class: 'amend' });
     this.back = button(t('Back to the sheet'), () => this.cancel());
     this.element = h('section', { class: 'submit-bar', 'aria-label': t('Submit') }, this.text, this.problem, this.reason,
       h('div', { class: 'actions' }, this.submit, this.amend, this.back));
@@ -122,7 +122,7 @@ export class SubmitBar {
   }
   #amendText() {
     return this.page.opened.panel_open
-      ? t('The panel\'s marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.')
+      ? t("The panel's marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.")
       : t('Change what must be changed, give the reason, seal the new version. Both versions are kept.');
   }
   #startAmending() {

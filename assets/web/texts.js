@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sentences of the pages. English stands in the sources as t('...'); the server sends the translations.
+// The sentences of the pages. English stands in the sources as a literal of t(); app/web/web_texts.cpp
+// lists it, and the server sends the translations.
 
 const kStored = 'torsio.language';
 let texts = {};

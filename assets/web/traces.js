@@ -63,14 +63,18 @@ export class Traces {
         high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, limit: task.force_limit_N,
       }),
     ];
-    const peak = (one) => figure(Math.max(-one.least, one.most), one.decimals);
     this.canvas.setAttribute('aria-valuemax', Math.round(recording.meta.length_us / 1e6));
+    this.#describe();
+    this.#redraw(true);
+  }
+  #describe() {
+    if (!this.recording) return;
+    const peaks = this.#lanes.map((one) => figure(Math.max(-one.least, one.most), one.decimals));
     this.canvas.setAttribute(
       'aria-description',
-      t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons',
-        clockTime(recording.meta.length_us), ...this.#lanes.map(peak)),
+      t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5',
+        clockTime(this.recording.meta.length_us), ...peaks, figure(this.#bookmarks_us.length)),
     );
-    this.#redraw(true);
   }
   setPosition(position_us) {
     this.#position_us = position_us;
@@ -84,6 +88,7 @@ export class Traces {
   }
   setBookmarks(times_us) {
     this.#bookmarks_us = times_us;
+    this.#describe();
     this.#redraw();
   }
   /// The values at the playhead, as shown beside the lanes.
