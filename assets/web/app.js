@@ -3,6 +3,7 @@
 import { api, NoConnection, useToken, whenSignedOut } from './api.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
+import { draftsUnderway, stopDrafts } from './drafts_underway.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
 import { problemText } from './problem.js';
@@ -68,11 +69,11 @@ async function begin(texts) {
     if (!gate.closed && !document.querySelector('dialog[open]')) page?.key?.(event);
   });
   window.addEventListener('beforeunload', (event) => {
-    if (page?.unsaved) event.preventDefault();
+    if (somethingUnsaved()) event.preventDefault();
   });
   window.addEventListener('pagehide', () => page?.left?.());
   whenSignedOut(() => {
-    if (user) gate.close(user.login, comeBack);
+    if (user) gate.close(user.login, null, comeBack);
   });
   try {
     const me = await api.get('/api/me', { quiet: true });
@@ -108,6 +109,10 @@ async function changeLanguage(chosen) {
   chooseLanguage(chosen);
   await page?.settle?.();
   window.location.reload();
+}
+
+function somethingUnsaved() {
+  return Boolean(page?.unsaved) || draftsUnderway();
 }
 
 function showSignIn() {
@@ -154,24 +159,27 @@ function comeBack(answer) {
   page?.resume?.();
 }
 
-async function lock() {
-  if (!user || gate.closed) return;
+function lock() {
+  if (user && !gate.closed) gate.close(user.login, endSession(), comeBack);
+}
+
+/// Brings what was typed to the server, then ends the session there: what is locked does not open by a reload.
+async function endSession() {
   await page?.settle?.();
-  gate.close(user.login, comeBack);
-  page?.pause?.();
   try {
     await api.post('/api/sign-out', {}, { quiet: true });
   } catch {
-    // the server ends the session by itself
+    // the server ends it by itself
   }
 }
 
 async function signOut() {
   if (gate.closed) gate.open();
   await page?.settle?.();
-  if (page?.unsaved && !window.confirm(t('Something is not saved yet and would be lost. Sign out all the same?'))) return;
-  forgetUnsaved();
+  if (somethingUnsaved() && !window.confirm(t('Something is not saved yet and would be lost. Sign out all the same?'))) return;
   page?.left?.();
+  stopDrafts();
+  forgetUnsaved();
   page = null;
   user = null;
   try {

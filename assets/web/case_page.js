@@ -6,6 +6,7 @@ import { stepName, versionsText } from './case_words.js';
 import { askConflict } from './dialogs.js';
 import { DraftKeeper } from './draft_keeper.js';
 import { button, h, say } from './dom.js';
+import { letGoOn, stopDraft } from './drafts_underway.js';
 import { keysHelp } from './keys_help.js';
 import { clockTime } from './numbers.js';
 import { Player } from './player.js';
@@ -23,9 +24,6 @@ import { ViewingReporter } from './viewing_reporter.js';
 function shown(password) {
   return password === null ? {} : { password };
 }
-
-/// Drafts of cases that were left and are still on their way: path -> keeper.
-const underway = new Map();
 
 export class CasePage {
   element = h('div', { class: 'case-page' });
@@ -45,8 +43,7 @@ export class CasePage {
   }
 
   async load() {
-    await underway.get(this.path)?.stop();
-    underway.delete(this.path);
+    await stopDraft(this.path);
     this.opened = await this.#open();
     if (this.opened.live) {
       this.element.replaceChildren(h('h1', {}, this.title), h('p', {}, t('This case is scored live; there is no recording.')),
@@ -273,7 +270,7 @@ export class CasePage {
     if (!this.keeper) return;
     this.pause();
     this.reporter.close();
-    if (this.keeper.unsaved) underway.set(this.path, this.keeper);
+    if (this.keeper.unsaved) letGoOn(this.path, this.keeper);
   }
   /// Somebody signed in again; the case may have another handle in the new session.
   async resume() {

@@ -16,8 +16,8 @@ export class Gate {
   get closed() {
     return !this.element.hidden;
   }
-  /// `onSignedIn(answer)`: the same person came back.
-  close(login, onSignedIn) {
+  /// `ended`: resolves when the old session is over. `onSignedIn(answer)`: the same person came back.
+  close(login, ended, onSignedIn) {
     if (this.closed) return;
     this.focused = document.activeElement;
     document.querySelectorAll('dialog[open]').forEach((dialog) => dialog.close());
@@ -36,6 +36,7 @@ export class Gate {
     putSignInForm(place, {
       login,
       action: t('Unlock'),
+      ready: ended,
       onSignedIn: (answer) => {
         this.open();
         onSignedIn(answer);

@@ -24,7 +24,7 @@ export class ScoreRow {
       'aria-valuemin': scale.lowest_steps / scale.steps_per_point,
       'aria-valuemax': scale.highest_steps / scale.steps_per_point,
       onfocus: () => on.wanted(),
-      onpointerdown: (event) => this.#pressed(event),
+      onclick: (event) => this.#pressed(event),
     }, this.#cells());
     this.anchor = h('p', { class: 'anchor', id: `${id}-anchor` });
     this.reason = h('input', {
@@ -104,7 +104,7 @@ export class ScoreRow {
     return this.scale.lowest_steps + Math.floor((span * cell) / Math.max(1, this.count - 1)) * this.scale.steps_per_point;
   }
   #pressed(event) {
-    if (event.button !== 0 || this.readOnly) return;
+    if (this.readOnly) return;
     const cell = [...this.strip.children].indexOf(event.target.closest('.cell'));
     if (cell >= 0) this.on.scored(this.#stepsOf(cell));
   }

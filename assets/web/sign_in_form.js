@@ -7,8 +7,9 @@ import { t } from './texts.js';
 
 export const kShortestPassword = 15;
 
-/// Shows `form` in `place`. `login`: only this person (unlocking). `onSignedIn({token, user})`.
-export function putSignInForm(place, { login = '', action = t('Sign in'), onSignedIn }) {
+/// Shows the form in `place`. `login`: only this person (unlocking). `ready`: nothing is sent before it resolves.
+/// `onSignedIn({token, user})`.
+export function putSignInForm(place, { login = '', action = t('Sign in'), ready = null, onSignedIn }) {
   const name = field(t('Sign-in name'), {
     name: 'login', autocomplete: 'username', autocapitalize: 'none', spellcheck: 'false', required: true, value: login,
   });
@@ -35,6 +36,7 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), onSign
     go.disabled = true;
     say(said, '');
     try {
+      await ready;
       const answer = await api.post('/api/sign-in', given, { quiet: true });
       secret.input.value = '';
       if (answer.outcome === 'must_change') {

@@ -35,18 +35,14 @@ export class Traces {
     this.onSeek = onSeek;
     new ResizeObserver(() => this.#redraw(true)).observe(this.canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw(true));
-    const seek = (event) => {
-      if (!this.recording || !(event.buttons & 1)) return;
-      const { left, right } = this.#plot();
-      const x = event.clientX - this.canvas.getBoundingClientRect().left;
-      const share = Math.min(Math.max((x - left) / (right - left), 0), 1);
-      this.onSeek(share * this.recording.meta.length_us);
-    };
     this.canvas.addEventListener('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
-      seek(event);
+      if (event.pointerType !== 'touch') this.#seekTo(event.clientX); // a finger may be about to scroll
     });
-    this.canvas.addEventListener('pointermove', seek);
+    this.canvas.addEventListener('pointermove', (event) => {
+      if (event.buttons & 1) this.#seekTo(event.clientX);
+    });
+    this.canvas.addEventListener('click', (event) => this.#seekTo(event.clientX));
     this.canvas.addEventListener('keydown', (event) => this.#key(event));
   }
 
@@ -99,6 +95,12 @@ export class Traces {
     return this.#lanes.map((one) => withUnit(figure(one.value[at], one.decimals), one.unit));
   }
 
+  #seekTo(x_px) {
+    if (!this.recording) return;
+    const { left, right } = this.#plot();
+    const share = (x_px - this.canvas.getBoundingClientRect().left - left) / (right - left);
+    this.onSeek(Math.min(Math.max(share, 0), 1) * this.recording.meta.length_us);
+  }
   /// Left and right move the playhead here, as a slider should; elsewhere they belong to the sheet.
   #key(event) {
     const steps = { ArrowLeft: -1e6, ArrowRight: 1e6, PageDown: -5e6, PageUp: 5e6 };
@@ -267,13 +269,13 @@ function drawLane(paint, one, area, palette) {
     paint.fillRect(left + x, yOf(high) - 0.75, 1, yOf(low) - yOf(high) + 1.5);
   }
   paint.textAlign = 'left';
-  paint.textBaseline = 'bottom';
+  paint.textBaseline = 'alphabetic';
   paint.fillStyle = palette.text;
-  paint.fillText(one.name, 0, top + height / 2 + 1);
+  paint.fillText(one.name, 0, top + height / 2 - 3);
   paint.textBaseline = 'top';
   paint.fillStyle = palette.quiet;
   const low = Math.abs(one.bottom) < 0.5 * 10 ** -one.decimals ? '0' : figure(one.bottom, one.decimals);
-  paint.fillText(withUnit(`${low}\u2026${figure(one.top, one.decimals)}`, one.unit), 0, top + height / 2);
+  paint.fillText(withUnit(`${low}\u2026${figure(one.top, one.decimals)}`, one.unit), 0, top + height / 2 + 2);
 }
 
 function drawBand(paint, { target, tolerance }, { left, columns, frameAt, yOf }, palette) {

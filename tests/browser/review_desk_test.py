@@ -257,6 +257,61 @@ def test_idle_lock(browser, url, desk):
     browser.until("typed on", lambda: desk.cases["c1"].sheet["comment"] == "half a sentence and the rest")
 
 
+def test_idle_lock_without_network(browser, url, desk):
+    desk.idle_s = 2
+    open_case(browser, url)
+    desk.away = True
+    browser.keys("5", "ArrowDown", "6")
+    browser.there(".gate")
+    check("it is not at the server yet", marks(desk) == [None, None, None, None])
+    desk.away = False
+    browser.keys(mock_server.PASSWORD, "Enter")
+    saved(browser, desk, [50, 60, None, None])
+
+
+def test_left_while_the_network_is_away(browser, url, desk):
+    """The draft goes on its way from the queue, and no other page of the same case overtakes it."""
+    open_case(browser, url)
+    desk.refusing = True
+    browser.keys("5")
+    browser.says(".saved", "Not saved yet")
+    browser.run("location.hash = ''")
+    browser.there(".cases")
+    desk.refusing = False
+    browser.until("saved from the queue", lambda: marks(desk)[0] == 50)
+    desk.refusing = True
+    browser.run("location.hash = '#case/c1'")
+    browser.there(".strip")
+    browser.keys("6")
+    browser.says(".saved", "Not saved yet")
+    browser.run("location.hash = ''")
+    browser.there(".cases")
+    browser.run("location.hash = '#case/c1'")
+    browser.says(".row .value", "6")
+    desk.refusing = False
+    saved(browser, desk, [60, None, None, None])
+
+
+def test_touch(browser, url, desk):
+    open_case(browser, url)
+    browser.there(".stage-canvas")
+    browser.tap(".row:nth-child(2) .cell:nth-child(4)")
+    saved(browser, desk, [None, 40, None, None])
+    browser.tap(".row:nth-child(2) [aria-label$='half a point more']")
+    saved(browser, desk, [None, 45, None, None])
+    browser.tap(".traces", 0.5)
+    browser.until("the playhead is in the middle", lambda: "0:09" in browser.text(".time") or "0:10" in browser.text(".time"))
+
+
+def test_without_webgl(_, url, desk):
+    with Browser(webgl=False) as bare:
+        open_case(bare, url)
+        bare.says(".sentence", "This browser draws nothing in three dimensions")
+        bare.keys("5", "Space")
+        bare.says(".transport", "Pause")
+        saved(bare, desk, [50, None, None, None])
+
+
 def test_player(browser, url, desk):
     open_case(browser, url)
     browser.there(".stage-canvas")

@@ -102,6 +102,16 @@ class Browser:
         element = self.call("POST", "/element", {"using": "css selector", "value": css})[ELEMENT]
         self.call("POST", f"/element/{element}/click")
 
+    def tap(self, css, across=0.5):
+        """With a finger, at this share of the width."""
+        x, y = self.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'nearest'});"
+                        "const r = e.getBoundingClientRect(); return [r.left + r.width * arguments[1], r.top + r.height / 2]",
+                        css, across)
+        finger = [{"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)},
+                  {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]
+        self.call("POST", "/actions", {"actions": [{"type": "pointer", "id": "finger",
+                                                    "parameters": {"pointerType": "touch"}, "actions": finger}]})
+
     def keys(self, *names):
         """Names of KEYS, "Control+z", or texts that are typed letter by letter."""
         actions = []
