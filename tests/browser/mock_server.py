@@ -33,8 +33,8 @@ class Refused(Exception):
         self.status, self.what, self.more = status, what, more
 
 
-def shipped_rubric():
-    """The rubric of the project as the server sends it."""
+def shipped_rubric(say=lambda text: text):
+    """The rubric of the project as the server sends it; `say` translates."""
     rubric = json.loads(RUBRIC.read_text())
 
     def scale(line):
@@ -42,8 +42,8 @@ def shipped_rubric():
         return {"lowest_steps": line["from"] * per, "highest_steps": line["to"] * per, "steps_per_point": per,
                 "arrow_steps": per // 2}
 
-    rows = [{"code": line["code"], "label": line["label"], "description": "",
-             "anchors": [{"steps": one["score"] * line["steps_per_point"], "text": one["meaning"]}
+    rows = [{"code": line["code"], "label": say(line["label"]),
+             "anchors": [{"steps": one["score"] * line["steps_per_point"], "text": say(one["meaning"])}
                          for one in line["anchors"]],
              "scale": scale(line)} for line in rubric["rows"]]
     return {"name": rubric["title"], "rows": rows, "overall": scale(rubric["overall"])}
@@ -330,6 +330,8 @@ class Handler(BaseHTTPRequestHandler):
             if found.groups() and found[1] not in self.desk.cases:
                 raise Refused(404, "There is no such case", remedy="Open it from the queue")
             made = function(self.desk, body, who, *found.groups())
+            if "rubric" in made and self.headers.get("X-Torsio-Language") == "zh_CN":
+                made["rubric"] = shipped_rubric(lambda text: self.chinese.get(text, text))
             fresh = made.pop("cookie", None)
             cookie = [("Set-Cookie", f"torsio={fresh}; HttpOnly; SameSite=Strict; Path=/")] if fresh else ()
             return self.answer(made, headers=cookie)
