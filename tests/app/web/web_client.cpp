@@ -72,7 +72,7 @@ WebAnswer WebClient::raw(const std::string& bytes) const {
   to.sin_family = AF_INET;
   to.sin_port = htons(port_);
   to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const timeval patience{60, 0};
+  const timeval patience{patience_ms / 1000, (patience_ms % 1000) * 1000};
   ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   std::string received;
   if (::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) {
@@ -84,7 +84,6 @@ WebAnswer WebClient::raw(const std::string& bytes) const {
       }
       sent += static_cast<std::size_t>(some);
     }
-    ::shutdown(socket, SHUT_WR);
     char piece[16'384];
     for (ssize_t some = 0; (some = ::recv(socket, piece, sizeof piece, 0)) > 0;) {
       received.append(piece, static_cast<std::size_t>(some));

@@ -33,6 +33,7 @@ class WebClient {
   /// Signs in; false when that was refused.
   bool signIn(const std::string& login, const std::string& password);
 
+  int patience_ms = 60'000;  ///< for an answer
   std::string cookie{};
   std::string token{};
   std::vector<std::pair<std::string, std::string>> headers{};  ///< more of them, sent with every request

@@ -230,7 +230,8 @@ TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
   Served served({.raters = 2, .trainees = 3, .trial_s = 0.5, .live = true, .dueByTrainee = true});
   WebClient client = served.physician(0);
   std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
-  for (const json& line : answers.front().json().at("lines")) {
+  const json queue = answers.front().json();
+  for (const json& line : queue.at("lines")) {
     const std::string path = "/api/cases/" + line.at("case").get<std::string>();
     answers.push_back(client.get(path));
     answers.push_back(client.get(path + "/recording"));
