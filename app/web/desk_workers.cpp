@@ -12,9 +12,9 @@ constexpr std::size_t kMostWaiting = 1000;  // a second or two of work for all
 
 }  // namespace
 
-DeskWorkers::DeskWorkers(const std::string& locator, std::size_t count) {
+DeskWorkers::DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost) {
   for (std::size_t i = 0; i < count; ++i) {
-    threads_.emplace_back([this, locator] { serve(locator); });
+    threads_.emplace_back([this, locator, passwordCost] { serve(locator, passwordCost); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this, i] { return open_ > i || failure_ != nullptr; });
     if (failure_ != nullptr) {
@@ -56,9 +56,10 @@ bool DeskWorkers::take(Work work) {
   return true;
 }
 
-void DeskWorkers::serve(const std::string& locator) {
+void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
   try {
     SessionContext session({locator, stationName(), {}});
+    session.setPasswordCost(passwordCost);
     std::unique_lock lock(mutex_);
     ++open_;
     changed_.notify_all();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "assessment/people/account.h"
 
 namespace torsio::web {
 
@@ -22,7 +23,7 @@ class DeskWorkers {
   using Work = std::function<void(SessionContext&)>;
 
   /// Opens `count` connections to the record. Throws Error, DbError when it cannot be opened.
-  DeskWorkers(const std::string& locator, std::size_t count);
+  DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost);
   /// Finishes what is being done and drops what waits.
   ~DeskWorkers();
   DeskWorkers(const DeskWorkers&) = delete;
@@ -32,7 +33,7 @@ class DeskWorkers {
   [[nodiscard]] bool take(Work work);
 
  private:
-  void serve(const std::string& locator);
+  void serve(const std::string& locator, PasswordCost passwordCost);
 
   std::mutex mutex_;
   std::condition_variable changed_;

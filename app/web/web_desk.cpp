@@ -115,7 +115,7 @@ WebDesk::WebDesk(const DeskSettings& settings)
       sessions_({}),
       signInTries_(kSignInTries, std::chrono::minutes(1)),
       pictures_(kPictures_bytes),
-      workers_(settings.locator, settings.workers) {
+      workers_(settings.locator, settings.workers, settings.passwordCost) {
   for (const std::string& language : reportLanguages()) {
     languages_.emplace(language, wordingIn(language));
   }

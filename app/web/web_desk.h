@@ -16,6 +16,7 @@
 #include "app/web/picture_cache.h"
 #include "app/web/router.h"
 #include "app/web/web_sessions.h"
+#include "assessment/people/account.h"
 
 namespace torsio::web {
 
@@ -25,6 +26,7 @@ struct DeskSettings {
   /// "https://desk.example.org": as browsers see it, behind a proxy; empty: as the request says.
   std::string publicUrl{};
   std::size_t workers = 4;
+  PasswordCost passwordCost = PasswordCost::kModerate;  ///< of what is hashed here; tests use a cheap one
 };
 
 /// The review desk for browsers: sign-in, sessions, and which request goes to which service. Every rule lies

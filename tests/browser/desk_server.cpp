@@ -18,13 +18,16 @@
 int main(int argc, char** argv) {
   using namespace torsio;
   const QCoreApplication application(argc, argv);
-  const Scene scene = loadScene({.assets = assetsFolder(), .id = argc > 1 ? argv[1] : "forearm"});
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = argc > 1 ? argv[1] : "forearm";
+  const Scene scene = loadScene(request);
   testing::ReviewCentre centre({.raters = 2, .trainees = 3, .trial_s = 6.0, .live = true, .scene = &scene});
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   for (const UserAccount& user : access.users()) {
     access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);
   }
-  web::WebDesk desk({.locator = centre.locator(), .assets = assetsFolder(), .workers = 2});
+  web::WebDesk desk({.locator = centre.locator(), .assets = assetsFolder(), .workers = 2, .passwordCost = PasswordCost::kTest});
   const web::HttpServer server({"127.0.0.1", 0}, {}, {}, [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
     desk.handle(std::move(request), std::move(reply));
   });

@@ -40,7 +40,7 @@ struct Served {
       access.setPassword(user.id, access.sealPassword(user.login, kPassword), false);
     }
     desk = std::make_unique<WebDesk>(
-        DeskSettings{.locator = centre.locator(), .assets = assetsFolder(), .workers = 2});
+        DeskSettings{.locator = centre.locator(), .assets = assetsFolder(), .workers = 2, .passwordCost = PasswordCost::kTest});
     server = std::make_unique<HttpServer>(HttpAddress{"127.0.0.1", 0}, TlsMaterial{}, HttpLimits{},
                                           [this](HttpRequest request, HttpServer::Reply reply) {
                                             desk->handle(std::move(request), std::move(reply));
