@@ -33,6 +33,9 @@ function plainKey(page, event) {
   const pressesButton = event.target.closest('button, a, summary, [type=checkbox]') && event.key === ' ';
   if (pressesButton) return false;
   switch (event.key) {
+    case '?':
+      page.keys.open = !page.keys.open;
+      return true;
     case 'b':
     case 'B':
       page.remarks.addBookmark();

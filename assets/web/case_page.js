@@ -3,6 +3,7 @@
 import { api, NoConnection } from './api.js';
 import { pressKey } from './case_keys.js';
 import { stepName, versionsText } from './case_words.js';
+import { rememberAdvancing, remembersAdvancing } from './habits.js';
 import { askConflict } from './dialogs.js';
 import { DraftKeeper } from './draft_keeper.js';
 import { button, h, say } from './dom.js';
@@ -107,7 +108,8 @@ export class CasePage {
     this.bar = new SubmitBar(this);
     const right = h('div', { class: 'right' }, this.view.element, this.bar.element);
     const left = h('div', { class: 'left' }, this.player.element, this.remarks.element);
-    this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), keysHelp());
+    this.keys = keysHelp();
+    this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), this.keys);
     this.#showHistory();
     if (opened.state === 'draft') say(this.savedText, t('Draft found and opened'));
   }
@@ -122,7 +124,14 @@ export class CasePage {
     this.clearButton = button(t('Clear'), () => this.view.clearAll(), {
       title: t('Takes every mark, reason and comment away; Undo brings them back'),
     });
-    const advance = h('input', { type: 'checkbox', onchange: () => this.view.keys.setAdvancing(advance.checked) });
+    const advance = h('input', {
+      type: 'checkbox', checked: remembersAdvancing(),
+      onchange: () => {
+        this.view.keys.setAdvancing(advance.checked);
+        rememberAdvancing(advance.checked);
+      },
+    });
+    this.view.keys.setAdvancing(advance.checked);
     return h('div', { class: 'case-head' },
       h('h1', {}, t('Case %1', opened.label)),
       h('span', { class: 'quiet facts', title: versionsText(opened.versions) }, facts.join('  \u00b7  ')),
