@@ -9,6 +9,10 @@ export function pressKey(page, event) {
 }
 
 function command(page, event) {
+  if (event.altKey && !event.ctrlKey && event.code === 'KeyM') {
+    page.view.comment.focus();
+    return true;
+  }
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
   const key = event.key.toLowerCase();
   if (key === 'enter') {

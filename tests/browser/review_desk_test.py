@@ -102,7 +102,7 @@ def test_keyboard_alone(browser, url, desk):
                  "Control+y")
     saved(browser, desk, [75, 100, None, 90])
     check("the reason is there", desk.cases["c1"].sheet["rows"][2]["not_assessable"] == "The view is hidden")
-    browser.keys("Tab", "Turn more slowly")
+    browser.keys("Alt+m", "Turn more slowly")
     browser.until("the comment", lambda: desk.cases["c1"].sheet["comment"] == "Turn more slowly")
     browser.keys("Tab")
     check("Tab goes round", focused(browser) == "Training time")
