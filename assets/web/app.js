@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the pages: texts, who is signed in, which page the address names.
-import { api, NoConnection, useToken, whenSignedOut } from './api.js';
+import { api, useToken, whenSignedOut } from './api.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
 import { draftsUnderway, stopDrafts } from './drafts_underway.js';
@@ -55,8 +55,8 @@ async function start() {
   try {
     await begin(await api.get('/api/texts', { inLanguage: wantedLanguage() }));
   } catch (error) {
-    if (!(error instanceof NoConnection)) throw error;
-    main.replaceChildren(h('p', { class: 'card narrow' }, problemText(error)), button('\u21bb', () => window.location.reload()));
+    main.replaceChildren(h('div', { class: 'card narrow', role: 'alert' }, h('p', {}, problemText(error)),
+      button(t('Try again'), () => window.location.reload())));
   }
 }
 
@@ -72,6 +72,9 @@ async function begin(texts) {
     if (somethingUnsaved()) event.preventDefault();
   });
   window.addEventListener('pagehide', () => page?.left?.());
+  window.addEventListener('pageshow', (event) => {
+    if (event.persisted) window.location.reload(); // by the button "back": what was left is over
+  });
   whenSignedOut(() => {
     if (user) gate.close(user.login, null, comeBack);
   });

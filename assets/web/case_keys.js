@@ -9,6 +9,10 @@ export function pressKey(page, event) {
 }
 
 function command(page, event) {
+  if (event.altKey && !event.ctrlKey && event.code === 'KeyM') {
+    page.view.comment.focus();
+    return true;
+  }
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
   const key = event.key.toLowerCase();
   if (key === 'enter') {
@@ -33,6 +37,9 @@ function plainKey(page, event) {
   const pressesButton = event.target.closest('button, a, summary, [type=checkbox]') && event.key === ' ';
   if (pressesButton) return false;
   switch (event.key) {
+    case '?':
+      page.keys.open = !page.keys.open;
+      return true;
     case 'b':
     case 'B':
       page.remarks.addBookmark();

@@ -3,9 +3,10 @@
 import { api, NoConnection } from './api.js';
 import { pressKey } from './case_keys.js';
 import { stepName, versionsText } from './case_words.js';
+import { rememberAdvancing, remembersAdvancing } from './habits.js';
 import { askConflict } from './dialogs.js';
 import { DraftKeeper } from './draft_keeper.js';
-import { button, h, say } from './dom.js';
+import { button, h } from './dom.js';
 import { letGoOn, stopDraft } from './drafts_underway.js';
 import { keysHelp } from './keys_help.js';
 import { clockTime } from './numbers.js';
@@ -13,6 +14,7 @@ import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { remarkStore } from './remark_store.js';
 import { RemarksView } from './remarks_view.js';
+import { SaveStatus } from './save_status.js';
 import { SheetEditor } from './sheet_editor.js';
 import { SheetView } from './sheet_view.js';
 import { SubmitBar } from './submit_bar.js';
@@ -27,6 +29,7 @@ function shown(password) {
 
 export class CasePage {
   element = h('div', { class: 'case-page' });
+  status = new SaveStatus();
 
   constructor(frame, handle) {
     this.frame = frame;
@@ -87,7 +90,10 @@ export class CasePage {
     this.keeper = new DraftKeeper({
       put: (sheet) => api.put(`${this.path}/sheet`, sheet),
       onSaved: (answer) => this.#saved(answer),
-      onChange: () => this.#showSaved(),
+      onChange: (keeper) => {
+        this.status.show(keeper);
+        if (keeper.state === 'conflict') this.#askConflict();
+      },
     });
     this.reporter = new ViewingReporter({
       post: (body, options) => api.post(`${this.path}/viewing`, body, options),
@@ -99,6 +105,7 @@ export class CasePage {
     });
     this.view.setEditor(this.editor);
     this.view.setReadOnly(this.sealed);
+    if (this.sealed) this.reporter.stop();
     this.player = new Player(this.path, opened, {
       played: (stretch) => this.#played(stretch),
       paused: () => this.reporter.report(),
@@ -107,26 +114,33 @@ export class CasePage {
     this.bar = new SubmitBar(this);
     const right = h('div', { class: 'right' }, this.view.element, this.bar.element);
     const left = h('div', { class: 'left' }, this.player.element, this.remarks.element);
-    this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), keysHelp());
+    this.keys = keysHelp();
+    this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), this.keys);
     this.#showHistory();
-    if (opened.state === 'draft') say(this.savedText, t('Draft found and opened'));
+    if (opened.state === 'draft') this.status.say(t('Draft found and opened'));
   }
   #head() {
     const { opened } = this;
     const facts = [t('%1 long', clockTime(opened.length_us))];
     if (this.sealed) facts.push(t('submitted and sealed'));
     if (opened.versions.length > 1) facts.push(t('version %1', opened.versions.at(-1).version));
-    this.savedText = h('span', { class: 'saved', role: 'status' });
     this.undoButton = button(t('Undo'), () => this.view.undo(), { class: 'undo' });
     this.redoButton = button(t('Redo'), () => this.view.redo(), { class: 'redo' });
     this.clearButton = button(t('Clear'), () => this.view.clearAll(), {
       title: t('Takes every mark, reason and comment away; Undo brings them back'),
     });
-    const advance = h('input', { type: 'checkbox', onchange: () => this.view.keys.setAdvancing(advance.checked) });
+    const advance = h('input', {
+      type: 'checkbox', checked: remembersAdvancing(),
+      onchange: () => {
+        this.view.keys.setAdvancing(advance.checked);
+        rememberAdvancing(advance.checked);
+      },
+    });
+    this.view.keys.setAdvancing(advance.checked);
     return h('div', { class: 'case-head' },
       h('h1', {}, t('Case %1', opened.label)),
       h('span', { class: 'quiet facts', title: versionsText(opened.versions) }, facts.join('  \u00b7  ')),
-      this.savedText,
+      this.status.element,
       h('div', { class: 'actions' },
         h('label', { class: 'check-label', title: t('After each figure the next row is marked by itself') }, advance, t('Auto-advance')),
         this.undoButton, this.redoButton, this.clearButton));
@@ -158,21 +172,6 @@ export class CasePage {
     if (check) this.check = check;
     if (this.keeper.newest) dropUnsaved(this.frame.login, this.opened.label);
     this.bar.refresh();
-  }
-  #showSaved() {
-    const { state, problem } = this.keeper;
-    const texts = {
-      idle: '',
-      saving: t('Saving …'),
-      saved: t('Saved'),
-      waiting: t('Not saved yet, trying again'),
-      signed_out: t('Not saved yet: sign in again'),
-      conflict: t('Not saved: the sheet was changed elsewhere'),
-      refused: t('Not saved: %1', problem ? problem.message : ''),
-    };
-    say(this.savedText, texts[state]);
-    this.savedText.classList.toggle('caution', !['idle', 'saving', 'saved'].includes(state));
-    if (state === 'conflict') this.#askConflict();
   }
   async #askConflict() {
     this.player.pause();
@@ -229,13 +228,13 @@ export class CasePage {
       throw error;
     }
   }
-  async submitted() {
+  submitted() {
     this.keeper.stop();
     this.reporter.stop();
     this.opened.state = 'submitted';
     dropUnsaved(this.frame.login, this.opened.label);
     this.frame.notify(t('Case %1 is submitted and sealed', this.opened.label));
-    const next = this.answer ? this.answer.next : (await api.get('/api/queue')).next;
+    const next = this.answer?.next;
     this.frame.open(next ? `#case/${encodeURIComponent(next)}` : '#');
   }
   beginAmending() {

@@ -27,7 +27,8 @@ export class SheetView {
       oninput: () => this.#edit(() => this.editor.setComment(this.comment.value)),
     }, 'textarea');
     this.comment = input;
-    this.element = h('section', { class: 'sheet', 'aria-label': t('Sheet') },
+    const wayOut = `Esc: ${t('Out of the sheet, to the button that submits')}`;
+    this.element = h('section', { class: 'sheet', 'aria-label': t('Sheet'), 'aria-description': wayOut },
       h('div', { class: 'rows' }, this.rows.filter((row) => !overall.includes(row)).map((row) => row.element)),
       h('div', { class: 'last-rows' }, overall.map((row) => row.element), commentRow));
     this.element.addEventListener('keydown', (event) => this.#wander(event));

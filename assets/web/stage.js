@@ -14,7 +14,8 @@ const kSteel = [0.66, 0.68, 0.7];
 const kShares = [1, 0.8, 0.6, 0.45];
 const kMostRatio = 2;
 const kSlow_ms = 36;
-const kJudgedFrames = 20;
+const kVerySlow_ms = 90;
+const kJudgedFrames = 8;
 const kStill_ms = 300; // after it the picture stands, and may take its time
 
 export class Stage {
@@ -141,7 +142,8 @@ export class Stage {
     const middle_ms = this.#slow_ms.sort((a, b) => a - b)[kJudgedFrames / 2];
     this.#slow_ms = [];
     if (middle_ms > kSlow_ms && this.#share + 1 < kShares.length) {
-      this.#share += 1;
+      const steps = middle_ms > kVerySlow_ms ? 2 : 1;
+      this.#share = Math.min(this.#share + steps, kShares.length - 1);
       this.#resize();
       this.redraw();
     }
@@ -156,7 +158,7 @@ export class Stage {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     this.#begin(this.tissue);
-    this.tissue.fine(this.#still || this.#share < 2);
+    this.tissue.fine(this.#still || this.#share === 0);
     this.tissue.model(kIdentity);
     organ.draw();
     this.#begin(this.steel);

@@ -18,7 +18,7 @@ export class SubmitBar {
   /// `page`: what is submitted (CasePage). Its case may be sealed already.
   constructor(page) {
     this.page = page;
-    this.text = h('p', { class: 'check', role: 'status' });
+    this.text = h('p', { class: 'check' });
     this.problem = h('p', { class: 'caution', role: 'alert' });
     this.reason = h('input', {
       maxlength: kLongestReason, placeholder: t('Why is the mark changed?'), 'aria-label': t('Why is the mark changed?'),
@@ -77,6 +77,7 @@ export class SubmitBar {
     show(this.reason, this.#amending);
     this.submit.disabled = this.#busy;
     const text = this.#amending ? this.#amendText() : sealed ? t('submitted and sealed') : this.#checkText();
+    this.text.setAttribute('aria-live', this.#asking ? 'polite' : 'off'); // not of each second that was watched
     say(this.text, text);
     this.text.classList.toggle('caution', this.#asking && !this.#ready());
   }
@@ -134,6 +135,7 @@ export class SubmitBar {
 
   async #seal(send) {
     this.#busy = true;
+    this.page.view.setReadOnly(true); // what is typed now would not be sealed
     say(this.problem, '');
     this.refresh();
     try {
@@ -145,6 +147,7 @@ export class SubmitBar {
       if (this.#amending) this.reason.focus();
     } finally {
       this.#busy = false;
+      this.page.view.setReadOnly(this.page.sealed && !this.#amending);
       this.refresh();
     }
   }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages of the review desk in a headless Chromium, against the mock of the server. `review_desk_test.py [NAME ...]`
-runs all scenarios or those whose names contain a word; exit status 1 when one fails."""
+"""The pages of the review desk in a headless Chromium, against the mock of the server. `review_desk_test.py [--firefox]
+[NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 when one fails."""
 import json
 import re
 import sys
@@ -9,7 +9,7 @@ import time
 import traceback
 
 import mock_server
-from webdriver import Browser, Failed
+from webdriver import Browser, Failed, Firefox
 
 WHOLE = [[0, 20_000_000]]
 
@@ -102,7 +102,7 @@ def test_keyboard_alone(browser, url, desk):
                  "Control+y")
     saved(browser, desk, [75, 100, None, 90])
     check("the reason is there", desk.cases["c1"].sheet["rows"][2]["not_assessable"] == "The view is hidden")
-    browser.keys("Tab", "Turn more slowly")
+    browser.keys("Alt+m", "Turn more slowly")
     browser.until("the comment", lambda: desk.cases["c1"].sheet["comment"] == "Turn more slowly")
     browser.keys("Tab")
     check("Tab goes round", focused(browser) == "Training time")
@@ -304,8 +304,8 @@ def test_touch(browser, url, desk):
     browser.until("the playhead is in the middle", lambda: "0:09" in browser.text(".time") or "0:10" in browser.text(".time"))
 
 
-def test_without_webgl(_, url, desk):
-    with Browser(webgl=False) as bare:
+def test_without_webgl(browser, url, desk):
+    with type(browser)(webgl=False) as bare:
         open_case(bare, url)
         bare.says(".sentence", "This browser draws nothing in three dimensions")
         bare.keys("5", "Space")
@@ -397,11 +397,12 @@ def test_small_and_large(browser, url, desk):
 
 
 def main():
-    names = sys.argv[1:]
+    kind = Firefox if "--firefox" in sys.argv else Browser
+    names = [name for name in sys.argv[1:] if name != "--firefox"]
     scenarios = [(name, function) for name, function in globals().items()
                  if name.startswith("test_") and (not names or any(word in name for word in names))]
     failed = 0
-    with Browser() as browser:
+    with kind() as browser:
         for name, function in scenarios:
             server, desk = mock_server.start()
             begun = time.monotonic()

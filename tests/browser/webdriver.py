@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives a headless Chromium through chromedriver, by the W3C protocol itself: Debian's Python needs nothing more."""
+"""Drives a headless Chromium through chromedriver, or Firefox through its Marionette, by their protocols themselves:
+Debian's Python needs nothing more."""
 import base64
 import json
+import os
+import socket
 import subprocess
+import tempfile
 import time
 import urllib.error
 import urllib.request
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
-KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Control": "\ue009", "Shift": "\ue008", "Escape": "\ue00c", "Backspace": "\ue003",
+KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Control": "\ue009", "Alt": "\ue00a", "Shift": "\ue008", "Escape": "\ue00c", "Backspace": "\ue003",
         "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Home": "\ue011",
         "End": "\ue010", "Space": " "}
 PATIENCE_S = 20
@@ -134,3 +138,80 @@ class Browser:
         """What the console said since the last call: faults of scripts, refusals of the content policy."""
         return [line["message"] for line in self.call("POST", "/se/log", {"type": "browser"})
                 if line["level"] == "SEVERE" and "Failed to load resource" not in line["message"]]
+
+
+class Firefox(Browser):
+    """Under Xvfb, for headless Firefox has no WebGL; Debian has no geckodriver, and its commands are the same."""
+    COMMANDS = {"/url": "Navigate", "/execute/sync": "ExecuteScript", "/element": "FindElement", "/actions": "PerformActions",
+                "/screenshot": "TakeScreenshot"}
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "3840x2160x24"], pass_fds=[write],
+                                       stderr=subprocess.DEVNULL)
+        display = os.read(read, 16).decode().strip()
+        self.profile = tempfile.TemporaryDirectory(prefix="torsio-firefox-")
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        preferences = {"marionette.port": port, "intl.accept_languages": self.language, "dom.disable_beforeunload": True,
+                       "webgl.disabled": not self.webgl, "browser.shell.checkDefaultBrowser": False,
+                       "datareporting.policy.dataSubmissionEnabled": False, "app.update.enabled": False}
+        with open(f"{self.profile.name}/user.js", "w") as file:
+            file.writelines(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
+        self.driver = subprocess.Popen(
+            ["firefox-esr", "--marionette", "--no-remote", "--profile", self.profile.name, "about:blank"],
+            env={**os.environ, "DISPLAY": f":{display}", "HOME": self.profile.name, "MOZ_CRASHREPORTER_DISABLE": "1"},
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.number = 0
+        self.socket = self.connected(port)
+        self.bytes = self.socket.makefile("rb")
+        self.receive()  # it says who it is
+        self.order("NewSession", {"capabilities": {"alwaysMatch": {"unhandledPromptBehavior": "accept"}}})
+        self.resize(*self.size)
+        return self
+
+    @staticmethod
+    def connected(port):
+        end = time.monotonic() + 60
+        while True:
+            try:
+                return socket.create_connection(("127.0.0.1", port), timeout=60)
+            except ConnectionRefusedError:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.1)
+
+    def __exit__(self, *_):
+        self.driver.terminate()
+        self.driver.wait()
+        self.screen.terminate()
+        self.screen.wait()
+        self.profile.cleanup()
+
+    def receive(self):
+        length = b""
+        while not length.endswith(b":"):
+            length += self.bytes.read(1)
+        return json.loads(self.bytes.read(int(length[:-1])))
+
+    def order(self, command, parameters):
+        self.number += 1
+        text = json.dumps([0, self.number, f"WebDriver:{command}", parameters]).encode()
+        self.socket.sendall(str(len(text)).encode() + b":" + text)
+        _, _, error, result = self.receive()
+        if error:
+            raise Failed(error["message"])
+        return result.get("value") if isinstance(result, dict) else result
+
+    def call(self, method, path, body=None):
+        if path.endswith("/click"):
+            return self.order("ElementClick", {"id": path.split("/")[2]})
+        return self.order(self.COMMANDS[path], body or {})
+
+    def resize(self, width, height):
+        """The window's least width is about 450 pixels."""
+        self.order("SetWindowRect", {"x": 0, "y": 0, "width": width, "height": height})
+
+    def faults(self):
+        return []  # Marionette tells nothing of the console
