@@ -18,10 +18,10 @@
 int main(int argc, char** argv) {
   using namespace torsio;
   const QCoreApplication application(argc, argv);
-  SceneRequest request;
-  request.assets = assetsFolder();
-  request.id = argc > 1 ? argv[1] : "forearm";
-  const Scene scene = loadScene(request);
+  SceneRequest organ;
+  organ.assets = assetsFolder();
+  organ.id = argc > 1 ? argv[1] : "forearm";
+  const Scene scene = loadScene(organ);
   testing::ReviewCentre centre({.raters = 2, .trainees = 3, .trial_s = 6.0, .live = true, .scene = &scene});
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   for (const UserAccount& user : access.users()) {
