@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pthread.h>
-
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <pthread.h>
 #include <string>
 #include <utility>
 
@@ -38,7 +37,8 @@ struct ServeArguments {
 void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& address) {
   const bool proxied = arguments.publicUrl.rfind("https://", 0) == 0;
   if (!arguments.publicUrl.empty() && !proxied) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("browsers reach the desk by https only"), arguments.publicUrl,
+    throw Error(ErrorCode::kUsage, Text::verbatim("browsers reach the desk by https only"),
+                arguments.publicUrl,
                 Text::verbatim("Give --public-url https://... as the proxy is called, or leave it out"));
   }
   if (arguments.certificate.empty() != arguments.key.empty()) {
@@ -46,10 +46,11 @@ void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& 
                 Text::verbatim("Give both --certificate and --key"));
   }
   if (arguments.certificate.empty() && !proxied && !address.isLoopback()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("other machines would reach the desk without encryption"),
-                arguments.listen,
-                Text::verbatim("Give --certificate and --key, or --public-url of a proxy that encrypts, or listen "
-                               "at 127.0.0.1"));
+    throw Error(
+        ErrorCode::kUsage, Text::verbatim("other machines would reach the desk without encryption"),
+        arguments.listen,
+        Text::verbatim("Give --certificate and --key, or --public-url of a proxy that encrypts, or listen "
+                       "at 127.0.0.1"));
   }
 }
 
@@ -78,9 +79,10 @@ void serve(const ServeArguments& arguments) {
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
                      .workers = file ? kWorkersOfAFile : kWorkersOfAServer});
-  const web::HttpServer server(address, tls, {}, [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
-    desk.handle(std::move(request), std::move(reply));
-  });
+  const web::HttpServer server(address, tls, {},
+                               [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
+                                 desk.handle(std::move(request), std::move(reply));
+                               });
   const std::string own = (tls.certificate.empty() ? "http://" : "https://") +
                           arguments.listen.substr(0, arguments.listen.rfind(':') + 1) +
                           std::to_string(server.port()) + "/";
@@ -99,7 +101,8 @@ void addServe(CLI::App& program) {
   command->add_option("--listen", arguments->listen, "Address and port")->capture_default_str();
   command->add_option("--certificate", arguments->certificate, "PEM file: the certificate with its chain");
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
-  command->add_option("--public-url", arguments->publicUrl, "https://... as browsers reach it through a proxy");
+  command->add_option("--public-url", arguments->publicUrl,
+                      "https://... as browsers reach it through a proxy");
   command->callback([arguments] { serve(*arguments); });
 }
 

@@ -19,13 +19,13 @@ constexpr double kSameSpeed = 0.001;
 void requirePlayable(const PlayedStretch& stretch, const ViewingRules& rules, const Text& where) {
   const bool forwards = stretch.from_us >= 0 && stretch.to_us >= stretch.from_us;
   if (!forwards || !std::isfinite(stretch.speed)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("what was watched is not a stretch of the recording"), where,
-                Text::tr("Open the case again"));
+    throw Error(ErrorCode::kBadParameter, Text::tr("what was watched is not a stretch of the recording"),
+                where, Text::tr("Open the case again"));
   }
-  const bool allowed = stretch.speed == 1.0 ||
-                       std::any_of(rules.speeds.begin(), rules.speeds.end(), [&](double speed) {
-                         return std::abs(speed - stretch.speed) <= kSameSpeed;
-                       });
+  const bool allowed =
+      stretch.speed == 1.0 || std::any_of(rules.speeds.begin(), rules.speeds.end(), [&](double speed) {
+        return std::abs(speed - stretch.speed) <= kSameSpeed;
+      });
   if (!allowed) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the recording was played at a speed that is not allowed"),
                 where, Text::tr("Play it again at an allowed speed"));

@@ -95,10 +95,8 @@ json rubricJson(const RubricRevision& rubric) {
     for (const RubricAnchor& anchor : line.anchors) {
       anchors.push_back({{"steps", anchor.score_steps}, {"text", anchor.meaning}});
     }
-    rows.push_back({{"code", line.code},
-                    {"label", line.label},
-                    {"anchors", anchors},
-                    {"scale", scaleJson(line.scale)}});
+    rows.push_back(
+        {{"code", line.code}, {"label", line.label}, {"anchors", anchors}, {"scale", scaleJson(line.scale)}});
   }
   return {{"rows", rows}, {"overall", scaleJson(rubric.overall)}};
 }
@@ -164,8 +162,8 @@ Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric) {
     const auto sameCode = [&read](const auto& other) { return other.code == read.code; };
     if (std::none_of(rubric.rows.begin(), rubric.rows.end(), sameCode) ||
         std::any_of(sheet.rows.begin(), sheet.rows.end(), sameCode)) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"), read.code,
-                  Text::tr("Load the page again"));
+      throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"),
+                  read.code, Text::tr("Load the page again"));
     }
     sheet.rows.push_back(std::move(read));
   }

@@ -66,8 +66,7 @@ class FrameColumns {
       if (!begin_us_) {
         begin_us_ = sample.device.time_us;
       }
-      const std::int64_t frame =
-          (sample.device.time_us - *begin_us_) * kTraceRate_hz / kSecondOfRecording_us;
+      const std::int64_t frame = (sample.device.time_us - *begin_us_) * kTraceRate_hz / kSecondOfRecording_us;
       while (static_cast<std::int64_t>(angle_.size()) <= frame) {
         begin(sample, target_rad);
       }
@@ -206,7 +205,8 @@ void addInstrument(BinaryContainer& container, const std::filesystem::path& asse
   TriangleMesh whole;
   nlohmann::json parts = nlohmann::json::array();
   for (const char* part : {"shaft", "upper_jaw", "lower_jaw"}) {
-    const TriangleMesh mesh = importMesh(folder / file.at("meshes").at(part).get<std::string>(), {.scale_m = 0.001, .organ = false});
+    const TriangleMesh mesh = importMesh(folder / file.at("meshes").at(part).get<std::string>(),
+                                         {.scale_m = 0.001, .organ = false});
     const auto first = static_cast<std::uint32_t>(whole.vertices_m.size());
     parts.push_back({{"name", part}, {"first", first}, {"count", mesh.vertices_m.size()}});
     whole.vertices_m.insert(whole.vertices_m.end(), mesh.vertices_m.begin(), mesh.vertices_m.end());
@@ -270,7 +270,8 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
   try {
     double target_rad = recording.trial.header.targetAngle_rad;
     Trial trial{recording.trial.header, std::move(recording.trial.chunks), recording.trial.summary};
-    playback.emplace(std::move(trial), [&](std::span<const Sample> samples) { columns.add(samples, target_rad); });
+    playback.emplace(std::move(trial),
+                     [&](std::span<const Sample> samples) { columns.add(samples, target_rad); });
   } catch (...) {
     rethrowBlinded(std::current_exception(), recording.label);
   }

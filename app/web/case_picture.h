@@ -10,9 +10,9 @@ namespace torsio::web {
 
 /// What a page needs to show a recording, as BinaryContainer (docs/server.md describes the arrays), gzipped.
 struct CasePicture {
-  std::string recording{};  ///< traces and instrument, 60 a second
-  std::string organ{};      ///< shapes of the organ, 30 a second; empty: it is not on this machine
-  float farthest_mm = 0.0F; ///< by which a vertex lies off in any shape that was kept
+  std::string recording{};   ///< traces and instrument, 60 a second
+  std::string organ{};       ///< shapes of the organ, 30 a second; empty: it is not on this machine
+  float farthest_mm = 0.0F;  ///< by which a vertex lies off in any shape that was kept
 };
 
 /// Largest distance of a drawn vertex from where the window would draw it, mm.

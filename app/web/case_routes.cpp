@@ -61,7 +61,9 @@ HttpResponse answerCase(Call& call) {
   call.session->played = id;
   call.session->reported = call.now;
   const char* const states[] = {"open", "draft", "submitted"};
-  const std::size_t state = opened.state == SheetState::kSubmitted ? 2 : opened.state == SheetState::kDraft ? 1 : 0;
+  const std::size_t state = opened.state == SheetState::kSubmitted ? 2
+                            : opened.state == SheetState::kDraft   ? 1
+                                                                   : 0;
   return jsonAnswer({{"label", opened.shown.label},
                      {"live", opened.shown.live},
                      {"state", states[state]},
@@ -126,8 +128,9 @@ std::optional<HttpResponse> shownPassword(Call& call) {
   }
   const std::string password = call.body.text("password", kLongestPassword_bytes);
   if (!call.desk.enterHashing()) {
-    return refusal(503, Error(ErrorCode::kDatabase, Text::tr("the server is busy"), "",
-                              Text::tr("Try again in a few seconds")),
+    return refusal(503,
+                   Error(ErrorCode::kDatabase, Text::tr("the server is busy"), "",
+                         Text::tr("Try again in a few seconds")),
                    call.wording);
   }
   struct Leave {
@@ -212,8 +215,8 @@ HttpResponse answerOrgan(Call& call) {
   const auto picture = pictureOf(call);
   if (picture->organ.empty()) {
     return refusal(404,
-                   Error(ErrorCode::kBadData, Text::tr("the organ of this recording is not on this machine"), "",
-                         Text::tr("Score from the traces, or ask an administrator for the organ file")),
+                   Error(ErrorCode::kBadData, Text::tr("the organ of this recording is not on this machine"),
+                         "", Text::tr("Score from the traces, or ask an administrator for the organ file")),
                    call.wording);
   }
   return binaryAnswer(call, picture->organ);

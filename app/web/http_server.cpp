@@ -2,23 +2,22 @@
 #include "app/web/http_server.h"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <atomic>
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
 #include <map>
+#include <microhttpd.h>
 #include <mutex>
+#include <netinet/in.h>
 #include <optional>
 #include <set>
-#include <thread>
-#include <utility>
-
-#include <arpa/inet.h>
-#include <microhttpd.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
+#include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include "sim/base/error.h"
 
@@ -70,9 +69,8 @@ constexpr const char* kTlsPriorities = "NORMAL:-VERS-TLS1.0:-VERS-TLS1.1";
 
 std::string lowered(std::string_view text) {
   std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   return lower;
 }
 
@@ -125,13 +123,13 @@ MHD_Result takeHeader(void* into, MHD_ValueKind /*kind*/, const char* name, cons
 
 /// Bodies that are announced twice are how requests are smuggled past a proxy.
 bool contradicts(const HeaderCount& count) {
-  return count.lengths > 1 || count.encodings > 1 || (count.lengths > 0 && count.encodings > 0) || count.hosts > 1;
+  return count.lengths > 1 || count.encodings > 1 || (count.lengths > 0 && count.encodings > 0) ||
+         count.hosts > 1;
 }
 
 MHD_Result queue(MHD_Connection* connection, const HttpResponse& answer) {
-  MHD_Response* response =
-      MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()),
-                                      MHD_RESPMEM_MUST_COPY);
+  MHD_Response* response = MHD_create_response_from_buffer(
+      answer.body.size(), const_cast<char*>(answer.body.data()), MHD_RESPMEM_MUST_COPY);
   if (response == nullptr) {
     return MHD_NO;
   }
@@ -399,7 +397,8 @@ HttpServer::HttpServer(const HttpAddress& address, const TlsMaterial& tls, const
     const std::string where = address.host + ":" + std::to_string(address.port);
     throw daemon_->encrypted
         ? Error(ErrorCode::kBadParameter,
-                Text::verbatim("the server does not start: address, certificate or key cannot be used"), where,
+                Text::verbatim("the server does not start: address, certificate or key cannot be used"),
+                where,
                 Text::verbatim("Look whether another program listens there, and whether key and certificate "
                                "belong together"))
         : Error(ErrorCode::kUsage, Text::verbatim("nothing can listen at this address"), where,

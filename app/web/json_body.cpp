@@ -51,7 +51,8 @@ std::string JsonBody::textOrNone(const char* field, std::size_t most) const {
 
 std::int64_t JsonBody::whole(const char* field, std::int64_t least, std::int64_t most) const {
   const nlohmann::json& value = at(field);
-  const bool tooLarge = value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX);
+  const bool tooLarge =
+      value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX);
   if (!value.is_number_integer() || tooLarge || value.get<std::int64_t>() < least ||
       value.get<std::int64_t>() > most) {
     refuseField(field);

@@ -15,9 +15,10 @@ constexpr std::size_t kTagDigits = 16;
 
 /// Other files of the folder (notes, tests) are not served.
 std::string typeOf(const std::filesystem::path& file) {
-  static const std::map<std::string, std::string> kTypes = {
-      {".html", "text/html; charset=utf-8"}, {".css", "text/css; charset=utf-8"},
-      {".js", "text/javascript; charset=utf-8"}, {".svg", "image/svg+xml"}};
+  static const std::map<std::string, std::string> kTypes = {{".html", "text/html; charset=utf-8"},
+                                                            {".css", "text/css; charset=utf-8"},
+                                                            {".js", "text/javascript; charset=utf-8"},
+                                                            {".svg", "image/svg+xml"}};
   const auto found = kTypes.find(file.extension().string());
   return found == kTypes.end() ? std::string() : found->second;
 }

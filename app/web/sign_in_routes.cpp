@@ -22,9 +22,10 @@ constexpr std::size_t kLongestPassword = 1024;
 constexpr std::chrono::seconds kBusy{2};
 
 HttpResponse wait(Call& call, std::chrono::seconds time) {
-  HttpResponse response = refusal(
-      429, Error(ErrorCode::kPermission, Text::tr("too many tries"), "", Text::tr("Wait a little, then try again")),
-      call.wording, {{"wait_s", time.count()}});
+  HttpResponse response = refusal(429,
+                                  Error(ErrorCode::kPermission, Text::tr("too many tries"), "",
+                                        Text::tr("Wait a little, then try again")),
+                                  call.wording, {{"wait_s", time.count()}});
   response.headers.emplace_back("Retry-After", std::to_string(time.count()));
   return response;
 }

@@ -70,7 +70,8 @@ Error simpleRefusal(const Text& what, const Text& remedy) {
 HttpResponse refused(int status, const Wording& wording) {
   switch (status) {
     case 401:
-      return refusal(status, simpleRefusal(Text::tr("nobody is signed in"), Text::tr("Sign in first")), wording);
+      return refusal(status, simpleRefusal(Text::tr("nobody is signed in"), Text::tr("Sign in first")),
+                     wording);
     case 503:
       return refusal(status,
                      simpleRefusal(Text::tr("the server is busy"), Text::tr("Try again in a few seconds")),
@@ -81,8 +82,10 @@ HttpResponse refused(int status, const Wording& wording) {
                                    Text::tr("Try again, or tell an administrator")),
                      wording);
     default:
-      return refusal(status, simpleRefusal(Text::tr("there is nothing at this address"), Text::tr("Load the page again")),
-                     wording);
+      return refusal(
+          status,
+          simpleRefusal(Text::tr("there is nothing at this address"), Text::tr("Load the page again")),
+          wording);
   }
 }
 
@@ -171,7 +174,8 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   if (match.route == nullptr) {
     return finish(refused(match.otherMethod ? 405 : 404, wording));
   }
-  auto work = [this, request = std::move(request), match = std::move(match), finish](SessionContext& context) {
+  auto work = [this, request = std::move(request), match = std::move(match),
+               finish](SessionContext& context) {
     try {
       finish(answer(request, *match.route, match.parts, context));
     } catch (...) {
@@ -191,9 +195,10 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
   const bool change = isChange(request.method);
   const bool json = request.header("content-type").rfind("application/json", 0) == 0;
   if (change && (!json || !fromOwnPage(request))) {
-    return refusal(403, simpleRefusal(Text::tr("this was not ordered by a page of Torsio"),
-                                      Text::tr("Load the page again")),
-                   wording);
+    return refusal(
+        403,
+        simpleRefusal(Text::tr("this was not ordered by a page of Torsio"), Text::tr("Load the page again")),
+        wording);
   }
   const SteadyTime now = std::chrono::steady_clock::now();
   const std::shared_ptr<WebSession> session =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real review desk with a centre of made-up people, for the browser's tests: prints its port, and ends with
-// its standard input. `desk_server SCENE`: what the recordings twist.
+// The real review desk with a centre of made-up people, for the browser's tests: prints its port, and ends
+// with its standard input. `desk_server SCENE`: what the recordings twist.
 #include <iostream>
 #include <string>
 #include <utility>
@@ -27,10 +27,14 @@ int main(int argc, char** argv) {
   for (const UserAccount& user : access.users()) {
     access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);
   }
-  web::WebDesk desk({.locator = centre.locator(), .assets = assetsFolder(), .workers = 2, .passwordCost = PasswordCost::kTest});
-  const web::HttpServer server({"127.0.0.1", 0}, {}, {}, [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
-    desk.handle(std::move(request), std::move(reply));
-  });
+  web::WebDesk desk({.locator = centre.locator(),
+                     .assets = assetsFolder(),
+                     .workers = 2,
+                     .passwordCost = PasswordCost::kTest});
+  const web::HttpServer server({"127.0.0.1", 0}, {}, {},
+                               [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
+                                 desk.handle(std::move(request), std::move(reply));
+                               });
   std::cout << server.port() << std::endl;
   std::string line;
   std::getline(std::cin, line);

@@ -69,7 +69,7 @@ def find_the_draft(url):
         other.says(".saved", "Saved")
     with Browser() as third:
         sign_in(third, url, "physician0")
-        third.says(".cases", "Draft")
+        third.says("main", "Continue the draft")
 
 
 def main():

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a player elsewhere says was watched, and what is believed of it; how long words may be.
+#include "app/review/viewing_report.h"
+
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -8,7 +10,6 @@
 
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
-#include "app/review/viewing_report.h"
 #include "assessment/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "sim/base/error.h"
@@ -40,8 +41,8 @@ TEST(CreditedLog, ASlowerSpeedShowsLess) {
 }
 
 TEST(CreditedLog, StretchesShareTheTimeThatPassed) {
-  const WatchLog log =
-      creditedLog(WatchLog(kMinuteOfPlay_us), {{0, 6'000'000, 1.0}, {30'000'000, 40'000'000, 1.0}}, 9'500'000);
+  const WatchLog log = creditedLog(WatchLog(kMinuteOfPlay_us),
+                                   {{0, 6'000'000, 1.0}, {30'000'000, 40'000'000, 1.0}}, 9'500'000);
 
   const auto spans = log.spans();
   ASSERT_EQ(spans.size(), 2U);
@@ -95,7 +96,8 @@ TEST(ReportViewing, TwoDesksLoseNothing) {
   own.played(0, 1'000'000, 1.0);
   saveSheet(*desk, id, reviewSheet(7, 7, 7), own);
 
-  EXPECT_GT(openSheet(*browser, id).watched.share(), 0.99) << "the desk wrote over what the browser had stored";
+  EXPECT_GT(openSheet(*browser, id).watched.share(), 0.99)
+      << "the desk wrote over what the browser had stored";
   submitSheet(*desk, id, reviewSheet(7, 7, 7), own);
 }
 

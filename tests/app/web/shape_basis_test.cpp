@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes of an organ as a few displacements: how far a drawn vertex may lie off.
+#include "app/web/shape_basis.h"
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "app/web/shape_basis.h"
 
 namespace torsio::web {
 namespace {
@@ -39,7 +39,8 @@ TEST(ShapeBasis, ShowsEveryShapeWithinTheBound) {
     EXPECT_LE(basis.farthest(shape, basis.weightsOf(shape)), 0.15F);
   }
   const std::vector<float> between = tube(1.234);
-  EXPECT_LE(basis.farthest(between, basis.weightsOf(between)), 0.15F) << "shapes that were not in the training";
+  EXPECT_LE(basis.farthest(between, basis.weightsOf(between)), 0.15F)
+      << "shapes that were not in the training";
 }
 
 TEST(ShapeBasis, OneShapeNeedsNoComponent) {

@@ -2,10 +2,9 @@
 #include "tests/app/web/web_client.h"
 
 #include <algorithm>
+#include <arpa/inet.h>
 #include <cctype>
 #include <cstddef>
-
-#include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/time.h>
@@ -116,10 +115,11 @@ WebAnswer WebClient::get(const std::string& path) {
 
 WebAnswer WebClient::send(const std::string& method, const std::string& path, const nlohmann::json& body) {
   const std::string text = body.dump();
-  return exchange(method + " " + path + " HTTP/1.1\r\nContent-Type: application/json\r\nOrigin: http://127.0.0.1:" +
-                      std::to_string(port_) + "\r\nX-Torsio-Token: " + token +
-                      "\r\nContent-Length: " + std::to_string(text.size()) + "\r\n",
-                  text);
+  return exchange(
+      method + " " + path +
+          " HTTP/1.1\r\nContent-Type: application/json\r\nOrigin: http://127.0.0.1:" + std::to_string(port_) +
+          "\r\nX-Torsio-Token: " + token + "\r\nContent-Length: " + std::to_string(text.size()) + "\r\n",
+      text);
 }
 
 bool WebClient::signIn(const std::string& login, const std::string& password) {

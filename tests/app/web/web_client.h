@@ -27,7 +27,8 @@ class WebClient {
 
   [[nodiscard]] WebAnswer get(const std::string& path);
   /// PUT or POST of JSON, as a page of the desk does it.
-  [[nodiscard]] WebAnswer send(const std::string& method, const std::string& path, const nlohmann::json& body);
+  [[nodiscard]] WebAnswer send(const std::string& method, const std::string& path,
+                               const nlohmann::json& body);
   /// Bytes as they are, and what comes back.
   [[nodiscard]] WebAnswer raw(const std::string& bytes) const;
   /// Signs in; false when that was refused.

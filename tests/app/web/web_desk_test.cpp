@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The review desk as a browser meets it: who gets in, what a case says, what is kept, and that no byte tells
 // whose recording it is.
+#include "app/web/web_desk.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,11 +12,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/base/assets.h"
 #include "app/access/signing.h"
+#include "app/base/assets.h"
 #include "app/review/case_sheet.h"
 #include "app/web/http_server.h"
-#include "app/web/web_desk.h"
 #include "assessment/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "sim/base/random.h"
@@ -39,8 +40,10 @@ struct Served {
     for (const UserAccount& user : access.users()) {
       access.setPassword(user.id, access.sealPassword(user.login, kPassword), false);
     }
-    desk = std::make_unique<WebDesk>(
-        DeskSettings{.locator = centre.locator(), .assets = assetsFolder(), .workers = 2, .passwordCost = PasswordCost::kTest});
+    desk = std::make_unique<WebDesk>(DeskSettings{.locator = centre.locator(),
+                                                  .assets = assetsFolder(),
+                                                  .workers = 2,
+                                                  .passwordCost = PasswordCost::kTest});
     server = std::make_unique<HttpServer>(HttpAddress{"127.0.0.1", 0}, TlsMaterial{}, HttpLimits{},
                                           [this](HttpRequest request, HttpServer::Reply reply) {
                                             desk->handle(std::move(request), std::move(reply));
@@ -86,13 +89,15 @@ TEST(WebDesk, NothingIsOpenThatIsNotSaidToBe) {
 
   for (const Route& route : served.desk->router().routes()) {
     const std::string path = pathOf(route, "x");
-    const WebAnswer answer = route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
+    const WebAnswer answer =
+        route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
     if (route.access == RouteAccess::kSignedIn) {
       EXPECT_EQ(answer.status, 401) << route.method << " " << path;
     }
     EXPECT_EQ(client.send("DELETE", path, json::object()).status, 405) << path;
   }
-  for (const char* nowhere : {"/api", "/api/", "/api/people", "/../web/index.html", "/web_desk.cpp", "/api/cases/a/b/c/d"}) {
+  for (const char* nowhere :
+       {"/api", "/api/", "/api/people", "/../web/index.html", "/web_desk.cpp", "/api/cases/a/b/c/d"}) {
     EXPECT_EQ(client.get(nowhere).status, 404) << nowhere;
   }
 }
@@ -101,9 +106,11 @@ TEST(WebDesk, LetsAPhysicianInAndNobodyElse) {
   const Served served;
   WebClient client = served.client();
 
-  EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", "wrong"}}).status, 401);
+  EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", "wrong"}}).status,
+            401);
   EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "nobody"}, {"password", kPassword}}).status, 401);
-  const WebAnswer office = client.send("POST", "/api/sign-in", {{"login", "office"}, {"password", kPassword}});
+  const WebAnswer office =
+      client.send("POST", "/api/sign-in", {{"login", "office"}, {"password", kPassword}});
   EXPECT_EQ(office.status, 403);
   EXPECT_EQ(office.headers.count("set-cookie"), 0U);
   const WebAnswer welcome =
@@ -125,7 +132,9 @@ TEST(WebDesk, SlowsDownWhoeverGuesses) {
   int waited = 0;
 
   for (int i = 0; i < 14; ++i) {
-    waited += client.send("POST", "/api/sign-in", {{"login", "nobody" + std::to_string(i)}, {"password", "x"}}).status == 429;
+    waited +=
+        client.send("POST", "/api/sign-in", {{"login", "nobody" + std::to_string(i)}, {"password", "x"}})
+            .status == 429;
   }
 
   EXPECT_GE(waited, 4);
@@ -144,9 +153,10 @@ TEST(WebDesk, ObeysItsOwnPageAlone) {
   other.headers = {{"Sec-Fetch-Site", "cross-site"}};
   EXPECT_EQ(other.send("POST", path, remark).status, 403);
   const std::string text = remark.dump();
-  const std::string head = "POST " + path + " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nCookie: " + client.cookie +
-                           "\r\nX-Torsio-Token: " + client.token + "\r\nOrigin: http://h\r\nContent-Length: " +
-                           std::to_string(text.size()) + "\r\nContent-Type: ";
+  const std::string head =
+      "POST " + path + " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nCookie: " + client.cookie +
+      "\r\nX-Torsio-Token: " + client.token +
+      "\r\nOrigin: http://h\r\nContent-Length: " + std::to_string(text.size()) + "\r\nContent-Type: ";
   EXPECT_EQ(client.raw(head + "text/plain\r\n\r\n" + text).status, 403);
   EXPECT_EQ(client.raw(head + "application/json\r\n\r\n" + text).status, 200);
   const auto desk = served.centre.trialIds();
@@ -168,9 +178,9 @@ TEST(WebDesk, ACaseIsScoredKeptAndSealed) {
   EXPECT_EQ(saved.json().at("revision"), 1);
   const WebAnswer early = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
   EXPECT_EQ(early.status, 400) << "nothing was watched yet";
-  const WebAnswer seen = client.send(
-      "POST", path + "/viewing",
-      {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}});
+  const WebAnswer seen =
+      client.send("POST", path + "/viewing",
+                  {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}});
   ASSERT_EQ(seen.status, 200) << seen.body;
   EXPECT_GT(seen.json().at("share").get<double>(), 0.8);
   const WebAnswer sealed = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
@@ -212,7 +222,8 @@ TEST(WebDesk, AskForThePasswordWhereEachSignatureDoes) {
   }
   WebClient client = served.physician(0);
   const std::string path = "/api/cases/" + firstCase(client);
-  (void)client.send("POST", path + "/viewing", {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
+  (void)client.send("POST", path + "/viewing",
+                    {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
   json body = {{"sheet", sheetBody(0, 70, 80, 75)}};
 
   const WebAnswer asked = client.send("POST", path + "/submit", body);
@@ -310,10 +321,20 @@ TEST(WebDesk, NothingThatIsSentEndsInAnInternalError) {
   WebClient client = served.physician(0);
   const std::string handle = firstCase(client);
   Random random(5);
-  const std::vector<json> odd = {nullptr, -1, 1e300, "x", json::array(), json::object(), true, 9223372036854775807,
-                                 std::string(5000, 'y'), json::array({json::object()}), "\xF0\x9F\x98\x80"};
-  const std::vector<std::string> names = {"revision", "rows", "overall_steps", "comment", "sheet", "played", "text",
-                                          "time_us", "reason", "password", "code", "score_steps"};
+  const std::vector<json> odd = {nullptr,
+                                 -1,
+                                 1e300,
+                                 "x",
+                                 json::array(),
+                                 json::object(),
+                                 true,
+                                 9223372036854775807,
+                                 std::string(5000, 'y'),
+                                 json::array({json::object()}),
+                                 "\xF0\x9F\x98\x80"};
+  const std::vector<std::string> names = {"revision", "rows",     "overall_steps", "comment",
+                                          "sheet",    "played",   "text",          "time_us",
+                                          "reason",   "password", "code",          "score_steps"};
   for (int i = 0; i < 400; ++i) {
     const auto& routes = served.desk->router().routes();
     const Route& route = routes[random.bounded(routes.size())];
@@ -325,7 +346,8 @@ TEST(WebDesk, NothingThatIsSentEndsInAnInternalError) {
       body[names[random.bounded(names.size())]] = odd[random.bounded(odd.size())];
     }
     const WebAnswer answer = client.send(route.method, pathOf(route, handle), body);
-    EXPECT_NE(answer.status, 500) << route.path << " " << body.dump(-1, ' ', false, json::error_handler_t::replace);
+    EXPECT_NE(answer.status, 500) << route.path << " "
+                                  << body.dump(-1, ' ', false, json::error_handler_t::replace);
     EXPECT_NE(answer.status, 0);
   }
   EXPECT_EQ(client.get("/api/me").status, 200);

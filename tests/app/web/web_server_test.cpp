@@ -44,9 +44,15 @@ TEST(HttpServer, RefusesWhatIsTooLargeOrContradictsItself) {
   const WebClient client(server.port());
   const std::string host = "Host: x\r\n";
 
-  EXPECT_EQ(client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host + "Content-Length: 1001\r\n\r\n" + std::string(1001, 'a')).status,
+  EXPECT_EQ(client
+                .raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host + "Content-Length: 1001\r\n\r\n" +
+                     std::string(1001, 'a'))
+                .status,
             413);
-  EXPECT_EQ(client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host + "Content-Length: 3\r\nContent-Length: 4\r\n\r\nabc").status,
+  EXPECT_EQ(client
+                .raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
+                     "Content-Length: 3\r\nContent-Length: 4\r\n\r\nabc")
+                .status,
             400);
   const WebAnswer both = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
                                     "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n");
@@ -55,8 +61,8 @@ TEST(HttpServer, RefusesWhatIsTooLargeOrContradictsItself) {
   for (int i = 0; i < 10; ++i) {
     chunks += "100\r\n" + std::string(0x100, 'a') + "\r\n";
   }
-  const WebAnswer chunked =
-      client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n" + chunks + "0\r\n\r\n");
+  const WebAnswer chunked = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
+                                       "Transfer-Encoding: chunked\r\n\r\n" + chunks + "0\r\n\r\n");
   EXPECT_EQ(chunked.status, 0) << "a body beyond the limit is not read to its end";
   std::string headers;
   for (int i = 0; i < 2000; ++i) {
@@ -70,9 +76,11 @@ TEST(HttpServer, OutlivesNoise) {
   const HttpServer server(anyPort(), {}, {}, echo);
   WebClient client(server.port());
   Random random(17);
-  const std::vector<std::string> pieces = {"GET ", "POST ", "/", " HTTP/1.1", "\r\n", "Host: a", ":", "\0",
-                                           "Content-Length: -5", "Transfer-Encoding: chunked", "%00", "..",
-                                           "Cookie: ", std::string(300, 'A'), "\xff\xfe", "0\r\n\r\n"};
+  const std::vector<std::string> pieces = {
+      "GET ",     "POST ", "/",        " HTTP/1.1",           "\r\n",
+      "Host: a",  ":",     "\0",       "Content-Length: -5",  "Transfer-Encoding: chunked",
+      "%00",      "..",    "Cookie: ", std::string(300, 'A'), "\xff\xfe",
+      "0\r\n\r\n"};
   for (int i = 0; i < 300; ++i) {
     std::string noise;
     for (std::uint64_t k = 0; k < 1 + random.bounded(20); ++k) {
