@@ -250,6 +250,7 @@ def test_idle_lock(browser, url, desk):
     desk.idle_s = 2
     open_case(browser, url)
     browser.keys("5", "Tab", "Tab", "Tab", "Tab", "half a sentence")
+    browser.says(".notice", "Press any key to stay")
     browser.there(".gate")
     check("the server ended the session", not desk.sessions)
     check("what was typed is stored", desk.cases["c1"].sheet["comment"] == "half a sentence")
