@@ -101,6 +101,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Next deadline"),
     Text::tr("no mark yet"),
     Text::tr("No recorded case is assigned to you. New ones appear here by themselves."),
+    Text::tr("Nobody here? The screen will be locked in %1 s. Press any key to stay"),
     Text::tr("Not assessable"),
     Text::tr("not assessable"),
     Text::tr("Not assessable: type why, Enter"),

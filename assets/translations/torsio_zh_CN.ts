@@ -14544,6 +14544,10 @@ audit trail %3</source>
         <source>“%1”</source>
         <translation>“%1”</translation>
     </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

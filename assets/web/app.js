@@ -14,6 +14,8 @@ import { forgetUnsaved } from './unsaved.js';
 
 const kLanguageNames = { en: 'English', zh_CN: '\u7b80\u4f53\u4e2d\u6587' };
 const kUsualIdle_s = 300;
+const kNotice_ms = 6000;
+const kWarning_ms = 60_000;
 
 const main = h('main', { id: 'main', tabindex: '-1' });
 const said = h('div', { class: 'notice', role: 'status' });
@@ -23,18 +25,22 @@ const head = h('header', { class: 'top' });
 const foot = h('footer', { class: 'foot' });
 const behind = h('div', { class: 'behind' }, head, main, foot);
 const gate = new Gate(behind, signOut);
-const idle = new IdleWatch(lock);
+const idle = new IdleWatch({
+  warned: (left_s) => frame.notify(t('Nobody here? The screen will be locked in %1 s. Press any key to stay', left_s), kWarning_ms),
+  back: () => frame.notify(''),
+  idle: lock,
+});
 let user = null;
 let page = null;
 
 /// What pages may ask of the frame they stand in.
 const frame = {
   /// Says something in passing.
-  notify(text) {
+  notify(text, for_ms = kNotice_ms) {
     say(said, text);
     show(said, text !== '');
     clearTimeout(frame.timer);
-    frame.timer = setTimeout(() => show(said, false), 6000);
+    frame.timer = setTimeout(() => show(said, false), for_ms);
   },
   open(hash) {
     if (window.location.hash === hash) {

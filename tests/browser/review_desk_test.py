@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pages of the review desk in a headless Chromium, against the mock of the server. `review_desk_test.py [--firefox]
-[NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 when one fails."""
+[NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 when one fails, 77 where there is no
+such browser."""
 import json
 import re
+import shutil
 import sys
 import time
 import traceback
@@ -248,6 +250,7 @@ def test_idle_lock(browser, url, desk):
     desk.idle_s = 2
     open_case(browser, url)
     browser.keys("5", "Tab", "Tab", "Tab", "Tab", "half a sentence")
+    browser.says(".notice", "Press any key to stay")
     browser.there(".gate")
     check("the server ended the session", not desk.sessions)
     check("what was typed is stored", desk.cases["c1"].sheet["comment"] == "half a sentence")
@@ -295,7 +298,7 @@ def test_left_while_the_network_is_away(browser, url, desk):
 
 def test_touch(browser, url, desk):
     open_case(browser, url)
-    browser.there(".stage-canvas")
+    browser.says(".sentence", "traces are complete")
     browser.tap(".row:nth-child(2) .cell:nth-child(4)")
     saved(browser, desk, [None, 40, None, None])
     browser.tap(".row:nth-child(2) [aria-label$='half a point more']")
@@ -305,17 +308,44 @@ def test_touch(browser, url, desk):
 
 
 def test_without_webgl(browser, url, desk):
-    with type(browser)(webgl=False) as bare:
-        open_case(bare, url)
-        bare.says(".sentence", "This browser draws nothing in three dimensions")
-        bare.keys("5", "Space")
-        bare.says(".transport", "Pause")
-        saved(bare, desk, [50, None, None, None])
+    open_case(browser, url)
+    browser.says(".sentence", "This browser draws nothing in three dimensions")
+    browser.keys("5", "Space")
+    browser.says(".transport", "Pause")
+    saved(browser, desk, [50, None, None, None])
+
+
+def drawn(browser):
+    """What the stage shows, as 64 x 40 pixels: the share that is not its background, and all of them."""
+    return browser.run("""
+      const flat = document.createElement('canvas');
+      [flat.width, flat.height] = [64, 40];
+      const paint = flat.getContext('2d');
+      const stage = document.querySelector('.stage-canvas');
+      stage.dispatchEvent(new KeyboardEvent('keydown', {key: arguments[0], bubbles: true}));
+      return new Promise((done) => requestAnimationFrame(() => {  // after the stage's own, before the picture is gone
+        paint.drawImage(stage, 0, 0, 64, 40);
+        const bytes = [...paint.getImageData(0, 0, 64, 40).data];
+        done({share: bytes.filter((one, i) => i % 4 === 3 && one > 128).length / 64 / 40, bytes: bytes.join()});
+      }));""", "+")
+
+
+def test_stage(browser, url, desk):
+    with type(browser)(webgl=True) as lit:
+        open_case(lit, url)
+        lit.there(".stage-canvas")
+        lit.until("something is drawn", lambda: drawn(lit)["share"] > 0.02)
+        check("and not everything", drawn(lit)["share"] < 0.9)
+        before = drawn(lit)["bytes"]
+        lit.keys("End", "j", "j")  # the organ is twisted there
+        lit.says(".time", "0:10")
+        check("the organ follows the time", drawn(lit)["bytes"] != before)
+        check(f"the console is silent: {lit.faults()}", not lit.faults())
 
 
 def test_player(browser, url, desk):
     open_case(browser, url)
-    browser.there(".stage-canvas")
+    browser.says(".sentence", "traces are complete")
     browser.keys("Space")
     browser.until("the server heard of it", lambda: desk.cases["c1"].share() > 0.1)
     browser.says(".transport", "Pause")
@@ -370,7 +400,7 @@ def test_chinese(browser, url, desk):
     browser.run("localStorage.setItem('torsio.language', 'zh_CN')")
     open_case(browser, url)
     check("the page says its language", browser.run("return document.documentElement.lang") == "zh-CN")
-    browser.there(".stage-canvas")
+    browser.there(".sentence")
     browser.click(".keys summary")
     browser.keys("x", "see", "Enter", "Control+Enter")
     shown = browser.text("body")
@@ -402,7 +432,11 @@ def main():
     scenarios = [(name, function) for name, function in globals().items()
                  if name.startswith("test_") and (not names or any(word in name for word in names))]
     failed = 0
-    with kind() as browser:
+    program = "firefox-esr" if kind is Firefox else "chromedriver"
+    if shutil.which(program) is None:
+        print(f"no {program} here")
+        sys.exit(77)
+    with kind(webgl=False) as browser:  # a processor that draws takes most of the time
         for name, function in scenarios:
             server, desk = mock_server.start()
             begun = time.monotonic()
