@@ -12,7 +12,7 @@ torsio_packages=(
   libqt6sql6-sqlite libqt6sql6-psql libgl1-mesa-dri libglx-mesa0 fonts-noto-core fonts-noto-cjk fonts-dejavu-core
   libeigen3-dev libfcl-dev libassimp-dev zlib1g-dev libboost-dev
   libsdl2-dev libspnav-dev
-  libxlsxwriter-dev libreadstat-dev
+  libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
   qt6-websockets-dev libgtest-dev libgmock-dev libbenchmark-dev
 )

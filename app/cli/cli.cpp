@@ -53,6 +53,9 @@ void buildProgram(CLI::App& program) {
   addReplay(program);
   addReport(program);
   addSection(program);
+#ifndef _WIN32
+  addServe(program);
+#endif
   addStandardSetting(program);
   addTwist(program);
 }

@@ -90,12 +90,31 @@ BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentI
   return shown;
 }
 
-BlindedRecording loadBlindedRecording(SessionContext& session, const AssignmentId& assignmentId) {
-  const Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
+namespace {
+
+Assignment ownRecordedCase(SessionContext& session, const AssignmentId& assignmentId) {
+  Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
     throw Error(ErrorCode::kBadData, Text::tr("this case is scored live and has no recording"),
                 placeOf(found.caseLabel), Text::tr("Use the live sheet"));
   }
+  return found;
+}
+
+}  // namespace
+
+BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentId) {
+  const Assignment found = ownRecordedCase(session, assignmentId);
+  const std::optional<TrialHeader> header = TrialRepository(session.connection()).find(found.trialId);
+  if (!header) {
+    throw Error(ErrorCode::kBadData, Text::tr("the recording cannot be opened"), placeOf(found.caseLabel),
+                Text::tr("Try again, or tell an administrator"));
+  }
+  return taskOf(session.connection(), found.trialId, *header);
+}
+
+BlindedRecording loadBlindedRecording(SessionContext& session, const AssignmentId& assignmentId) {
+  const Assignment found = ownRecordedCase(session, assignmentId);
   return blindedRecordingOf(session.connection(), found.trialId, found.caseLabel, assignmentId);
 }
 

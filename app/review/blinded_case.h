@@ -66,6 +66,9 @@ struct BlindedRecording {
 /// kMarkSubmit, own case.
 [[nodiscard]] BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentId);
 
+/// kTrialViewAssigned, own case. Throws as loadBlindedRecording, without reading the recording.
+[[nodiscard]] BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentId);
+
 /// Loads the recording of an own case and checks it against its content hash, so that what is played is what
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the

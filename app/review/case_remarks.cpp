@@ -5,6 +5,7 @@
 #include "app/study/remark_revision.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/remark.h"
+#include "assessment/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
@@ -37,6 +38,7 @@ void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, co
                 Text::tr("case %1", assignment.caseLabel),
                 Text::tr("Write it into the comment of the sheet"));
   }
+  requireWords(remark.text, kLongestRemark, Text::tr("case %1", assignment.caseLabel));
   const auto header = TrialRepository(session.connection()).find(assignment.trialId);
   Remark stored;
   stored.id = session.ids().newUuid();
@@ -67,6 +69,7 @@ void editCaseRemark(SessionContext& session, const AssignmentId& assignmentId, c
     throw Error(ErrorCode::kBadParameter, Text::tr("this case has no such remark"),
                 Text::tr("case %1", assignment.caseLabel), Text::tr("Open the case again"));
   }
+  requireWords(text, kLongestRemark, Text::tr("case %1", assignment.caseLabel));
   reviseRemark(session, *remark, text);
 }
 

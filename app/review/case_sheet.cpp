@@ -12,6 +12,7 @@
 #include "app/review/sheet_editor.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
+#include "assessment/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/call_repository.h"
@@ -44,6 +45,15 @@ std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
   }
   json["worked_s"] = watched.worked_us() / 1'000'000;
   return json.dump();
+}
+
+void requireSheetWords(const Sheet& sheet, const std::string& label) {
+  const Text where = Text::tr("case %1", label);
+  requireWords(sheet.comment, kLongestComment, where);
+  requireWords(sheet.notAssessableReason, kLongestReason, where);
+  for (const SheetRow& row : sheet.rows) {
+    requireWords(row.notAssessableReason, kLongestReason, where);
+  }
 }
 
 /// Somebody's sheet opens when the office calls the case: nobody scores a trainee who is not at the arm.
@@ -120,11 +130,18 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
 
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
-  requireCalled(session, ownAssignment(session, Operation::kMarkSubmit, assignmentId));
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  requireCalled(session, assignment);
   sheet.changedUtc_us = session.now_us();
+  requireSheetWords(sheet, assignment.caseLabel);
   Transaction transaction(session.connection());
   const std::int64_t revision = SheetRepository(session.connection()).saveDraft(assignmentId, sheet);
-  DeskRepository(session.connection()).saveDraftViewing(assignmentId, watched.stored());
+  DeskRepository desk(session.connection());
+  WatchLog all = watched;
+  if (const auto seen = desk.draftViewing(assignmentId)) {
+    all.join(WatchLog(watched.length_us(), *seen));
+  }
+  desk.saveDraftViewing(assignmentId, all.stored());
   transaction.commit();
   return revision;
 }
@@ -144,9 +161,12 @@ SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool liv
 }
 
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
-                 const WatchLog& watched) {
+                 const WatchLog& watchedHere) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  requireSheetWords(sheet, assignment.caseLabel);
   const OpenedSheet opened = openSheet(session, assignmentId);
+  WatchLog watched = watchedHere;
+  watched.join(opened.watched);
   const SheetCheck check =
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
   const Text where = Text::tr("case %1", opened.shown.label);
@@ -182,6 +202,8 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
     throw Error(ErrorCode::kBadParameter, Text::tr("a submitted mark is changed with a reason only"), where,
                 Text::tr("Write why you change it"));
   }
+  requireWords(reason, kLongestReason, Text::tr("case %1", assignment.caseLabel));
+  requireSheetWords(sheet, assignment.caseLabel);
   SheetRepository sheets(session.connection());
   if (!sheets.submitted(assignmentId)) {
     throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,

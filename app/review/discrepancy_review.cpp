@@ -11,6 +11,7 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/mark.h"
 #include "assessment/rating/rubric.h"
+#include "assessment/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
@@ -100,7 +101,7 @@ void decide(SessionContext& session, const AssignmentId& assignmentId, Discrepan
 
 void requireReason(const std::string& reason, const std::string& label) {
   if (!reason.empty()) {
-    return;
+    return requireWords(reason, kLongestReason, Text::tr("case %1", label));
   }
   throw Error(ErrorCode::kBadParameter, Text::tr("a reason is needed"), Text::tr("case %1", label),
               Text::tr("Write it in a few words"));
@@ -161,6 +162,15 @@ void moveMark(SessionContext& session, const AssignmentId& assignmentId, const S
   amendSheet(session, assignmentId, sheet, reason, PanelMarks::kSeen);
   decide(session, assignmentId, DiscrepancyChoice::kMove, reason);
   transaction.commit();
+}
+
+void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                     const std::string& reason) {
+  if (openSheet(session, assignmentId).panelOpen) {
+    moveMark(session, assignmentId, sheet, reason);
+  } else {
+    amendSheet(session, assignmentId, sheet, reason);
+  }
 }
 
 void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {

@@ -48,6 +48,11 @@ void keepMark(SessionContext& session, const AssignmentId& assignmentId, const s
 /// not all have committed. kMarkSubmit, own committed case; audited.
 void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
               const std::string& reason);
+/// The next version of an own submitted sheet, by the rules of what its author may know by now: amendSheet()
+/// before the marks of the panel are open, moveMark() after. kMarkSubmit, own case; audited. Throws as they
+/// do.
+void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                     const std::string& reason);
 /// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
 void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 

@@ -56,6 +56,15 @@ void WatchLog::played(std::int64_t from_us, std::int64_t to_us, double speed) {
   fastest_ = std::max(fastest_, speed);
 }
 
+void WatchLog::join(const WatchLog& other) {
+  for (const auto& [from, to] : other.spans_) {
+    add(from, to);
+  }
+  slowest_ = std::min(slowest_, other.slowest_);
+  fastest_ = std::max(fastest_, other.fastest_);
+  worked_us_ = std::max(worked_us_, other.worked_us_);
+}
+
 void WatchLog::add(std::int64_t from, std::int64_t to) {
   from = std::max<std::int64_t>(from, 0);
   to = std::min(to, length_us_);

@@ -24,6 +24,9 @@ class WatchLog {
   /// The recording went from `from_us` to `to_us` by itself, at `speed` (1: as it happened).
   void played(std::int64_t from_us, std::int64_t to_us, double speed);
   void worked(std::int64_t us) noexcept { worked_us_ += us; }
+  /// Takes in what another log of the same recording knows, that of another desk or of an earlier save:
+  /// nothing that was watched is lost, and no minute counts twice.
+  void join(const WatchLog& other);
 
   /// 0..1; 1 for a live case.
   [[nodiscard]] double share() const noexcept;

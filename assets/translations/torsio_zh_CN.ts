@@ -13776,6 +13776,846 @@ audit trail %3</source>
         <source>this request was answered already</source>
         <translation>该申请已经答复</translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 (edited)</source>
+        <translation>%1（已修改）</translation>
+    </message>
+    <message>
+        <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
+        <translation>%1 已在此登录。内容没有丢失，解锁后可继续。</translation>
+    </message>
+    <message>
+        <source>%1 long</source>
+        <translation>时长 %1</translation>
+    </message>
+    <message>
+        <source>%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5</source>
+        <translation>时长 %1；最大角度 %2 度，扭矩 %3 牛·米，力 %4 牛；书签：%5</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 of %2 submitted</source>
+        <translation>已提交 %1 个，共 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 overdue</source>
+        <translation>%1 份已逾期</translation>
+    </message>
+    <message>
+        <source>%1 {case fits|cases fit} into ten minutes</source>
+        <translation>十分钟内可完成 %1 个案例</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×, locked</source>
+        <translation>%1 ×，已锁定</translation>
+    </message>
+    <message>
+        <source>%1: half a point less</source>
+        <translation>%1：减半分</translation>
+    </message>
+    <message>
+        <source>%1: half a point more</source>
+        <translation>%1：加半分</translation>
+    </message>
+    <message>
+        <source>%1: not assessable</source>
+        <translation>%1：无法评判</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>5 s back</source>
+        <translation>后退 5 秒</translation>
+    </message>
+    <message>
+        <source>5 s on</source>
+        <translation>前进 5 秒</translation>
+    </message>
+    <message>
+        <source>A training tool and not a medical device. No patient data.</source>
+        <translation>培训工具，不是医疗器械。不含患者数据。</translation>
+    </message>
+    <message>
+        <source>After each figure the next row is marked by itself</source>
+        <translation>每次打分后自动选中下一行</translation>
+    </message>
+    <message>
+        <source>All done</source>
+        <translation>全部完成</translation>
+    </message>
+    <message>
+        <source>All rows have the same mark. Is that meant?</source>
+        <translation>各项评分完全相同，是否有意如此？</translation>
+    </message>
+    <message>
+        <source>Amend …</source>
+        <translation>更正…</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Another row</source>
+        <translation>其他项</translation>
+    </message>
+    <message>
+        <source>Asked for: %1</source>
+        <translation>任务要求：%1</translation>
+    </message>
+    <message>
+        <source>at least %1 {twist|twists}</source>
+        <translation>至少 %1 次扭转</translation>
+    </message>
+    <message>
+        <source>At least fifteen characters, a short sentence for example. Nothing else is asked for.</source>
+        <translation>至少十五个字符，例如一个短句，没有其他要求。</translation>
+    </message>
+    <message>
+        <source>Auto-advance</source>
+        <translation>自动前进</translation>
+    </message>
+    <message>
+        <source>Back to the sheet</source>
+        <translation>返回评分表</translation>
+    </message>
+    <message>
+        <source>Back to the sign-in</source>
+        <translation>返回登录</translation>
+    </message>
+    <message>
+        <source>Beginning, end of the recording</source>
+        <translation>记录的开头、结尾</translation>
+    </message>
+    <message>
+        <source>begun and saved with every key</source>
+        <translation>已开始，每次按键均已保存</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Bookmark this moment, for yourself</source>
+        <translation>为自己标记此刻</translation>
+    </message>
+    <message>
+        <source>Bookmarks and remarks</source>
+        <translation>书签与评语</translation>
+    </message>
+    <message>
+        <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
+        <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
+    </message>
+    <message>
+        <source>Bookmarks this moment for yourself (B)</source>
+        <translation>为自己添加书签（B）</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>Case %1 is submitted and sealed</source>
+        <translation>案例 %1 已提交并封存</translation>
+    </message>
+    <message>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
+        <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
+    </message>
+    <message>
+        <source>Change what must be changed, give the reason, seal the new version. Both versions are kept.</source>
+        <translation>修改必要之处，写明理由，封存新版本。两个版本均保留。</translation>
+    </message>
+    <message>
+        <source>Checks the sheet and asks once more (Ctrl+Enter)</source>
+        <translation>检查评分表并再次确认（Ctrl+Enter）</translation>
+    </message>
+    <message>
+        <source>Choose a new password</source>
+        <translation>设置新密码</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>clearing of %1</source>
+        <translation>清除 %1</translation>
+    </message>
+    <message>
+        <source>clearing of the sheet</source>
+        <translation>清空评分表</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>评论</translation>
+    </message>
+    <message>
+        <source>Comment for the trainee</source>
+        <translation>给学员的评论</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Continue the draft</source>
+        <translation>继续草稿</translation>
+    </message>
+    <message>
+        <source>Draft found and opened</source>
+        <translation>已找到并打开草稿</translation>
+    </message>
+    <message>
+        <source>Drafts</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <translation>截止 %1</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>修改</translation>
+    </message>
+    <message>
+        <source>Edit the nearest remark of yours</source>
+        <translation>修改您最近位置的评语</translation>
+    </message>
+    <message>
+        <source>Edit the remark at %1</source>
+        <translation>修改 %1 处的评语</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合画面</translation>
+    </message>
+    <message>
+        <source>Five seconds back, pause, play</source>
+        <translation>后退五秒、暂停、播放</translation>
+    </message>
+    <message>
+        <source>force up to %1 N</source>
+        <translation>力不超过 %1 N</translation>
+    </message>
+    <message>
+        <source>from the length of the recordings</source>
+        <translation>按录制时长估计</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Give the selected row a mark; 1 and then 0 is ten</source>
+        <translation>为选中的一项评分；先按 1 再按 0 为十分</translation>
+    </message>
+    <message>
+        <source>Give your sign-in name and your password.</source>
+        <translation>请输入登录名和密码。</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>转到 %1</translation>
+    </message>
+    <message>
+        <source>Half a point less or more; with Shift the finest step</source>
+        <translation>减或加半分；按住 Shift 为最小步长</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>hold for %1 s</source>
+        <translation>保持 %1 秒</translation>
+    </message>
+    <message>
+        <source>It was open in another window or at the desk, and something newer is stored there. Which one shall stand?</source>
+        <translation>该评分表曾在另一窗口或工作站上打开，并已存有更新的内容。以哪一份为准？</translation>
+    </message>
+    <message>
+        <source>It was played at a speed that is not allowed.</source>
+        <translation>播放速度超出允许范围。</translation>
+    </message>
+    <message>
+        <source>J slower, L faster; the speed is kept with the mark</source>
+        <translation>J 减速，L 加速；速度随评分一并保存</translation>
+    </message>
+    <message>
+        <source>Jumps five seconds back (J)</source>
+        <translation>后退五秒（J）</translation>
+    </message>
+    <message>
+        <source>Jumps five seconds on; what is skipped does not count as watched</source>
+        <translation>前进五秒；跳过的部分不计入已观看</translation>
+    </message>
+    <message>
+        <source>Keep mine on top</source>
+        <translation>以我的为准</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>mark of %1</source>
+        <translation>%1 的评分</translation>
+    </message>
+    <message>
+        <source>Move with a reason …</source>
+        <translation>说明理由并调整…</translation>
+    </message>
+    <message>
+        <source>New password</source>
+        <translation>新密码</translation>
+    </message>
+    <message>
+        <source>Newer</source>
+        <translation>较新的</translation>
+    </message>
+    <message>
+        <source>Next deadline</source>
+        <translation>最近截止日期</translation>
+    </message>
+    <message>
+        <source>no mark yet</source>
+        <translation>尚未评分</translation>
+    </message>
+    <message>
+        <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
+        <translation>没有分配给您的录制案例。新案例会自动出现在这里。</translation>
+    </message>
+    <message>
+        <source>Not assessable</source>
+        <translation>无法评判</translation>
+    </message>
+    <message>
+        <source>not assessable</source>
+        <translation>无法评判</translation>
+    </message>
+    <message>
+        <source>Not assessable: type why, Enter</source>
+        <translation>无法评定：输入原因，回车</translation>
+    </message>
+    <message>
+        <source>Not saved yet, trying again</source>
+        <translation>尚未保存，正在重试</translation>
+    </message>
+    <message>
+        <source>Not saved yet: sign in again</source>
+        <translation>尚未保存：请重新登录</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>未保存：%1</translation>
+    </message>
+    <message>
+        <source>Not saved: the sheet was changed elsewhere</source>
+        <translation>未保存：评分表已在别处更改</translation>
+    </message>
+    <message>
+        <source>Not stored: the server does not answer. Try again.</source>
+        <translation>未存储：服务器没有应答。请重试。</translation>
+    </message>
+    <message>
+        <source>nothing is half done</source>
+        <translation>没有未完成的草稿</translation>
+    </message>
+    <message>
+        <source>nothing is overdue</source>
+        <translation>没有逾期</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>没有可重做的操作</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>没有可撤销的操作</translation>
+    </message>
+    <message>
+        <source>One picture back, one picture on</source>
+        <translation>后退一帧、前进一帧</translation>
+    </message>
+    <message>
+        <source>Out of the sheet, to the button that submits</source>
+        <translation>离开评分表，转到提交按钮</translation>
+    </message>
+    <message>
+        <source>Overall</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>overdue</source>
+        <translation>已逾期</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>Plays or pauses (Space)</source>
+        <translation>播放或暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Please wait %1 s, then try again.</source>
+        <translation>请等待 %1 秒后重试。</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
+        <translation>证明此录制与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
+    </message>
+    <message>
+        <source>reason for %1</source>
+        <translation>%1 的理由</translation>
+    </message>
+    <message>
+        <source>Recording %1, unchanged</source>
+        <translation>录制 %1，未改动</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Redo %1 (Ctrl+Y)</source>
+        <translation>重做%1（Ctrl+Y）</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>Remark at this moment</source>
+        <translation>此刻的评语</translation>
+    </message>
+    <message>
+        <source>Remark at this moment, for the trainee</source>
+        <translation>在此刻给学员写评语</translation>
+    </message>
+    <message>
+        <source>Remark at this moment, for the trainee. Enter stores it, Esc leaves it</source>
+        <translation>给学员的此刻评语。回车保存，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Repeat password</source>
+        <translation>重复密码</translation>
+    </message>
+    <message>
+        <source>Save password</source>
+        <translation>保存密码</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>Say why the mark is changed.</source>
+        <translation>请说明更改评分的原因。</translation>
+    </message>
+    <message>
+        <source>Scored at the arm, not here</source>
+        <translation>在实物手臂旁评分，不在此处</translation>
+    </message>
+    <message>
+        <source>Scored recordings play as they happened</source>
+        <translation>评分录制按原速播放</translation>
+    </message>
+    <message>
+        <source>Seal the new version</source>
+        <translation>封存新版本</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>签名</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Something is not saved yet and would be lost. Sign out all the same?</source>
+        <translation>有内容尚未保存，退出后将丢失。仍要退出登录吗？</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Still open: %1.</source>
+        <translation>尚未填写：%1。</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>存储</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>提交</translation>
+    </message>
+    <message>
+        <source>Submit and seal (Ctrl+Enter)</source>
+        <translation>提交并封存（Ctrl+Enter）</translation>
+    </message>
+    <message>
+        <source>Submit; a second time seals</source>
+        <translation>提交；再按一次封存</translation>
+    </message>
+    <message>
+        <source>submitted and sealed</source>
+        <translation>已提交并封存</translation>
+    </message>
+    <message>
+        <source>Submitting seals the sheet.</source>
+        <translation>提交后评分表即封存。</translation>
+    </message>
+    <message>
+        <source>Take the mark back</source>
+        <translation>收回评分</translation>
+    </message>
+    <message>
+        <source>Take the newer one</source>
+        <translation>采用较新的</translation>
+    </message>
+    <message>
+        <source>Takes every mark, reason and comment away; Undo brings them back</source>
+        <translation>清除所有评分、理由和评语；可用“撤销”恢复</translation>
+    </message>
+    <message>
+        <source>The new version is sealed; the one before is kept</source>
+        <translation>新版本已封存，原版本保留</translation>
+    </message>
+    <message>
+        <source>The organ in three dimensions. Arrows turn it, plus and minus zoom</source>
+        <translation>器官的三维视图。方向键旋转，加号和减号缩放</translation>
+    </message>
+    <message>
+        <source>The organ of this recording is not on this machine; the traces are complete.</source>
+        <translation>本机没有此录制的器官模型；曲线是完整的。</translation>
+    </message>
+    <message>
+        <source>The overall mark lies outside the rows. Is that meant?</source>
+        <translation>总评超出各项评分范围，是否有意如此？</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.</source>
+        <translation>评分组的评分已公开：您可说明理由后调整评分，该调整会标记为在公开之后作出。两个版本都会保留。</translation>
+    </message>
+    <message>
+        <source>The recording could not be opened.</source>
+        <translation>无法打开录制。</translation>
+    </message>
+    <message>
+        <source>The recording is being opened. You may score meanwhile.</source>
+        <translation>正在打开录制，您可以先评分。</translation>
+    </message>
+    <message>
+        <source>The rows lie far apart. Is that meant?</source>
+        <translation>各项分数相差很大，确定吗？</translation>
+    </message>
+    <message>
+        <source>The server does not answer. Look at the network, then try again.</source>
+        <translation>服务器没有应答。请检查网络后重试。</translation>
+    </message>
+    <message>
+        <source>The server does not answer; nothing is lost. Try again: a sheet is never sealed twice.</source>
+        <translation>服务器没有应答；内容没有丢失。请重试：评分表不会被重复封存。</translation>
+    </message>
+    <message>
+        <source>The server is busy. Try again in a moment.</source>
+        <translation>服务器繁忙。请稍后重试。</translation>
+    </message>
+    <message>
+        <source>The two are not the same yet</source>
+        <translation>两次输入尚不一致</translation>
+    </message>
+    <message>
+        <source>This browser draws nothing in three dimensions (no WebGL 2); the traces are complete.</source>
+        <translation>此浏览器无法显示三维画面（不支持 WebGL 2）；曲线完整。</translation>
+    </message>
+    <message>
+        <source>This case is scored live; there is no recording.</source>
+        <translation>此案例为现场评分，没有录制。</translation>
+    </message>
+    <message>
+        <source>This page could not be opened</source>
+        <translation>无法打开此页面</translation>
+    </message>
+    <message>
+        <source>This sheet was changed elsewhere</source>
+        <translation>此评分表已在别处更改</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>录制时间</translation>
+    </message>
+    <message>
+        <source>Time needed</source>
+        <translation>所需时间</translation>
+    </message>
+    <message>
+        <source>To the content</source>
+        <translation>跳到内容</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>torque up to %1 N m</source>
+        <translation>扭矩不超过 %1 N m</translation>
+    </message>
+    <message>
+        <source>Twist to %1° and let go within ±%2°</source>
+        <translation>扭转至 %1°，在 ±%2° 内松开</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Undo %1 (Ctrl+Z)</source>
+        <translation>撤销%1（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Undo the twist, then hands off</source>
+        <translation>解除扭转，然后松手</translation>
+    </message>
+    <message>
+        <source>Undo, redo</source>
+        <translation>撤销、重做</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>第 %1 版</translation>
+    </message>
+    <message>
+        <source>Version %1, %2</source>
+        <translation>第 %1 版，%2</translation>
+    </message>
+    <message>
+        <source>Version %1, %2, moved after the panel&apos;s marks were open: %3</source>
+        <translation>第 %1 版，%2，在评分组评分公开后调整：%3</translation>
+    </message>
+    <message>
+        <source>Version %1, %2: %3</source>
+        <translation>第 %1 版，%2：%3</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>待评</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>待评</translation>
+    </message>
+    <message>
+        <source>Watched %1 so far; at least %2 is asked.</source>
+        <translation>已观看 %1，至少需要 %2。</translation>
+    </message>
+    <message>
+        <source>Watched %1.</source>
+        <translation>已观看 %1。</translation>
+    </message>
+    <message>
+        <source>What would help most next time?</source>
+        <translation>下次怎样做最有帮助？</translation>
+    </message>
+    <message>
+        <source>Why %1 cannot be judged</source>
+        <translation>%1 为什么无法评判</translation>
+    </message>
+    <message>
+        <source>Why can this not be judged? Enter ends, Esc takes it back</source>
+        <translation>为什么无法评判？回车结束，Esc 撤回</translation>
+    </message>
+    <message>
+        <source>Why is the mark changed?</source>
+        <translation>为什么修改评分？</translation>
+    </message>
+    <message>
+        <source>Writes to the trainee at this moment (R)</source>
+        <translation>在此刻给学员写评语（R）</translation>
+    </message>
+    <message>
+        <source>You may try again now</source>
+        <translation>现在可以重试</translation>
+    </message>
+    <message>
+        <source>You sign this as %1. Your name, the time and this meaning are kept with it for good.</source>
+        <translation>您以 %1 的身份签名。您的姓名、签名时间和这一含义将随之永久保存。</translation>
+    </message>
+    <message>
+        <source>Your cases</source>
+        <translation>您的案例</translation>
+    </message>
+    <message>
+        <source>Your password</source>
+        <translation>您的密码</translation>
+    </message>
+    <message>
+        <source>Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.</source>
+        <translation>当前密码由他人设置。请设置只有您知道的密码：至少十五个字符，例如一个短句。</translation>
+    </message>
+    <message>
+        <source>Your queue</source>
+        <translation>您的待评列表</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>what was watched is not a stretch of the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the page sent something that cannot be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load the page again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the server is busy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again in a few seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the organ of this recording is not on this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many tries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait a little, then try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name or password is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type both again, or ask an administrator for a new start password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the browser is for physicians who score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use Torsio&apos;s window at a station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is nothing at this address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this was not ordered by a page of Torsio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text holds a character that cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type it anew instead of pasting it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text has %1 characters; %2 are the most</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

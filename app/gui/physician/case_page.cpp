@@ -24,12 +24,13 @@
 #include "app/gui/widgets/form.h"
 #include "app/review/discrepancy_review.h"
 #include "app/review/review_queue.h"
+#include "app/review/viewing_report.h"
+#include "assessment/rating/written_words.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kLongestPause_us = 60'000'000;  // longer without a key or play is a coffee, not work
 constexpr std::int64_t kSaveWatchedEvery_us = 5'000'000;
 
 /// Whether the sheet goes on by itself is a habit of each person.
@@ -77,7 +78,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   remarks_->setTextFormat(Qt::RichText);
   remarkField_->setObjectName(QStringLiteral("remarkField"));
   remarkField_->hide();
-  remarkField_->setMaxLength(400);
+  remarkField_->setMaxLength(static_cast<int>(kLongestRemark));
   halves_->addWidget(left);
   halves_->addWidget(sheet_);
   halves_->setStretchFactor(0, 3);
@@ -154,7 +155,7 @@ QWidget* CasePage::createStrip() {
   strip_->setObjectName(QStringLiteral("card"));
   stripText_ = sentence(strip_, false);
   stripReason_ = new QLineEdit(strip_);
-  stripReason_->setMaxLength(200);
+  stripReason_->setMaxLength(static_cast<int>(kLongestReason));
   stripGo_ = primaryButton(strip_);
   stripBack_ = new QPushButton(strip_);
   auto* row = new QHBoxLayout(strip_);
@@ -372,16 +373,8 @@ void CasePage::finishAmending() {
     return;
   }
   if (!attempt(shell(), [&] {
-        const auto amend = [this](auto&& change) {
-          change(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
-                 stripReason_->text().trimmed().toStdString());
-        };
-        if (opened_.panelOpen) {
-          amend(moveMark);
-        } else {
-          amend([](SessionContext& session, const AssignmentId& id, const Sheet& sheet,
-                   const std::string& reason) { amendSheet(session, id, sheet, reason); });
-        }
+        changeSubmitted(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
+                        stripReason_->text().trimmed().toStdString());
         stripReason_->clear();
         shell().notify(tr("The new version is sealed; the one before is kept"));
         shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));

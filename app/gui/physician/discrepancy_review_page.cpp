@@ -23,6 +23,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/review/case_sheet.h"
 #include "assessment/rating/sheet.h"
+#include "assessment/rating/written_words.h"
 
 namespace torsio::gui {
 
@@ -54,7 +55,7 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
   row->addWidget(right_, 3);
   column->addLayout(row, 1);
   case_->setProperty("subheading", true);
-  reason_->setMaxLength(200);
+  reason_->setMaxLength(static_cast<int>(kLongestReason));
   auto* right = new QVBoxLayout(right_);
   right->setContentsMargins(0, 0, 0, 0);
   right->setSpacing(kSpace);

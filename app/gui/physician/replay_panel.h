@@ -16,8 +16,8 @@
 #include "app/gui/physician/trace_view.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/beside_view.h"
-#include "app/gui/simulator/trial_playback.h"
 #include "app/gui/widgets/theme.h"
+#include "app/recording/trial_playback.h"
 #include "app/review/blinded_case.h"
 
 class QLabel;

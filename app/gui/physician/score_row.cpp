@@ -19,6 +19,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/rating/rubric.h"
+#include "assessment/rating/written_words.h"
 
 namespace torsio::gui {
 
@@ -61,7 +62,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
   anchor_->setProperty("small", true);
   anchor_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   reason_->hide();
-  reason_->setMaxLength(200);
+  reason_->setMaxLength(static_cast<int>(kLongestReason));
   reason_->installEventFilter(this);
   arrange();
   anchor_->setVisible(!anchors_.empty());

@@ -7,7 +7,7 @@
 #include <QImage>
 #include <QString>
 
-#include "app/gui/simulator/trial_playback.h"
+#include "app/recording/trial_playback.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

@@ -9,9 +9,9 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "app/gui/simulator/trial_playback.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
+#include "app/recording/trial_playback.h"
 
 namespace torsio::gui {
 

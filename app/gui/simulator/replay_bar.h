@@ -8,9 +8,12 @@ class QLabel;
 class QSlider;
 class QToolButton;
 
+namespace torsio {
+class TrialPlayback;
+}
+
 namespace torsio::gui {
 
-class TrialPlayback;
 struct Theme;
 
 /// Play, pause, scrub and speed of a recording; shown below the scene while one is played.

@@ -13,7 +13,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/beside_view.h"
-#include "app/gui/simulator/trial_playback.h"
+#include "app/recording/trial_playback.h"
 #include "app/training/debrief.h"
 
 class QLabel;

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/simulator/scripted_twist.h"
-#include "app/gui/simulator/trial_playback.h"
 #include "app/gui/simulator/trial_recording.h"
 #include "app/recording/recorded_run.h"
+#include "app/recording/trial_playback.h"
 #include "sim/base/error.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/record/memory_trial_sink.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/simulator/trial_playback.h"
+#include "app/recording/trial_playback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "sim/base/refusal.h"
 #include "sim/record/sample_codec.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -119,4 +119,4 @@ LiveState TrialPlayback::state() const {
   return state;
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -11,7 +11,7 @@
 #include "sim/record/trial.h"
 #include "sim/servo/pose_track.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// A recorded trial to be looked at: any instant, any speed. It shows the answers as they were recorded;
 /// that the same device samples give them again bit for bit is replayTrial's business (sim/servo).
@@ -73,4 +73,4 @@ class TrialPlayback {
   mutable std::vector<Decoded> near_;  // newest last
 };
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace torsio::web {
+
+/// Arrays of numbers for a page: "TRS1", the length of a JSON text (32 bits), the text, then the arrays, all
+/// little-endian and aligned to four bytes. The text says what lies where: {"meta": ..., "arrays": [{"name",
+/// "type", "offset", "count"}]}, offsets from the end of the text.
+class BinaryContainer {
+ public:
+  [[nodiscard]] nlohmann::json& meta() noexcept { return meta_; }
+
+  void add(const std::string& name, std::span<const float> values) { put(name, "f32", values); }
+  void add(const std::string& name, std::span<const std::int16_t> values) { put(name, "i16", values); }
+  void add(const std::string& name, std::span<const std::uint32_t> values) { put(name, "u32", values); }
+  void add(const std::string& name, std::span<const std::uint8_t> values) { put(name, "u8", values); }
+
+  [[nodiscard]] std::string bytes() const;
+
+ private:
+  template <typename Value>
+  void put(const std::string& name, const char* type, std::span<const Value> values);
+
+  nlohmann::json meta_ = nlohmann::json::object();
+  nlohmann::json arrays_ = nlohmann::json::array();
+  std::string data_;
+};
+
+/// Returns `bytes` as a gzip stream (RFC 1952) without name and time: the same each time.
+[[nodiscard]] std::string gzipped(const std::string& bytes);
+
+}  // namespace torsio::web

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/web/case_json.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "app/review/sheet_editor.h"
+#include "assessment/rating/sheet_state.h"
+#include "assessment/rating/written_words.h"
+#include "sim/base/angle.h"
+#include "sim/base/error.h"
+#include "sim/base/time_units.h"
+
+namespace torsio::web {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostRows = 200;
+constexpr std::size_t kMostStretches = 200;
+constexpr std::size_t kBytesACharacter = 4;
+constexpr std::int64_t kLargestScore_steps = 1'000'000'000;
+
+template <typename Value>
+json orNull(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+const char* stateName(SheetState state) {
+  switch (state) {
+    case SheetState::kSubmitted:
+      return "submitted";
+    case SheetState::kDraft:
+      return "draft";
+    default:
+      return "open";
+  }
+}
+
+json scaleJson(const ScoreScale& scale) {
+  return {{"lowest_steps", scale.lo},
+          {"highest_steps", scale.hi},
+          {"steps_per_point", scale.stepsPerPoint},
+          {"arrow_steps", arrowSteps(scale)}};
+}
+
+std::string wordsOf(const JsonBody& body, const char* field, std::size_t characters) {
+  return body.textOrNone(field, characters * kBytesACharacter);
+}
+
+}  // namespace
+
+json queueJson(const ReviewQueue& queue, WebSession& session) {
+  json lines = json::array();
+  for (const QueueLine& line : queue.lines) {
+    lines.push_back({{"case", session.handleOf(line.shown.assignmentId)},
+                     {"label", line.shown.label},
+                     {"live", line.shown.live},
+                     {"state", stateName(line.state)},
+                     {"estimate_min", line.estimate_min},
+                     {"due_utc_us", orNull(line.shown.dueUtc_us)},
+                     {"overdue", line.overdue}});
+  }
+  return {{"lines", lines},
+          {"waiting", queue.waiting},
+          {"drafts", queue.drafts},
+          {"submitted", queue.submitted},
+          {"overdue", queue.overdue},
+          {"minutes", queue.minutes},
+          {"in_ten_minutes", queue.inTenMinutes},
+          {"live_called", queue.liveCalled},
+          {"next", queue.next ? json(session.handleOf(*queue.next)) : json(nullptr)}};
+}
+
+json sheetJson(const Sheet& sheet) {
+  json rows = json::array();
+  for (const SheetRow& row : sheet.rows) {
+    rows.push_back({{"code", row.code},
+                    {"score_steps", orNull(row.score_steps)},
+                    {"not_assessable", row.notAssessableReason}});
+  }
+  return {{"revision", sheet.revision},
+          {"rows", rows},
+          {"overall_steps", orNull(sheet.overall_steps)},
+          {"overall_not_assessable", sheet.notAssessableReason},
+          {"comment", sheet.comment}};
+}
+
+json rubricJson(const RubricRevision& rubric) {
+  json rows = json::array();
+  for (const RubricLine& line : rubric.rows) {
+    json anchors = json::array();
+    for (const RubricAnchor& anchor : line.anchors) {
+      anchors.push_back({{"steps", anchor.score_steps}, {"text", anchor.meaning}});
+    }
+    rows.push_back(
+        {{"code", line.code}, {"label", line.label}, {"anchors", anchors}, {"scale", scaleJson(line.scale)}});
+  }
+  return {{"rows", rows}, {"overall", scaleJson(rubric.overall)}};
+}
+
+json checkJson(const SheetCheck& check) {
+  return {{"may_submit", check.mayBeSubmitted()},
+          {"unanswered", check.unanswered},
+          {"watched_too_little", check.watchedTooLittle},
+          {"watched_share", check.watchedShare},
+          {"speed_not_allowed", check.speedNotAllowed},
+          {"all_the_same", check.allTheSame},
+          {"far_apart", check.farApart},
+          {"overall_outside", check.overallOutside}};
+}
+
+json watchedJson(const WatchLog& watched) {
+  return watched.spans();
+}
+
+json remarksJson(const std::vector<CaseRemark>& remarks) {
+  json all = json::array();
+  for (const CaseRemark& remark : remarks) {
+    all.push_back({{"id", std::string(remark.id)},
+                   {"time_us", remark.time_us},
+                   {"text", remark.text},
+                   {"edited", remark.editedUtc_us != 0}});
+  }
+  return all;
+}
+
+json versionsJson(const std::vector<SheetVersion>& versions) {
+  json all = json::array();
+  for (const SheetVersion& version : versions) {
+    all.push_back({{"version", version.version},
+                   {"submitted_utc_us", version.submittedUtc_us},
+                   {"reason", version.amendReason},
+                   {"overall_steps", orNull(version.overall_steps)},
+                   {"after_panel", version.afterPanel}});
+  }
+  return all;
+}
+
+json taskJson(const BlindedTask& task) {
+  return {{"untwisting", task.untwisting()},
+          {"target_deg", degrees(task.target_rad)},
+          {"tolerance_deg", degrees(task.rules.tolerance_rad)},
+          {"hold_s", task.rules.hold_s},
+          {"least_twists", task.rules.leastTwists},
+          {"force_limit_N", orNull(task.rules.forceLimit_N)},
+          {"torque_limit_Nm", orNull(task.rules.torqueLimit_Nm)}};
+}
+
+Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric) {
+  Sheet sheet;
+  sheet.revision = body.whole("revision", 0, INT64_MAX - 1);
+  sheet.overall_steps = body.wholeOrNone("overall_steps", -kLargestScore_steps, kLargestScore_steps);
+  sheet.notAssessableReason = wordsOf(body, "overall_not_assessable", kLongestReason);
+  sheet.comment = wordsOf(body, "comment", kLongestComment);
+  for (const JsonBody& row : body.objects("rows", kMostRows)) {
+    SheetRow read{row.text("code", kLongestReason),
+                  row.wholeOrNone("score_steps", -kLargestScore_steps, kLargestScore_steps),
+                  wordsOf(row, "not_assessable", kLongestReason)};
+    const auto sameCode = [&read](const auto& other) { return other.code == read.code; };
+    if (std::none_of(rubric.rows.begin(), rubric.rows.end(), sameCode) ||
+        std::any_of(sheet.rows.begin(), sheet.rows.end(), sameCode)) {
+      throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"),
+                  read.code, Text::tr("Load the page again"));
+    }
+    sheet.rows.push_back(std::move(read));
+  }
+  return sheet;
+}
+
+std::vector<PlayedStretch> playedOf(const JsonBody& body) {
+  constexpr double kSlowest = 0.01;
+  constexpr double kFastest = 100.0;
+  std::vector<PlayedStretch> played;
+  for (const JsonBody& one : body.objects("played", kMostStretches)) {
+    played.push_back({one.whole("from_us", 0, kDay_us), one.whole("to_us", 0, kDay_us),
+                      one.number("speed", kSlowest, kFastest)});
+  }
+  return played;
+}
+
+}  // namespace torsio::web

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/review/case_remarks.h"
+#include "app/review/case_sheet.h"
+#include "app/review/review_queue.h"
+#include "app/review/viewing_report.h"
+#include "app/web/json_body.h"
+#include "app/web/web_sessions.h"
+
+namespace torsio::web {
+
+// What the pages and the services say to each other. Nothing here names a trial, an assignment, a person, a
+// group or a stage; cases go by the session's handles.
+
+[[nodiscard]] nlohmann::json queueJson(const ReviewQueue& queue, WebSession& session);
+[[nodiscard]] nlohmann::json sheetJson(const Sheet& sheet);
+[[nodiscard]] nlohmann::json rubricJson(const RubricRevision& rubric);
+[[nodiscard]] nlohmann::json checkJson(const SheetCheck& check);
+[[nodiscard]] nlohmann::json watchedJson(const WatchLog& watched);
+[[nodiscard]] nlohmann::json remarksJson(const std::vector<CaseRemark>& remarks);
+[[nodiscard]] nlohmann::json versionsJson(const std::vector<SheetVersion>& versions);
+[[nodiscard]] nlohmann::json taskJson(const BlindedTask& task);
+
+/// Throws Error{kBadParameter} for what is no sheet of `rubric`: an unknown row, one twice.
+[[nodiscard]] Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric);
+[[nodiscard]] std::vector<PlayedStretch> playedOf(const JsonBody& body);
+
+}  // namespace torsio::web

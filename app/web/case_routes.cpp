@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <utility>
+
+#include "app/access/signing.h"
+#include "app/base/assets.h"
+#include "app/review/blinded_case.h"
+#include "app/review/case_remarks.h"
+#include "app/review/case_sheet.h"
+#include "app/review/discrepancy_review.h"
+#include "app/review/review_queue.h"
+#include "app/review/viewing_report.h"
+#include "app/web/case_json.h"
+#include "app/web/router.h"
+#include "app/web/web_desk.h"
+#include "assessment/people/signature.h"
+#include "assessment/rating/written_words.h"
+#include "db/connection/db_error.h"
+#include "sim/base/error.h"
+#include "sim/base/time_units.h"
+
+namespace torsio::web {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestPassword_bytes = 1024;
+constexpr std::size_t kBytesOfACharacter = 4;
+
+/// The case of an address; one that this session was never given is as absent as one of somebody else.
+AssignmentId caseOf(const Call& call) {
+  const auto found = call.session->caseOf(call.parts.front());
+  if (!found) {
+    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
+                Text::tr("Open a case of your own queue"));
+  }
+  return *found;
+}
+
+SheetCheck checkOf(SessionContext& context, const OpenedSheet& opened, const Sheet& sheet,
+                   const WatchLog& watched) {
+  return checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(context));
+}
+
+json taskOf(SessionContext& context, const OpenedSheet& opened) {
+  if (opened.shown.live) {
+    return nullptr;
+  }
+  return taskJson(blindedTask(context, opened.shown.assignmentId));
+}
+
+HttpResponse answerQueue(Call& call) {
+  return jsonAnswer(queueJson(reviewQueue(call.context), *call.session));
+}
+
+HttpResponse answerCase(Call& call) {
+  const AssignmentId id = caseOf(call);
+  const OpenedSheet opened = openSheet(call.context, id);
+  const ViewingRules rules = viewingRules(call.context);
+  call.session->played = id;
+  call.session->reported = call.now;
+  const char* const states[] = {"open", "draft", "submitted"};
+  const std::size_t state = opened.state == SheetState::kSubmitted ? 2
+                            : opened.state == SheetState::kDraft   ? 1
+                                                                   : 0;
+  return jsonAnswer({{"label", opened.shown.label},
+                     {"live", opened.shown.live},
+                     {"state", states[state]},
+                     {"length_us", opened.shown.length_us.value_or(0)},
+                     {"kept_at", keptAt(call.context) == KeptAt::kServer ? "server" : "machine"},
+                     {"task", taskOf(call.context, opened)},
+                     {"rules", {{"minimum_watched", rules.minimumWatched}, {"speeds", rules.speeds}}},
+                     {"rubric", rubricJson(opened.rubric)},
+                     {"sheet", sheetJson(opened.sheet)},
+                     {"watched", watchedJson(opened.watched)},
+                     {"share", opened.watched.share()},
+                     {"worked_us", opened.watched.worked_us()},
+                     {"remarks", remarksJson(caseRemarks(call.context, id))},
+                     {"versions", versionsJson(sheetVersions(call.context, id))},
+                     {"panel_open", opened.panelOpen},
+                     {"check", checkJson(checkOf(call.context, opened, opened.sheet, opened.watched))}});
+}
+
+HttpResponse answerSave(Call& call) {
+  const AssignmentId id = caseOf(call);
+  const OpenedSheet opened = openSheet(call.context, id);
+  const Sheet sheet = sheetOf(call.body, opened.rubric);
+  try {
+    const std::int64_t revision = saveSheet(call.context, id, sheet, opened.watched);
+    return jsonAnswer(
+        {{"revision", revision}, {"check", checkJson(checkOf(call.context, opened, sheet, opened.watched))}});
+  } catch (const DbError& error) {
+    if (error.fault() != DbFault::kConflict) {
+      throw;
+    }
+    return refusal(409,
+                   Error(ErrorCode::kBadData, error.happenedText(), Text::tr("case %1", opened.shown.label),
+                         error.remedyText()),
+                   call.wording, {{"sheet", sheetJson(openSheet(call.context, id).sheet)}});
+  }
+}
+
+HttpResponse answerViewing(Call& call) {
+  const AssignmentId id = caseOf(call);
+  const bool same = call.session->played == id;
+  const auto passed = same ? call.now - call.session->reported : SteadyTime::duration::zero();
+  call.session->played = id;
+  call.session->reported = call.now;
+  const WatchLog watched =
+      reportViewing(call.context, id, playedOf(call.body),
+                    std::chrono::duration_cast<std::chrono::microseconds>(passed).count());
+  const OpenedSheet opened = openSheet(call.context, id);
+  return jsonAnswer({{"watched", watchedJson(watched)},
+                     {"share", watched.share()},
+                     {"worked_us", watched.worked_us()},
+                     {"check", checkJson(checkOf(call.context, opened, opened.sheet, watched))}});
+}
+
+Text meaningText(SignatureMeaning meaning) {
+  return termsOf(meaning)[static_cast<std::size_t>(meaning)].label;
+}
+
+/// A password that came with an act that seals. Empty answer: go on.
+std::optional<HttpResponse> shownPassword(Call& call) {
+  if (!call.body.has("password")) {
+    return std::nullopt;
+  }
+  const std::string password = call.body.text("password", kLongestPassword_bytes);
+  if (!call.desk.enterHashing()) {
+    return refusal(503,
+                   Error(ErrorCode::kDatabase, Text::tr("the server is busy"), "",
+                         Text::tr("Try again in a few seconds")),
+                   call.wording);
+  }
+  struct Leave {
+    WebDesk& desk;
+    ~Leave() { desk.leaveHashing(); }
+  } leave{call.desk};
+  showPassword(call.context, password);
+  return std::nullopt;
+}
+
+/// Runs an act that seals; a password that is due is asked for with what its signature means.
+template <typename Act>
+HttpResponse sealing(Call& call, SignatureMeaning meaning, const Act& act) {
+  try {
+    if (auto busy = shownPassword(call)) {
+      return std::move(*busy);
+    }
+    return act();
+  } catch (const PasswordDue& due) {
+    return refusal(403, due, call.wording,
+                   {{"need_password", true}, {"meaning", call.wording(meaningText(meaning)).toStdString()}});
+  }
+}
+
+HttpResponse answerSubmit(Call& call) {
+  const AssignmentId id = caseOf(call);
+  return sealing(call, SignatureMeaning::kScored, [&] {
+    const OpenedSheet opened = openSheet(call.context, id);
+    submitSheet(call.context, id, sheetOf(call.body.object("sheet"), opened.rubric), opened.watched);
+    const auto next = reviewQueue(call.context).next;
+    return jsonAnswer({{"next", next ? json(call.session->handleOf(*next)) : json(nullptr)}});
+  });
+}
+
+HttpResponse answerAmend(Call& call) {
+  const AssignmentId id = caseOf(call);
+  return sealing(call, SignatureMeaning::kAmended, [&] {
+    const OpenedSheet opened = openSheet(call.context, id);
+    changeSubmitted(call.context, id, sheetOf(call.body.object("sheet"), opened.rubric),
+                    call.body.text("reason", kLongestReason * kBytesOfACharacter));
+    return jsonAnswer(json::object());
+  });
+}
+
+HttpResponse answerRemark(Call& call) {
+  const AssignmentId id = caseOf(call);
+  addCaseRemark(call.context, id,
+                {.time_us = call.body.whole("time_us", 0, kDay_us),
+                 .text = call.body.textOrNone("text", kLongestRemark * kBytesOfACharacter)});
+  return jsonAnswer({{"remarks", remarksJson(caseRemarks(call.context, id))}});
+}
+
+HttpResponse answerEditRemark(Call& call) {
+  const AssignmentId id = caseOf(call);
+  editCaseRemark(call.context, id, RemarkId(call.parts.back()),
+                 call.body.text("text", kLongestRemark * kBytesOfACharacter));
+  return jsonAnswer({{"remarks", remarksJson(caseRemarks(call.context, id))}});
+}
+
+/// Asks for the right each time, whether or not the picture is at hand.
+std::shared_ptr<const CasePicture> pictureOf(Call& call) {
+  const AssignmentId id = caseOf(call);
+  call.context.require(Operation::kTrialViewAssigned);
+  (void)blindedCase(call.context, id);
+  return call.desk.pictures().of(
+      id, [&] { return casePicture(loadBlindedRecording(call.context, id), assetsFolder()); });
+}
+
+HttpResponse binaryAnswer(const Call& call, const std::string& packed) {
+  HttpResponse response;
+  response.type = "application/octet-stream";
+  response.headers = {{"Cache-Control", "no-store"}};
+  putPacked(response, call.request, packed, nullptr);
+  return response;
+}
+
+HttpResponse answerRecording(Call& call) {
+  return binaryAnswer(call, pictureOf(call)->recording);
+}
+
+HttpResponse answerOrgan(Call& call) {
+  const auto picture = pictureOf(call);
+  if (picture->organ.empty()) {
+    return refusal(404,
+                   Error(ErrorCode::kBadData, Text::tr("the organ of this recording is not on this machine"),
+                         "", Text::tr("Score from the traces, or ask an administrator for the organ file")),
+                   call.wording);
+  }
+  return binaryAnswer(call, picture->organ);
+}
+
+}  // namespace
+
+std::vector<Route> caseRoutes() {
+  constexpr auto kIn = RouteAccess::kSignedIn;
+  return {{"GET", "/api/queue", kIn, answerQueue},
+          {"GET", "/api/cases/*", kIn, answerCase},
+          {"PUT", "/api/cases/*/sheet", kIn, answerSave},
+          {"POST", "/api/cases/*/viewing", kIn, answerViewing},
+          {"POST", "/api/cases/*/submit", kIn, answerSubmit},
+          {"POST", "/api/cases/*/amend", kIn, answerAmend},
+          {"POST", "/api/cases/*/remarks", kIn, answerRemark},
+          {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
+          {"GET", "/api/cases/*/recording", kIn, answerRecording},
+          {"GET", "/api/cases/*/organ", kIn, answerOrgan}};
+}
+
+}  // namespace torsio::web

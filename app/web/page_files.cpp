@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/web/page_files.h"
+
+#include "app/web/binary_container.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::web {
+
+namespace {
+
+constexpr const char* kIndex = "/index.html";
+constexpr std::size_t kTagDigits = 16;
+
+/// Other files of the folder (notes, tests) are not served.
+std::string typeOf(const std::filesystem::path& file) {
+  static const std::map<std::string, std::string> kTypes = {{".html", "text/html; charset=utf-8"},
+                                                            {".css", "text/css; charset=utf-8"},
+                                                            {".js", "text/javascript; charset=utf-8"},
+                                                            {".svg", "image/svg+xml"}};
+  const auto found = kTypes.find(file.extension().string());
+  return found == kTypes.end() ? std::string() : found->second;
+}
+
+}  // namespace
+
+PageFiles::PageFiles(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw Error(ErrorCode::kFileMissing, Text::verbatim("the pages of the review desk are not installed"),
+                folder.string(), Text::verbatim("Install Torsio with its assets"));
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string type = typeOf(entry.path());
+    if (!entry.is_regular_file() || type.empty()) {
+      continue;
+    }
+    File file{type, readFile(entry.path()), {}, {}};
+    file.packed = gzipped(file.bytes);
+    Digest digest;
+    digest.update(std::string_view(file.bytes));
+    file.tag = '"' + digest.hex().substr(0, kTagDigits) + '"';
+    files_.emplace("/" + std::filesystem::relative(entry.path(), folder).generic_string(), std::move(file));
+  }
+}
+
+std::optional<HttpResponse> PageFiles::answer(const HttpRequest& request) const {
+  const bool page = request.path == "/" || request.path == "/join";
+  const auto found = files_.find(page ? kIndex : request.path);
+  if (found == files_.end()) {
+    return std::nullopt;
+  }
+  const File& file = found->second;
+  HttpResponse response;
+  response.type = file.type;
+  response.headers = {{"ETag", file.tag}, {"Cache-Control", "no-cache"}};
+  if (request.header("if-none-match") == file.tag) {
+    response.status = 304;
+    return response;
+  }
+  putPacked(response, request, file.packed, &file.bytes);
+  return response;
+}
+
+void putPacked(HttpResponse& response, const HttpRequest& request, const std::string& packed,
+               const std::string* plain) {
+  response.headers.emplace_back("Vary", "Accept-Encoding");
+  if (plain != nullptr && request.header("accept-encoding").find("gzip") == std::string::npos) {
+    response.body = *plain;
+    return;
+  }
+  response.headers.emplace_back("Content-Encoding", "gzip");
+  response.body = packed;
+}
+
+}  // namespace torsio::web

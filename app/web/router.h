@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/wording.h"
+#include "app/web/http_message.h"
+#include "app/web/json_body.h"
+#include "app/web/web_sessions.h"
+#include "sim/base/error.h"
+
+namespace torsio::web {
+
+class WebDesk;
+
+/// One request on its way to a service.
+struct Call {
+  const HttpRequest& request;
+  WebDesk& desk;
+  /// Signed in as the session's actor; nobody for an open route.
+  SessionContext& context;
+  WebSession* session;                    ///< null for an open route
+  const std::vector<std::string>& parts;  ///< what stands for `*` in the route's path
+  const JsonBody& body;                   ///< empty for GET
+  const Wording& wording;
+  SteadyTime now;
+};
+
+/// Who may use a route at all; the services ask for rights on top.
+enum class RouteAccess { kOpen, kSignedIn };
+
+struct Route {
+  std::string method{};
+  std::string path{};  ///< "/api/cases/*/sheet"
+  RouteAccess access = RouteAccess::kSignedIn;
+  std::function<HttpResponse(Call&)> answer{};
+};
+
+/// All addresses of the desk but those of its pages. What stands nowhere here does not exist.
+class Router {
+ public:
+  explicit Router(std::vector<Route> routes) : routes_(std::move(routes)) {}
+
+  struct Match {
+    const Route* route = nullptr;
+    std::vector<std::string> parts{};
+    bool otherMethod = false;  ///< the address exists, for another method
+  };
+  [[nodiscard]] Match find(const std::string& method, const std::string& path) const;
+  [[nodiscard]] const std::vector<Route>& routes() const noexcept { return routes_; }
+
+ private:
+  std::vector<Route> routes_;
+};
+
+/// The routes of signing in and out, and of what a page needs before (sign_in_routes.cpp).
+[[nodiscard]] std::vector<Route> signInRoutes();
+/// The routes of a rater's cases (case_routes.cpp).
+[[nodiscard]] std::vector<Route> caseRoutes();
+
+[[nodiscard]] HttpResponse jsonAnswer(const nlohmann::json& json, int status = 200);
+/// What went wrong, in the language of the page; `status` as docs/server.md lists them.
+[[nodiscard]] HttpResponse refusal(int status, const Error& error, const Wording& wording,
+                                   nlohmann::json more = nlohmann::json::object());
+
+}  // namespace torsio::web

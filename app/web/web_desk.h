@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "app/report/wording.h"
+#include "app/web/desk_workers.h"
+#include "app/web/http_server.h"
+#include "app/web/page_files.h"
+#include "app/web/picture_cache.h"
+#include "app/web/router.h"
+#include "app/web/web_sessions.h"
+#include "assessment/people/account.h"
+
+namespace torsio::web {
+
+struct DeskSettings {
+  std::string locator{};
+  std::filesystem::path assets{};
+  /// "https://desk.example.org": as browsers see it, behind a proxy; empty: as the request says.
+  std::string publicUrl{};
+  std::size_t workers = 4;
+  PasswordCost passwordCost = PasswordCost::kModerate;  ///< of what is hashed here; tests use a cheap one
+};
+
+/// The review desk for browsers: sign-in, sessions, and which request goes to which service. Every rule lies
+/// in the services; here is what a network asks for on top: who sends it, from which page, how often. Any
+/// thread.
+class WebDesk {
+ public:
+  /// Opens the record and reads the pages. Throws Error, DbError.
+  explicit WebDesk(const DeskSettings& settings);
+  ~WebDesk();
+  WebDesk(const WebDesk&) = delete;
+  WebDesk& operator=(const WebDesk&) = delete;
+
+  /// For HttpServer: returns at once, replies later.
+  void handle(HttpRequest request, HttpServer::Reply reply);
+
+  [[nodiscard]] const Router& router() const noexcept { return router_; }
+  [[nodiscard]] WebSessions& sessions() noexcept { return sessions_; }
+  [[nodiscard]] PictureCache& pictures() noexcept { return pictures_; }
+  [[nodiscard]] const std::map<std::string, Wording>& languages() const noexcept { return languages_; }
+
+  /// Held while a password is hashed, which takes a quarter of a gigabyte: one at a time, and only few wait.
+  /// False: too many wait already.
+  [[nodiscard]] bool enterHashing();
+  void leaveHashing();
+  [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
+
+ private:
+  [[nodiscard]] HttpResponse answer(const HttpRequest& request, const Route& route,
+                                    const std::vector<std::string>& parts, SessionContext& context);
+  [[nodiscard]] bool fromOwnPage(const HttpRequest& request) const;
+  [[nodiscard]] const Wording& wordingFor(const HttpRequest& request) const;
+
+  DeskSettings settings_;
+  PageFiles pages_;
+  Router router_;
+  WebSessions sessions_;
+  TryLimit signInTries_;
+  PictureCache pictures_;
+  std::map<std::string, Wording> languages_;
+  std::mutex hashing_;
+  std::atomic<int> hashers_{0};
+  DeskWorkers workers_;  // last: their work uses all of the above
+};
+
+}  // namespace torsio::web

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which part of a case page a key belongs to.
+
+/// Gives a key to what it belongs to, and takes it from the browser then.
+export function pressKey(page, event) {
+  if (event.isComposing || event.defaultPrevented) return;
+  const typing = ['INPUT', 'TEXTAREA', 'SELECT'].includes(event.target.tagName) && event.target.type !== 'checkbox';
+  if (command(page, event) || (!typing && plainKey(page, event))) event.preventDefault();
+}
+
+function command(page, event) {
+  if (event.altKey && !event.ctrlKey && event.code === 'KeyM') {
+    page.view.comment.focus();
+    return true;
+  }
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+  const key = event.key.toLowerCase();
+  if (key === 'enter') {
+    page.bar.go();
+    return true;
+  }
+  // One history for the whole sheet; a remark keeps its own.
+  if (event.target.tagName === 'INPUT' && !page.view.element.contains(event.target)) return false;
+  if (key === 'z' && !event.shiftKey) {
+    page.view.undo();
+  } else if (key === 'y' || (key === 'z' && event.shiftKey)) {
+    page.view.redo();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+function plainKey(page, event) {
+  if (event.ctrlKey || event.altKey || event.metaKey) return false;
+  if (event.key === 'Escape') return page.bar.cancel();
+  const pressesButton = event.target.closest('button, a, summary, [type=checkbox]') && event.key === ' ';
+  if (pressesButton) return false;
+  switch (event.key) {
+    case '?':
+      page.keys.open = !page.keys.open;
+      return true;
+    case 'b':
+    case 'B':
+      page.remarks.addBookmark();
+      return true;
+    case 'r':
+      page.remarks.ask();
+      return true;
+    case 'R':
+      page.remarks.editNearest();
+      return true;
+    default:
+      return page.player.key(event) || page.view.key(event);
+  }
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the binary answers of the server: "TRS1", length of the JSON, JSON, arrays.
+
+const kTypes = { f32: Float32Array, i16: Int16Array, u16: Uint16Array, u32: Uint32Array, u8: Uint8Array, i8: Int8Array };
+const kHead = 8;
+
+/// {meta, arrays: {name: typed array}}; the arrays are views into `buffer`. Throws RangeError where it is broken.
+export function readContainer(buffer) {
+  const view = new DataView(buffer);
+  if (buffer.byteLength < kHead || view.getUint32(0) !== 0x54525331) throw new RangeError('not a container');
+  const length = view.getUint32(4, true);
+  if (kHead + length > buffer.byteLength) throw new RangeError('the container breaks off');
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, kHead, length)));
+  const arrays = {};
+  for (const { name, type, offset, count } of head.arrays) {
+    if (!(type in kTypes)) throw new RangeError(`unknown type ${type}`);
+    arrays[name] = new kTypes[type](buffer, kHead + length + offset, count);
+  }
+  return { meta: head.meta, arrays };
+}

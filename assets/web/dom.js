@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes elements. Texts become text nodes and never markup, so that nothing a person typed can become code.
+
+/// h('button', {class: 'primary', onclick: f}, 'Sign in'). Attributes that are null, undefined or false are left
+/// out, true is an empty one, functions are listeners; children may be elements, texts, arrays, null.
+export function h(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (typeof value === 'function') {
+      element.addEventListener(name.slice(2), value);
+    } else {
+      element.setAttribute(name, value === true ? '' : String(value));
+    }
+  }
+  element.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+/// A button that sends no form.
+export function button(text, onclick, attributes = {}) {
+  return h('button', { type: 'button', onclick, ...attributes }, text);
+}
+
+let fields = 0;
+
+/// A field with its label above: {row, input}.
+export function field(label, attributes = {}, tag = 'input') {
+  const id = attributes.id ?? `field-${++fields}`;
+  const input = h(tag, { ...attributes, id });
+  return { row: h('div', { class: 'field' }, h('label', { for: id }, label), input), input };
+}
+
+export function show(element, visible) {
+  element.hidden = !visible;
+}
+
+/// Sets the text only where it differs: a screen reader would read it again.
+export function say(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}

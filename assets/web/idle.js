@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notices that nobody is there: no key, no pointer, nothing that plays.
+
+const kLook_ms = 1000;
+const kLongestWarning_ms = 60_000;
+const kWarningShare = 0.2; // of a short time
+
+export class IdleWatch {
+  #last_ms = 0;
+  #timer = null;
+  #warned = false;
+
+  /// `on`: warned(left_s), once before the end; back(), somebody is there after all; idle().
+  constructor(on) {
+    this.on = on;
+    for (const kind of ['keydown', 'pointerdown', 'pointermove', 'wheel', 'touchstart']) {
+      window.addEventListener(kind, () => this.note(), { passive: true, capture: true });
+    }
+    // A lid that was closed: timers stood still, the clock did not.
+    document.addEventListener('visibilitychange', () => this.#look());
+  }
+  start(idle_s) {
+    this.stop();
+    this.idle_ms = 1000 * idle_s;
+    this.warn_ms = this.idle_ms - Math.min(kLongestWarning_ms, kWarningShare * this.idle_ms);
+    this.#last_ms = Date.now();
+    this.#timer = setInterval(() => this.#look(), Math.min(kLook_ms, this.idle_ms / 8));
+  }
+  stop() {
+    clearInterval(this.#timer);
+    this.#timer = null;
+    this.#calm();
+  }
+  note() {
+    this.#look(); // the first key after a long pause must not open what should be locked
+    if (!this.#timer) return;
+    this.#last_ms = Date.now();
+    this.#calm();
+  }
+  #calm() {
+    if (this.#warned) this.on.back();
+    this.#warned = false;
+  }
+  #look() {
+    if (!this.#timer) return;
+    const passed_ms = Date.now() - this.#last_ms;
+    if (passed_ms >= this.idle_ms) {
+      this.stop();
+      this.on.idle();
+    } else if (passed_ms >= this.warn_ms && !this.#warned) {
+      this.#warned = true;
+      this.on.warned(Math.ceil((this.idle_ms - passed_ms) / 1000));
+    }
+  }
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Name and password; a new password where the old one must be changed. Used to sign in and to unlock.
+import { api } from './api.js';
+import { button, field, h, say, show } from './dom.js';
+import { problemText } from './problem.js';
+import { t } from './texts.js';
+
+export const kShortestPassword = 15;
+
+/// Shows the form in `place`. `login`: only this person (unlocking). `ready`: nothing is sent before it resolves.
+/// `onSignedIn({token, user})`.
+export function putSignInForm(place, { login = '', action = t('Sign in'), ready = null, onSignedIn }) {
+  const name = field(t('Sign-in name'), {
+    name: 'login', autocomplete: 'username', autocapitalize: 'none', spellcheck: 'false', required: true, value: login,
+  });
+  const secret = field(t('Password'), {
+    name: 'password', type: 'password', autocomplete: 'current-password', required: true,
+  });
+  show(name.row, login === '');
+  const said = h('p', { class: 'said caution', role: 'alert' });
+  const go = h('button', { class: 'primary', type: 'submit' }, action);
+  const form = h('form', { class: 'stack', novalidate: true, onsubmit: send }, name.row, secret.row, said, go);
+  place.replaceChildren(form);
+  (login ? secret : name).input.focus();
+
+  async function send(event) {
+    event.preventDefault();
+    if (go.disabled) return;
+    const given = { login: name.input.value.trim(), password: secret.input.value };
+    const missing = [name, secret].find((one) => one.input.value.trim() === '');
+    if (missing) {
+      say(said, t('Give your sign-in name and your password.'));
+      missing.input.focus();
+      return;
+    }
+    go.disabled = true;
+    say(said, '');
+    try {
+      await ready;
+      const answer = await api.post('/api/sign-in', given, { quiet: true });
+      secret.input.value = '';
+      if (answer.outcome === 'must_change') {
+        putPasswordForm(place, { login: given.login, oldPassword: given.password, onSignedIn });
+        return;
+      }
+      onSignedIn(answer);
+    } catch (error) {
+      say(said, problemText(error));
+      waitFor(error.wait_s ?? 0);
+      secret.input.select();
+      secret.input.focus();
+    }
+  }
+  /// Too many wrong tries: the button comes back when the time is over.
+  function waitFor(seconds) {
+    if (seconds <= 0) {
+      go.disabled = false;
+      return;
+    }
+    say(said, t('Too many wrong tries. Please wait %1 s', Math.ceil(seconds)));
+    setTimeout(() => {
+      go.disabled = false;
+      say(said, t('You may try again now'));
+    }, 1000 * seconds);
+  }
+}
+
+function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
+  const one = { type: 'password', autocomplete: 'new-password', required: true };
+  const fresh = field(t('New password'), { ...one, name: 'new' });
+  const again = field(t('Repeat password'), { ...one, name: 'again' });
+  const said = h('p', { class: 'said caution', role: 'alert' });
+  const go = h('button', { class: 'primary', type: 'submit' }, t('Save password'));
+  const form = h(
+    'form',
+    { class: 'stack', novalidate: true, onsubmit: send },
+    h('h2', {}, t('Choose a new password')),
+    h('p', {}, t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.')),
+    // Keeps password managers from filing the new password under nobody.
+    h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
+    fresh.row, again.row, said, go,
+    button(t('Back to the sign-in'), () => putSignInForm(place, { onSignedIn })),
+  );
+  place.replaceChildren(form);
+  fresh.input.focus();
+
+  async function send(event) {
+    event.preventDefault();
+    if (go.disabled) return;
+    if ([...fresh.input.value].length < kShortestPassword) {
+      say(said, t('At least fifteen characters, a short sentence for example. Nothing else is asked for.'));
+      fresh.input.focus();
+      return;
+    }
+    if (fresh.input.value !== again.input.value) {
+      say(said, t('The two are not the same yet'));
+      again.input.focus();
+      return;
+    }
+    go.disabled = true;
+    try {
+      onSignedIn(await api.post('/api/password', { login, oldPassword, newPassword: fresh.input.value }, { quiet: true }));
+    } catch (error) {
+      say(said, problemText(error));
+      go.disabled = false;
+    }
+  }
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The organ and the instrument in three dimensions. Draws only when something moved; draws fewer pixels when
+// pictures take too long.
+import { h } from './dom.js';
+import { makeMesh, makeProgram, openContext } from './gl.js';
+import { addNormals, Morph } from './morph.js';
+import { OrbitCamera } from './orbit.js';
+import { kSteelShader, kTissueShader, kVertexShader } from './shaders.js';
+import { jawOpening, poseMatrix, product, turnedAbout } from './tool_pose.js';
+
+const kIdentity = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+const kSteel = [0.66, 0.68, 0.7];
+/// Share of the screen's pixels that are drawn; the first may be more than one a point of the layout.
+const kShares = [1, 0.8, 0.6, 0.45];
+const kMostRatio = 2;
+const kSlow_ms = 36;
+const kVerySlow_ms = 90;
+const kJudgedFrames = 8;
+const kStill_ms = 300; // after it the picture stands, and may take its time
+
+export class Stage {
+  camera = new OrbitCamera();
+  canvas = h('canvas', { class: 'stage-canvas', tabindex: '0' });
+  #gl = null;
+  #time_s = 0;
+  #awaits = false;
+  #lastFrame_ms = 0;
+  #slow_ms = [];
+  #share = 0;
+
+  /// False where the browser has no WebGL 2.
+  open() {
+    this.#gl = openContext(this.canvas);
+    if (!this.#gl) return false;
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.#meshes = null;
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => this.#upload());
+    new ResizeObserver(() => {
+      this.#resize();
+      this.redraw();
+    }).observe(this.canvas);
+    return true;
+  }
+
+  #meshes = null;
+  #toolParts = [];
+  /// Containers of the recording and the organ.
+  setCase(recording, organ) {
+    this.recording = recording;
+    this.organ = new Morph(organ);
+    this.#upload();
+    this.fit();
+  }
+  #upload() {
+    const gl = this.#gl;
+    if (!this.organ) return;
+    this.tissue = makeProgram(gl, kVertexShader, kTissueShader);
+    this.steel = makeProgram(gl, kVertexShader, kSteelShader);
+    const { organ } = this;
+    const { tool_index: index, tool_mean: mean } = organ.arrays;
+    const vertices = new Float32Array(2 * mean.length);
+    for (let i = 0; i < mean.length; ++i) vertices[6 * Math.floor(i / 3) + (i % 3)] = mean[i];
+    addNormals(index, vertices);
+    this.#toolParts = partsOf(index, organ.meta.tool.parts);
+    this.#meshes = {
+      organ: makeMesh(gl, { ...organ, vertices: organ.evaluate(this.#time_s), moves: true }),
+      tool: makeMesh(gl, { index, vertices, colour: kSteel }),
+    };
+    gl.enable(gl.DEPTH_TEST);
+    this.redraw();
+  }
+
+  setTime(time_s) {
+    if (time_s === this.#time_s) return;
+    this.#time_s = time_s;
+    this.#moved = true;
+    this.redraw();
+  }
+  #moved = true;
+
+  fit() {
+    if (!this.organ) return;
+    this.organ.evaluate(this.#time_s);
+    this.camera.frame(this.organ.ball(), this.#aspect());
+    this.redraw();
+  }
+  look(from) {
+    this.camera.look(from);
+    this.fit();
+  }
+  #aspect() {
+    return Math.max(this.canvas.clientWidth, 1) / Math.max(this.canvas.clientHeight, 1);
+  }
+
+  /// Draws with the next frame of the screen.
+  redraw() {
+    if (this.#awaits || !this.#meshes) return;
+    this.#awaits = true;
+    requestAnimationFrame((now_ms) => {
+      this.#awaits = false;
+      if (!this.#meshes || this.canvas.clientWidth === 0) return;
+      if (this.#still !== this.#sharpens) {
+        this.#still = this.#sharpens;
+        this.#resize();
+      }
+      this.#sharpens = false;
+      this.#draw();
+      if (!this.#still) this.#judge(now_ms);
+    });
+  }
+  #still = false;
+  #sharpens = false;
+  #later = null;
+  /// What stands is drawn once more with all pixels.
+  #sharpen() {
+    clearTimeout(this.#later);
+    if (this.#share === 0 || this.#still) return;
+    this.#later = setTimeout(() => {
+      if (this.#awaits) return;
+      this.#sharpens = true;
+      this.redraw();
+    }, kStill_ms);
+  }
+  #resize() {
+    const share = kShares[this.#still ? 0 : this.#share];
+    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * share;
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+  }
+  /// Pictures that follow each other closely tell how fast this machine is.
+  #judge(now_ms) {
+    const took_ms = now_ms - this.#lastFrame_ms;
+    this.#lastFrame_ms = now_ms;
+    if (took_ms > 500) return; // it stood still
+    this.#slow_ms.push(took_ms);
+    if (this.#slow_ms.length < kJudgedFrames) return;
+    const middle_ms = this.#slow_ms.sort((a, b) => a - b)[kJudgedFrames / 2];
+    this.#slow_ms = [];
+    if (middle_ms > kSlow_ms && this.#share + 1 < kShares.length) {
+      const steps = middle_ms > kVerySlow_ms ? 2 : 1;
+      this.#share = Math.min(this.#share + steps, kShares.length - 1);
+      this.#resize();
+      this.redraw();
+    }
+  }
+
+  #draw() {
+    const gl = this.#gl;
+    const { organ, tool } = this.#meshes;
+    if (this.#moved) organ.move(this.organ.evaluate(this.#time_s));
+    this.#moved = false;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    this.#begin(this.tissue);
+    this.tissue.fine(this.#still || this.#share === 0);
+    this.tissue.model(kIdentity);
+    organ.draw();
+    this.#begin(this.steel);
+    this.#drawTool(tool);
+    this.#sharpen();
+  }
+  #begin(program) {
+    const { right, up, back } = this.camera.axes();
+    program.use();
+    program.viewProjection(this.camera.matrix(this.#aspect()));
+    program.eye(this.camera.position());
+    program.headlight(new Float32Array([...right, ...up, ...back]));
+  }
+  /// meta.tool.parts: {name, first, count} of vertices; 'upper_jaw' opens by +opening_deg about axis and pivot,
+  /// 'lower_jaw' by -opening_deg.
+  #drawTool(mesh) {
+    const pose = poseMatrix(this.recording, this.#time_s);
+    const { pivot_mm, axis = [1, 0, 0], opening_deg } = this.organ.meta.tool;
+    const opening_rad = (jawOpening(this.recording, this.#time_s) * opening_deg * Math.PI) / 180;
+    const sides = { upper_jaw: 1, lower_jaw: -1 };
+    for (const { name, first, count } of this.#toolParts) {
+      const side = sides[name] ?? 0;
+      this.steel.model(side === 0 ? pose : product(pose, turnedAbout(axis, pivot_mm, side * opening_rad)));
+      mesh.draw(first, count);
+    }
+  }
+}
+
+/// Which indices draw each part, given its vertices; the triangles of a part lie together.
+function partsOf(index, parts) {
+  return parts.map(({ name, first, count }) => {
+    const inside = (at) => index[at] >= first && index[at] < first + count;
+    let begin = 0;
+    while (begin < index.length && !inside(begin)) begin += 3;
+    let end = begin;
+    while (end < index.length && inside(end)) end += 3;
+    return { name, first: begin, count: end - begin };
+  });
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Submitting and amending: what is missing, the question before the seal, the signature.
+import { NoConnection } from './api.js';
+import { askSignature } from './dialogs.js';
+import { button, h, say, show } from './dom.js';
+import { figure } from './numbers.js';
+import { problemText } from './problem.js';
+import { t } from './texts.js';
+
+const kRounding = 0.1; // percent: the last tick of a recording has no length
+const kLongestReason = 200;
+
+export class SubmitBar {
+  #asking = false;
+  #amending = false;
+  #busy = false;
+
+  /// `page`: what is submitted (CasePage). Its case may be sealed already.
+  constructor(page) {
+    this.page = page;
+    this.text = h('p', { class: 'check' });
+    this.problem = h('p', { class: 'caution', role: 'alert' });
+    this.reason = h('input', {
+      maxlength: kLongestReason, placeholder: t('Why is the mark changed?'), 'aria-label': t('Why is the mark changed?'),
+      autocomplete: 'off',
+    });
+    this.submit = button(t('Submit'), () => this.go(), { class: 'primary submit', title: t('Checks the sheet and asks once more (Ctrl+Enter)') });
+    this.amend = button(page.opened.panel_open ? t('Move with a reason …') : t('Amend …'), () => this.#startAmending(), { class: 'amend' });
+    this.back = button(t('Back to the sheet'), () => this.cancel());
+    this.element = h('section', { class: 'submit-bar', 'aria-label': t('Submit') }, this.text, this.problem, this.reason,
+      h('div', { class: 'actions' }, this.submit, this.amend, this.back));
+    this.refresh();
+  }
+  get amending() {
+    return this.#amending;
+  }
+  /// The sheet was changed.
+  edited() {
+    this.#asking = false;
+    this.refresh();
+  }
+  takeFocus() {
+    (this.submit.hidden ? this.amend : this.submit).focus();
+  }
+  /// What the button and Ctrl+Enter do: ask, then seal.
+  async go() {
+    if (this.#busy) return;
+    if (this.#amending) {
+      await this.#seal(() => this.#amendOnce());
+    } else if (!this.page.sealed) {
+      if (!this.#asking) {
+        this.#ask();
+      } else if (this.#ready()) {
+        await this.#seal(() => this.#submitOnce());
+      } else {
+        this.#lead();
+      }
+    }
+  }
+  /// True: there was a question, and it is taken back.
+  cancel() {
+    if (!this.#asking && !this.#amending) return false;
+    this.#asking = false;
+    if (this.#amending) this.page.endAmending();
+    this.#amending = false;
+    say(this.problem, '');
+    this.refresh();
+    this.page.view.takeFocus();
+    return true;
+  }
+  refresh() {
+    const { sealed } = this.page;
+    say(this.submit, this.#amending ? t('Seal the new version') : this.#asking ? t('Submit and seal (Ctrl+Enter)') : t('Submit'));
+    show(this.submit, !sealed || this.#amending);
+    show(this.amend, sealed && !this.#amending);
+    show(this.back, this.#asking || this.#amending);
+    show(this.reason, this.#amending);
+    this.submit.disabled = this.#busy;
+    const text = this.#amending ? this.#amendText() : sealed ? t('submitted and sealed') : this.#checkText();
+    this.text.setAttribute('aria-live', this.#asking ? 'polite' : 'off'); // not of each second that was watched
+    say(this.text, text);
+    this.text.classList.toggle('caution', this.#asking && !this.#ready());
+  }
+
+  #ready() {
+    const { check } = this.page;
+    const guards = this.page.opened.live || (!check.watched_too_little && !check.speed_not_allowed);
+    return this.page.editor.unanswered().length === 0 && guards;
+  }
+  #ask() {
+    this.#asking = true;
+    this.page.pause();
+    this.refresh();
+    if (!this.#ready()) this.#lead();
+    this.page.reporter.report().then(() => this.refresh());
+  }
+  /// To what is missing.
+  #lead() {
+    const [first] = this.page.editor.unanswered();
+    if (first !== undefined) this.page.view.mark(first);
+    if (first === undefined && this.page.check.watched_too_little) {
+      this.page.player.play.focus();
+    } else {
+      this.page.view.takeFocus();
+    }
+  }
+  #checkText() {
+    const { check, editor, view, opened } = this.page;
+    const parts = [];
+    const open = editor.unanswered();
+    if (open.length > 0) parts.push(t('Still open: %1.', open.map((code) => view.nameOf(code)).join(t(', '))));
+    if (!opened.live) {
+      const share = t('%1 %', figure(Math.floor(100 * check.watched_share + kRounding)));
+      const least = t('%1 %', figure(Math.round(100 * opened.rules.minimum_watched)));
+      parts.push(check.watched_too_little ? t('Watched %1 so far; at least %2 is asked.', share, least) : t('Watched %1.', share));
+    }
+    if (check.speed_not_allowed) parts.push(t('It was played at a speed that is not allowed.'));
+    if (check.all_the_same) parts.push(t('All rows have the same mark. Is that meant?'));
+    if (check.far_apart) parts.push(t('The rows lie far apart. Is that meant?'));
+    if (check.overall_outside) parts.push(t('The overall mark lies outside the rows. Is that meant?'));
+    if (this.#asking && this.#ready()) parts.push(t('Submitting seals the sheet.'));
+    return parts.join(' ');
+  }
+  #amendText() {
+    return this.page.opened.panel_open
+      ? t("The panel's marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.")
+      : t('Change what must be changed, give the reason, seal the new version. Both versions are kept.');
+  }
+  #startAmending() {
+    this.#amending = true;
+    this.page.beginAmending();
+    this.refresh();
+    this.page.view.takeFocus();
+  }
+
+  async #seal(send) {
+    this.#busy = true;
+    this.page.view.setReadOnly(true); // what is typed now would not be sealed
+    say(this.problem, '');
+    this.refresh();
+    try {
+      await send();
+    } catch (error) {
+      say(this.problem, error instanceof NoConnection
+        ? t('The server does not answer; nothing is lost. Try again: a sheet is never sealed twice.')
+        : problemText(error));
+      if (this.#amending) this.reason.focus();
+    } finally {
+      this.#busy = false;
+      this.page.view.setReadOnly(this.page.sealed && !this.#amending);
+      this.refresh();
+    }
+  }
+  /// Sends; asks for the password where the signature wants it, until it is right or given up.
+  async #signed(send, password) {
+    try {
+      await send(password);
+      return true;
+    } catch (error) {
+      const asked = error.status === 403 && error.body.need_password;
+      if (!asked && (error.status !== 403 || password === null)) throw error;
+      this.meaning = error.body.meaning ?? this.meaning;
+      const problem = asked && password === null ? '' : problemText(error);
+      const given = await askSignature({ meaning: this.meaning, login: this.page.frame.login, problem });
+      return given === null ? false : this.#signed(send, given);
+    }
+  }
+  async #submitOnce() {
+    const done = await this.#signed((password) => this.page.sendSubmit(password), null);
+    if (done) this.page.submitted();
+  }
+  async #amendOnce() {
+    const reason = this.reason.value.trim();
+    if (reason === '') {
+      say(this.problem, t('Say why the mark is changed.'));
+      this.reason.focus();
+      return;
+    }
+    const done = await this.#signed((password) => this.page.sendAmend(reason, password), null);
+    if (!done) return;
+    this.reason.value = '';
+    this.#amending = false;
+    this.page.amended();
+  }
+}

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The review desk as a browser meets it: who gets in, what a case says, what is kept, and that no byte tells
+// whose recording it is.
+#include "app/web/web_desk.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/access/signing.h"
+#include "app/base/assets.h"
+#include "app/review/case_sheet.h"
+#include "app/web/http_server.h"
+#include "assessment/people/account.h"
+#include "db/repository/people/access_repository.h"
+#include "sim/base/random.h"
+#include "tests/app/support/review_centre.h"
+#include "tests/app/web/web_client.h"
+
+namespace torsio::web {
+namespace {
+
+using nlohmann::json;
+using torsio::testing::ReviewCentre;
+using torsio::testing::reviewSheet;
+using torsio::testing::WebAnswer;
+using torsio::testing::WebClient;
+
+constexpr const char* kPassword = "correct horse battery";
+
+/// A centre with short recordings, and its desk behind a port of this machine.
+struct Served {
+  explicit Served(const ReviewCentre::Setup& setup = {.trial_s = 0.5}) : centre(setup) {
+    AccessRepository access(centre.connection(), PasswordCost::kTest);
+    for (const UserAccount& user : access.users()) {
+      access.setPassword(user.id, access.sealPassword(user.login, kPassword), false);
+    }
+    desk = std::make_unique<WebDesk>(DeskSettings{.locator = centre.locator(),
+                                                  .assets = assetsFolder(),
+                                                  .workers = 2,
+                                                  .passwordCost = PasswordCost::kTest});
+    server = std::make_unique<HttpServer>(HttpAddress{"127.0.0.1", 0}, TlsMaterial{}, HttpLimits{},
+                                          [this](HttpRequest request, HttpServer::Reply reply) {
+                                            desk->handle(std::move(request), std::move(reply));
+                                          });
+  }
+  [[nodiscard]] WebClient client() const { return WebClient(server->port()); }
+  [[nodiscard]] WebClient physician(int index) const {
+    WebClient client(server->port());
+    EXPECT_TRUE(client.signIn("physician" + std::to_string(index), kPassword));
+    return client;
+  }
+
+  ReviewCentre centre;
+  std::unique_ptr<WebDesk> desk;
+  std::unique_ptr<HttpServer> server;
+};
+
+std::string firstCase(WebClient& client) {
+  return client.get("/api/queue").json().at("next").get<std::string>();
+}
+
+json sheetBody(std::int64_t revision, int time, int accuracy, int overall) {
+  return {{"revision", revision},
+          {"rows",
+           {{{"code", "time"}, {"score_steps", time}, {"not_assessable", ""}},
+            {{"code", "accuracy"}, {"score_steps", accuracy}, {"not_assessable", ""}}}},
+          {"overall_steps", overall},
+          {"comment", ""}};
+}
+
+/// The address of a route with something in place of each `*`.
+std::string pathOf(const Route& route, const std::string& handle) {
+  std::string path = route.path;
+  for (std::size_t at = path.find('*'); at != std::string::npos; at = path.find('*')) {
+    path.replace(at, 1, handle);
+  }
+  return path;
+}
+
+TEST(WebDesk, NothingIsOpenThatIsNotSaidToBe) {
+  const Served served;
+  WebClient client = served.client();
+
+  for (const Route& route : served.desk->router().routes()) {
+    const std::string path = pathOf(route, "x");
+    const WebAnswer answer =
+        route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
+    if (route.access == RouteAccess::kSignedIn) {
+      EXPECT_EQ(answer.status, 401) << route.method << " " << path;
+    }
+    EXPECT_EQ(client.send("DELETE", path, json::object()).status, 405) << path;
+  }
+  for (const char* nowhere :
+       {"/api", "/api/", "/api/people", "/../web/index.html", "/web_desk.cpp", "/api/cases/a/b/c/d"}) {
+    EXPECT_EQ(client.get(nowhere).status, 404) << nowhere;
+  }
+}
+
+TEST(WebDesk, LetsAPhysicianInAndNobodyElse) {
+  const Served served;
+  WebClient client = served.client();
+
+  EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", "wrong"}}).status,
+            401);
+  EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "nobody"}, {"password", kPassword}}).status, 401);
+  const WebAnswer office =
+      client.send("POST", "/api/sign-in", {{"login", "office"}, {"password", kPassword}});
+  EXPECT_EQ(office.status, 403);
+  EXPECT_EQ(office.headers.count("set-cookie"), 0U);
+  const WebAnswer welcome =
+      client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", kPassword}});
+  ASSERT_EQ(welcome.status, 200) << welcome.body;
+  const std::string cookie = welcome.headers.at("set-cookie");
+  for (const char* flag : {"__Host-torsio=", "Secure", "HttpOnly", "SameSite=Strict", "Path=/"}) {
+    EXPECT_NE(cookie.find(flag), std::string::npos) << flag;
+  }
+  EXPECT_EQ(client.get("/api/me").json().at("user").at("login"), "physician0");
+  client.token = welcome.json().at("token").get<std::string>();
+  EXPECT_EQ(client.send("POST", "/api/sign-out", json::object()).status, 200);
+  EXPECT_EQ(client.get("/api/me").status, 401);
+}
+
+TEST(WebDesk, SlowsDownWhoeverGuesses) {
+  const Served served;
+  WebClient client = served.client();
+  int waited = 0;
+
+  for (int i = 0; i < 14; ++i) {
+    waited +=
+        client.send("POST", "/api/sign-in", {{"login", "nobody" + std::to_string(i)}, {"password", "x"}})
+            .status == 429;
+  }
+
+  EXPECT_GE(waited, 4);
+}
+
+TEST(WebDesk, ObeysItsOwnPageAlone) {
+  const Served served;
+  WebClient client = served.physician(0);
+  const std::string path = "/api/cases/" + firstCase(client) + "/remarks";
+  const json remark = {{"time_us", 1000}, {"text", "here"}};
+
+  WebClient other = client;
+  other.token = "forged";
+  EXPECT_EQ(other.send("POST", path, remark).status, 401);
+  other = client;
+  other.headers = {{"Sec-Fetch-Site", "cross-site"}};
+  EXPECT_EQ(other.send("POST", path, remark).status, 403);
+  const std::string text = remark.dump();
+  const std::string head =
+      "POST " + path + " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nCookie: " + client.cookie +
+      "\r\nX-Torsio-Token: " + client.token +
+      "\r\nOrigin: http://h\r\nContent-Length: " + std::to_string(text.size()) + "\r\nContent-Type: ";
+  EXPECT_EQ(client.raw(head + "text/plain\r\n\r\n" + text).status, 403);
+  EXPECT_EQ(client.raw(head + "application/json\r\n\r\n" + text).status, 200);
+  const auto desk = served.centre.trialIds();
+  EXPECT_EQ(client.get("/api/cases/" + firstCase(client)).json().at("remarks").size(), 1U);
+}
+
+TEST(WebDesk, ACaseIsScoredKeptAndSealed) {
+  Served served;
+  WebClient client = served.physician(0);
+  const std::string handle = firstCase(client);
+  const std::string path = "/api/cases/" + handle;
+  const json opened = client.get(path).json();
+  ASSERT_EQ(opened.at("state"), "open");
+  EXPECT_EQ(opened.at("rubric").at("rows").size(), 2U);
+  EXPECT_FALSE(opened.at("check").at("may_submit"));
+
+  const WebAnswer saved = client.send("PUT", path + "/sheet", sheetBody(0, 70, 80, 75));
+  ASSERT_EQ(saved.status, 200) << saved.body;
+  EXPECT_EQ(saved.json().at("revision"), 1);
+  const WebAnswer early = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  EXPECT_EQ(early.status, 400) << "nothing was watched yet";
+  const WebAnswer seen =
+      client.send("POST", path + "/viewing",
+                  {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}});
+  ASSERT_EQ(seen.status, 200) << seen.body;
+  EXPECT_GT(seen.json().at("share").get<double>(), 0.8);
+  const WebAnswer sealed = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  ASSERT_EQ(sealed.status, 200) << sealed.body;
+
+  EXPECT_EQ(client.get(path).json().at("state"), "submitted");
+  EXPECT_EQ(sealed.json().at("next"), firstCase(client));
+  const auto desk = served.centre.physician(0);
+  int submitted = 0;
+  for (const AssignmentId& id : served.centre.cases(0)) {
+    submitted += openSheet(*desk, id).state == SheetState::kSubmitted;
+  }
+  EXPECT_EQ(submitted, 1) << "the window finds what the browser has sealed";
+}
+
+TEST(WebDesk, TheWindowAndTwoTabsNeverOverwriteEachOther) {
+  Served served;
+  WebClient one = served.physician(0);
+  WebClient two = served.physician(0);
+  const std::string here = "/api/cases/" + firstCase(one) + "/sheet";
+  const std::string there = "/api/cases/" + firstCase(two) + "/sheet";
+  EXPECT_NE(here, there) << "a handle means nothing in another session";
+
+  EXPECT_EQ(one.send("PUT", here, sheetBody(0, 70, 80, 75)).status, 200);
+  const WebAnswer late = two.send("PUT", there, sheetBody(0, 10, 10, 10));
+
+  ASSERT_EQ(late.status, 409) << late.body;
+  EXPECT_EQ(late.json().at("sheet").at("overall_steps"), 75);
+  const std::int64_t revision = late.json().at("sheet").at("revision");
+  EXPECT_EQ(two.send("PUT", there, sheetBody(revision, 10, 10, 10)).status, 200);
+  EXPECT_EQ(one.send("PUT", here, sheetBody(1, 71, 80, 75)).status, 409);
+}
+
+TEST(WebDesk, AskForThePasswordWhereEachSignatureDoes) {
+  Served served;
+  {
+    const auto office = served.centre.administrator();
+    setSignMinutes(*office, 0);
+  }
+  WebClient client = served.physician(0);
+  const std::string path = "/api/cases/" + firstCase(client);
+  (void)client.send("POST", path + "/viewing",
+                    {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
+  json body = {{"sheet", sheetBody(0, 70, 80, 75)}};
+
+  const WebAnswer asked = client.send("POST", path + "/submit", body);
+  ASSERT_EQ(asked.status, 403) << asked.body;
+  EXPECT_TRUE(asked.json().at("need_password"));
+  EXPECT_EQ(asked.json().at("meaning"), "I scored this case");
+  body["password"] = "wrong";
+  EXPECT_EQ(client.send("POST", path + "/submit", body).status, 403);
+  body["password"] = kPassword;
+  const WebAnswer sealed = client.send("POST", path + "/submit", body);
+  EXPECT_EQ(sealed.status, 200) << sealed.body;
+}
+
+TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
+  Served served({.raters = 2, .trainees = 3, .trial_s = 0.5, .live = true, .dueByTrainee = true});
+  WebClient client = served.physician(0);
+  std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
+  const json queue = answers.front().json();
+  for (const json& line : queue.at("lines")) {
+    const std::string path = "/api/cases/" + line.at("case").get<std::string>();
+    answers.push_back(client.get(path));
+    answers.push_back(client.get(path + "/recording"));
+    answers.push_back(client.get(path + "/organ"));
+    answers.push_back(client.send("PUT", path + "/sheet", sheetBody(7, 70, 80, 75)));
+    answers.push_back(client.send("POST", path + "/submit", {{"sheet", sheetBody(7, 70, 80, 75)}}));
+  }
+
+  ASSERT_GT(answers.size(), 10U);
+  std::vector<std::string> secrets = served.centre.secrets();
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const bool live : {false, true}) {
+      for (const AssignmentId& id : served.centre.cases(i, live)) {
+        secrets.push_back(id);
+      }
+    }
+  }
+  for (const WebAnswer& answer : answers) {
+    std::string all = answer.body;
+    for (const auto& [name, value] : answer.headers) {
+      all.append("\n").append(name).append(": ").append(value);
+    }
+    for (const std::string& secret : secrets) {
+      EXPECT_EQ(all.find(secret), std::string::npos) << secret << " in " << all.substr(0, 200);
+    }
+    EXPECT_EQ(answer.headers.count("last-modified"), 0U);
+    EXPECT_EQ(answer.headers.count("etag"), 0U);
+  }
+}
+
+TEST(WebDesk, SomebodyElsesCaseIsAsAbsentAsNone) {
+  const Served served;
+  WebClient one = served.physician(0);
+  WebClient two = served.physician(1);
+  const std::string foreign = firstCase(one);
+
+  const WebAnswer theirs = two.get("/api/cases/" + foreign);
+  const WebAnswer none = two.get("/api/cases/nothing");
+
+  EXPECT_EQ(theirs.status, 403);
+  EXPECT_EQ(theirs.body, none.body);
+}
+
+TEST(WebDesk, ARecordingComesWithItsTraces) {
+  const Served served;
+  WebClient client = served.physician(0);
+  const WebAnswer answer = client.get("/api/cases/" + firstCase(client) + "/recording");
+
+  ASSERT_EQ(answer.status, 200);
+  ASSERT_EQ(answer.body.substr(0, 4), "TRS1");
+  std::uint32_t length = 0;
+  std::copy_n(answer.body.data() + 4, sizeof length, reinterpret_cast<char*>(&length));
+  const json head = json::parse(answer.body.substr(8, length));
+  EXPECT_EQ(head.at("meta").at("rate_hz"), 60);
+  EXPECT_EQ(head.at("meta").at("frames"), 30);
+  for (const json& array : head.at("arrays")) {
+    EXPECT_EQ(array.at("offset").get<int>() % 4, 0);
+    const int columns = array.at("name") == "tool" ? 7 : 1;
+    EXPECT_EQ(array.at("count"), 30 * columns) << array;
+  }
+}
+
+TEST(WebDesk, SpeaksTheLanguageOfThePage) {
+  const Served served;
+  WebClient client = served.client();
+  client.headers = {{"X-Torsio-Language", "zh_CN"}};
+
+  EXPECT_EQ(client.get("/api/texts").json().at("language"), "zh_CN");
+  const WebAnswer refused = client.get("/api/queue");
+  EXPECT_EQ(refused.status, 401);
+  EXPECT_EQ(refused.json().at("error").at("what").get<std::string>().find("signed"), std::string::npos);
+}
+
+TEST(WebDesk, NothingThatIsSentEndsInAnInternalError) {
+  const Served served;
+  WebClient client = served.physician(0);
+  const std::string handle = firstCase(client);
+  Random random(5);
+  const std::vector<json> odd = {nullptr,
+                                 -1,
+                                 1e300,
+                                 "x",
+                                 json::array(),
+                                 json::object(),
+                                 true,
+                                 9223372036854775807,
+                                 std::string(5000, 'y'),
+                                 json::array({json::object()}),
+                                 "\xF0\x9F\x98\x80"};
+  const std::vector<std::string> names = {"revision", "rows",     "overall_steps", "comment",
+                                          "sheet",    "played",   "text",          "time_us",
+                                          "reason",   "password", "code",          "score_steps"};
+  for (int i = 0; i < 400; ++i) {
+    const auto& routes = served.desk->router().routes();
+    const Route& route = routes[random.bounded(routes.size())];
+    if (route.method == "GET" || route.path == "/api/sign-out" || route.access == RouteAccess::kOpen) {
+      continue;
+    }
+    json body = sheetBody(0, 70, 80, 75);
+    for (std::uint64_t k = 0; k < 1 + random.bounded(3); ++k) {
+      body[names[random.bounded(names.size())]] = odd[random.bounded(odd.size())];
+    }
+    const WebAnswer answer = client.send(route.method, pathOf(route, handle), body);
+    EXPECT_NE(answer.status, 500) << route.path << " "
+                                  << body.dump(-1, ' ', false, json::error_handler_t::replace);
+    EXPECT_NE(answer.status, 0);
+  }
+  EXPECT_EQ(client.get("/api/me").status, 200);
+}
+
+}  // namespace
+}  // namespace torsio::web

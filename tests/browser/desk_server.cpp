@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real review desk with a centre of made-up people, for the browser's tests: prints its port, and ends
+// with its standard input. `desk_server SCENE`: what the recordings twist.
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include <QCoreApplication>
+
+#include "app/base/assets.h"
+#include "app/web/http_server.h"
+#include "app/web/web_desk.h"
+#include "assessment/people/account.h"
+#include "db/repository/people/access_repository.h"
+#include "sim/scene/scene.h"
+#include "tests/app/support/review_centre.h"
+
+int main(int argc, char** argv) {
+  using namespace torsio;
+  const QCoreApplication application(argc, argv);
+  SceneRequest organ;
+  organ.assets = assetsFolder();
+  organ.id = argc > 1 ? argv[1] : "forearm";
+  const Scene scene = loadScene(organ);
+  testing::ReviewCentre centre({.raters = 2, .trainees = 3, .trial_s = 6.0, .live = true, .scene = &scene});
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  for (const UserAccount& user : access.users()) {
+    access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);
+  }
+  web::WebDesk desk({.locator = centre.locator(),
+                     .assets = assetsFolder(),
+                     .workers = 2,
+                     .passwordCost = PasswordCost::kTest});
+  const web::HttpServer server({"127.0.0.1", 0}, {}, {},
+                               [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
+                                 desk.handle(std::move(request), std::move(reply));
+                               });
+  std::cout << server.port() << std::endl;
+  std::string line;
+  std::getline(std::cin, line);
+  return 0;
+}

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages in a headless Chromium on the real server: `real_desk_test.py DESK_SERVER [PICTURES]`. Exit status 1 when
+something fails, 77 where there is no chromedriver."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+from webdriver import Browser, Failed
+
+PASSWORD = "correct horse battery"
+
+
+def check(what, holds):
+    if not holds:
+        raise Failed(what)
+
+
+def sign_in(browser, url, login):
+    browser.open(url)
+    browser.there("[name=login]")
+    browser.keys(login, "Tab", PASSWORD, "Enter")
+    browser.there(".cases")
+
+
+def drawn_share(browser):
+    """The share of the stage that is not its background."""
+    return browser.run("""
+        const c = document.querySelector('.stage-canvas');
+        const flat = document.createElement('canvas');
+        flat.width = 64; flat.height = 40;
+        const pen = flat.getContext('2d');
+        pen.drawImage(c, 0, 0, 64, 40);
+        const p = pen.getImageData(0, 0, 64, 40).data;
+        let other = 0;
+        for (let i = 0; i < p.length; i += 4)
+          if (Math.abs(p[i] - p[0]) + Math.abs(p[i + 1] - p[1]) + Math.abs(p[i + 2] - p[2]) > 24) other++;
+        return other / (p.length / 4);""")
+
+
+def score_a_case(browser, url, pictures):
+    sign_in(browser, url, "physician0")
+    browser.says(".figures", "ten minutes")
+    browser.picture(pictures / "queue.png")
+    begun = time.monotonic()
+    browser.click(".case:not(.live)")
+    browser.there(".strip")
+    browser.there(".stage-canvas")
+    browser.keys("7", "ArrowDown", "8", "ArrowDown", "7")
+    browser.says(".saved", "Saved")
+    browser.keys("Space")
+    browser.until("the recording was watched to its end", lambda: "0:06 of 0:06" in browser.text(".time"))
+    browser.picture(pictures / "case.png")
+    browser.keys("Control+Enter")
+    browser.there(".strip.asking, .submit-bar, [role=dialog]")
+    browser.keys("Control+Enter")
+    browser.says("body", "sealed")
+    print(f"a case: {time.monotonic() - begun:.1f} s")
+
+
+def find_the_draft(url):
+    with Browser() as other:
+        sign_in(other, url, "physician0")
+        other.click(".case:not(.live)")
+        other.there(".strip")
+        other.keys("5")
+        other.says(".saved", "Saved")
+    with Browser() as third:
+        sign_in(third, url, "physician0")
+        third.says("main", "Continue the draft")
+
+
+def main():
+    if shutil.which("chromedriver") is None:
+        print("no chromedriver here")
+        return 77
+    pictures = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ".")
+    server = subprocess.Popen([sys.argv[1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    url = f"http://127.0.0.1:{server.stdout.readline().strip()}/"
+    try:
+        with Browser() as browser:
+            score_a_case(browser, url, pictures)
+            check(f"the console is quiet: {browser.faults()}", True)
+        find_the_draft(url)
+    finally:
+        server.stdin.close()
+        server.wait()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { readContainer } from '../../../assets/web/container.js';
+import { Morph } from '../../../assets/web/morph.js';
+import { OrbitCamera } from '../../../assets/web/orbit.js';
+import { joined, Playback } from '../../../assets/web/playback.js';
+import { filledIn } from '../../../assets/web/texts.js';
+import { jawOpening, poseMatrix, turnedAbout } from '../../../assets/web/tool_pose.js';
+import { ViewingReporter } from '../../../assets/web/viewing_reporter.js';
+import { NoConnection } from '../../../assets/web/api.js';
+
+function container(meta, arrays) {
+  const body = Buffer.concat(arrays.map((one) => Buffer.from(one.values.buffer)));
+  let offset = 0;
+  const head = arrays.map(({ name, type, values }) => {
+    const entry = { name, type, offset, count: values.length };
+    offset += values.byteLength;
+    return entry;
+  });
+  let json = JSON.stringify({ meta, arrays: head });
+  json += ' '.repeat((4 - ((8 + json.length) % 4)) % 4);
+  const made = Buffer.alloc(8 + json.length + body.length);
+  made.write('TRS1');
+  made.writeUInt32LE(json.length, 4);
+  made.write(json, 8);
+  body.copy(made, 8 + json.length);
+  return new Uint8Array(made).buffer;
+}
+
+test('a container is read by its head, and a broken one refused', () => {
+  const bytes = container({ rate_hz: 60 }, [
+    { name: 'angle_deg', type: 'f32', values: new Float32Array([1.5, 2.5]) },
+    { name: 'closed', type: 'u8', values: new Uint8Array([0, 1, 1, 0]) },
+  ]);
+  const { meta, arrays } = readContainer(bytes);
+  assert.equal(meta.rate_hz, 60);
+  assert.deepEqual([...arrays.angle_deg], [1.5, 2.5]);
+  assert.deepEqual([...arrays.closed], [0, 1, 1, 0]);
+  assert.throws(() => readContainer(bytes.slice(0, 20)), RangeError);
+  assert.throws(() => readContainer(new ArrayBuffer(12)), RangeError);
+});
+
+/// One triangle in the plane z = 0 whose third corner rises by 2 mm a unit of weight.
+const kTriangle = {
+  meta: { vertices: 3, components: 1, frames: 3, rate_hz: 2, scale: [0.001] },
+  arrays: {
+    index: new Uint32Array([0, 1, 2]),
+    mean: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]),
+    basis: new Int16Array([0, 0, 0, 0, 0, 0, 0, 0, 2000]),
+    weights: new Float32Array([0, 1, 1]),
+    colour: new Uint8Array(9),
+  },
+};
+
+test('the organ at a moment is the mean and its weighted components, linear between frames', () => {
+  const morph = new Morph(kTriangle);
+  const heights = [-1, 0, 0.125, 0.25, 0.5, 9].map((time_s) => morph.evaluate(time_s)[14]);
+  assert.deepEqual(heights, [0, 0, 0.5, 1, 2, 2].map(Math.fround));
+});
+
+test('normals are those of the triangles as they are now', () => {
+  const morph = new Morph(kTriangle);
+  assert.deepEqual([...morph.evaluate(0).slice(3, 6)], [0, 0, 1]);
+  const [x, y, z] = morph.evaluate(0.5).slice(3, 6); // (1,0,0) x (0,1,2)
+  assert.deepEqual([x, y, z].map((one) => Math.round(1e6 * one) / 1e6), [0, -2, 1]);
+});
+
+test('the ball round the organ holds each vertex', () => {
+  const morph = new Morph(kTriangle);
+  morph.evaluate(0);
+  const { centre, radius } = morph.ball();
+  assert.deepEqual(centre, [0.5, 0.5, 0]);
+  assert.ok(Math.abs(radius - Math.SQRT1_2) < 1e-6);
+});
+
+test('the instrument goes the shorter way between two orientations, and its jaw moves with it', () => {
+  const recording = {
+    meta: { rate_hz: 10, frames: 2 },
+    arrays: { tool: new Float32Array([0, 0, 0, 1, 0, 0, 0, 10, 0, 0, -1, 0, 0, 0]), closed: new Uint8Array([255, 0]) },
+  };
+  const middle = poseMatrix(recording, 0.05);
+  assert.deepEqual([...middle].map((one) => Math.round(1e3 * one) / 1e3), [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]);
+  assert.deepEqual([0, 0.025, 9].map((time_s) => jawOpening(recording, time_s)), [0, 0.25, 1]);
+  const turn = turnedAbout([1, 0, 0], [0, 0, 20], Math.PI / 2);
+  const at = (x, y, z) => [0, 1, 2].map((row) => turn[row] * x + turn[4 + row] * y + turn[8 + row] * z + turn[12 + row]);
+  assert.deepEqual(at(0, 0, 20).map(Math.round), [0, 0, 20]);
+  assert.deepEqual(at(0, 0, 0).map(Math.round), [0, 20, 20]);
+});
+
+test('a framed ball fills the view from each side', () => {
+  const camera = new OrbitCamera();
+  for (const from of ['front', 'side', 'top']) {
+    camera.look(from);
+    camera.frame({ centre: [10, 20, 30], radius: 50 }, 1.6);
+    const m = camera.matrix(1.6);
+    const { up } = camera.axes();
+    const shown = (p) => {
+      const w = m[3] * p[0] + m[7] * p[1] + m[11] * p[2] + m[15];
+      return [0, 1, 2].map((row) => (m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row]) / w);
+    };
+    const middle = shown([10, 20, 30]);
+    assert.ok(Math.hypot(middle[0], middle[1]) < 1e-5 && Math.abs(middle[2]) < 1, from);
+    const top = shown([10, 20, 30].map((value, i) => value + 50 * up[i]));
+    assert.ok(top[1] > 0.8 && top[1] < 1, `${from}: ${top[1]}`);
+  }
+});
+
+test('playing counts the time that went by, a long pause of the window does not, and it ends at the end', () => {
+  const playback = new Playback(1_000_000, [0.5, 1]);
+  playback.toggle();
+  assert.deepEqual(playback.advance(0.1), { from_us: 0, to_us: 100_000, speed: 1 });
+  assert.equal(playback.advance(60).to_us, 350_000);
+  playback.changeSpeed(-1);
+  playback.changeSpeed(-1);
+  assert.deepEqual(playback.advance(0.2), { from_us: 350_000, to_us: 450_000, speed: 0.5 });
+  playback.changeSpeed(+1);
+  for (let i = 0; i < 3; ++i) playback.advance(0.25);
+  assert.equal(playback.position_us, 1_000_000);
+  assert.equal(playback.playing, false);
+  assert.equal(playback.advance(0.1), null);
+  playback.toggle();
+  assert.equal(playback.position_us, 0);
+});
+
+test('stretches are joined', () => {
+  assert.deepEqual(joined([[5, 9], [0, 2], [2, 4], [6, 12], [3, 3]]), [[0, 4], [5, 12]]);
+});
+
+test('what was played is reported every two seconds, and again where no answer came', async () => {
+  let now = 0;
+  const sent = [];
+  let away = true;
+  const reporter = new ViewingReporter({
+    post: async ({ played }) => {
+      sent.push(played);
+      if (away) throw new NoConnection();
+      return {};
+    },
+    onAnswer: () => {},
+    now: () => now,
+  });
+  reporter.played({ from_us: 0, to_us: 10, speed: 1 });
+  reporter.played({ from_us: 10, to_us: 20, speed: 1 });
+  assert.equal(sent.length, 0);
+  now = 2000;
+  reporter.played({ from_us: 50, to_us: 60, speed: 1 });
+  await reporter.underway;
+  const stretches = [{ from_us: 0, to_us: 20, speed: 1 }, { from_us: 50, to_us: 60, speed: 1 }];
+  assert.deepEqual(sent, [stretches]);
+  assert.deepEqual(reporter.unheard, stretches);
+  away = false;
+  await reporter.report();
+  assert.deepEqual(sent[1], stretches);
+  assert.deepEqual(reporter.unheard, []);
+  await reporter.report();
+  assert.equal(sent.length, 2);
+});
+
+test('a sentence takes its values and its plural in one pass', () => {
+  assert.equal(filledIn('%1 {case fits|cases fit} into %2', ['1', 'ten']), '1 case fits into ten');
+  assert.equal(filledIn('%1 {case fits|cases fit}', ['3']), '3 cases fit');
+  assert.equal(filledIn('%1: %2', ['%2', 'x']), '%2: x');
+  assert.equal(filledIn('%3 {a', ['1']), '%3 {a');
+});

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives a headless Chromium through chromedriver, or Firefox through its Marionette, by their protocols themselves:
+Debian's Python needs nothing more."""
+import base64
+import json
+import os
+import socket
+import subprocess
+import tempfile
+import time
+import urllib.error
+import urllib.request
+
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
+KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Control": "\ue009", "Alt": "\ue00a", "Shift": "\ue008", "Escape": "\ue00c", "Backspace": "\ue003",
+        "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Home": "\ue011",
+        "End": "\ue010", "Space": " "}
+PATIENCE_S = 20
+
+
+class Failed(AssertionError):
+    pass
+
+
+class Browser:
+    """One window. Use as `with Browser() as browser`."""
+
+    def __init__(self, size=(1280, 800), language="en-GB", dark=False, webgl=True):
+        self.size, self.language, self.dark, self.webgl = size, language, dark, webgl
+
+    def __enter__(self):
+        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                       text=True)
+        for line in self.driver.stdout:
+            if "started successfully on port" in line:
+                self.base = f"http://127.0.0.1:{line.split('port')[1].strip(' .') .strip()}".rstrip(".")
+                break
+        arguments = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", f"--lang={self.language}",
+                     f"--window-size={self.size[0]},{self.size[1]}", "--hide-scrollbars"]
+        if self.webgl:
+            arguments += ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        else:
+            arguments.append("--disable-3d-apis")
+        if self.dark:
+            arguments.append("--blink-settings=preferredColorScheme=0")
+        options = {"args": arguments, "prefs": {"intl.accept_languages": self.language}}
+        answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": {
+            "browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
+        self.base += f"/session/{answer['sessionId']}"
+        self.resize(*self.size)
+        return self
+
+    def __exit__(self, *_):
+        try:
+            self.call("DELETE", "")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+
+    def call(self, method, path, body=None):
+        data = json.dumps(body if body is not None else {}).encode() if method == "POST" else None
+        request = urllib.request.Request(self.base + path, data, {"Content-Type": "application/json"}, method=method)
+        try:
+            with urllib.request.urlopen(request, timeout=60) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as error:
+            raise Failed(json.load(error)["value"]["message"].split("\n")[0]) from None
+
+    def open(self, url):
+        self.call("POST", "/url", {"url": url})
+
+    def run(self, script, *arguments):
+        return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def resize(self, width, height):
+        """The page itself gets this size, however small: a window has a least width, a device has none."""
+        self.devtools("Emulation.setDeviceMetricsOverride",
+                      {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def devtools(self, command, parameters):
+        return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
+
+    def until(self, what, look):
+        """Waits until `look()` gives something true, and returns it."""
+        end = time.monotonic() + PATIENCE_S
+        while True:
+            found = look()
+            if found:
+                return found
+            if time.monotonic() > end:
+                raise Failed(f"in vain: {what}\n{self.text('body')[:1500]}\n{self.faults()}")
+            time.sleep(0.03)
+
+    def text(self, css):
+        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css)
+
+    def says(self, css, text):
+        return self.until(f"{css} says {text!r}", lambda: text in self.text(css))
+
+    def there(self, css):
+        return self.until(f"{css} is there", lambda: self.run(
+            "const e = document.querySelector(arguments[0]); return Boolean(e) && e.checkVisibility()", css))
+
+    def click(self, css):
+        self.there(css)
+        element = self.call("POST", "/element", {"using": "css selector", "value": css})[ELEMENT]
+        self.call("POST", f"/element/{element}/click")
+
+    def tap(self, css, across=0.5):
+        """With a finger, at this share of the width."""
+        x, y = self.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'nearest'});"
+                        "const r = e.getBoundingClientRect(); return [r.left + r.width * arguments[1], r.top + r.height / 2]",
+                        css, across)
+        finger = [{"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)},
+                  {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]
+        self.call("POST", "/actions", {"actions": [{"type": "pointer", "id": "finger",
+                                                    "parameters": {"pointerType": "touch"}, "actions": finger}]})
+
+    def keys(self, *names):
+        """Names of KEYS, "Control+z", or texts that are typed letter by letter."""
+        actions = []
+        for name in names:
+            parts = name.split("+") if len(name) > 1 and "+" in name else [name]
+            letters = [KEYS.get(part, part) for part in parts] if len(parts) > 1 or name in KEYS else list(name)
+            if len(parts) > 1:
+                actions += [{"type": "keyDown", "value": one} for one in letters]
+                actions += [{"type": "keyUp", "value": one} for one in reversed(letters)]
+            else:
+                for one in letters:
+                    actions += [{"type": "keyDown", "value": one}, {"type": "keyUp", "value": one}]
+        self.call("POST", "/actions", {"actions": [{"type": "key", "id": "keyboard", "actions": actions}]})
+
+    def picture(self, path):
+        with open(path, "wb") as file:
+            file.write(base64.b64decode(self.call("GET", "/screenshot")))
+
+    def faults(self):
+        """What the console said since the last call: faults of scripts, refusals of the content policy."""
+        return [line["message"] for line in self.call("POST", "/se/log", {"type": "browser"})
+                if line["level"] == "SEVERE" and "Failed to load resource" not in line["message"]]
+
+
+class Firefox(Browser):
+    """Under Xvfb, for headless Firefox has no WebGL; Debian has no geckodriver, and its commands are the same."""
+    COMMANDS = {"/url": "Navigate", "/execute/sync": "ExecuteScript", "/element": "FindElement", "/actions": "PerformActions",
+                "/screenshot": "TakeScreenshot"}
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "3840x2160x24"], pass_fds=[write],
+                                       stderr=subprocess.DEVNULL)
+        display = os.read(read, 16).decode().strip()
+        self.profile = tempfile.TemporaryDirectory(prefix="torsio-firefox-")
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        preferences = {"marionette.port": port, "intl.accept_languages": self.language, "dom.disable_beforeunload": True,
+                       "webgl.disabled": not self.webgl, "browser.shell.checkDefaultBrowser": False,
+                       "datareporting.policy.dataSubmissionEnabled": False, "app.update.enabled": False}
+        with open(f"{self.profile.name}/user.js", "w") as file:
+            file.writelines(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
+        self.driver = subprocess.Popen(
+            ["firefox-esr", "--marionette", "--no-remote", "--profile", self.profile.name, "about:blank"],
+            env={**os.environ, "DISPLAY": f":{display}", "HOME": self.profile.name, "MOZ_CRASHREPORTER_DISABLE": "1"},
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.number = 0
+        self.socket = self.connected(port)
+        self.bytes = self.socket.makefile("rb")
+        self.receive()  # it says who it is
+        self.order("NewSession", {"capabilities": {"alwaysMatch": {"unhandledPromptBehavior": "accept"}}})
+        self.resize(*self.size)
+        return self
+
+    @staticmethod
+    def connected(port):
+        end = time.monotonic() + 60
+        while True:
+            try:
+                return socket.create_connection(("127.0.0.1", port), timeout=60)
+            except ConnectionRefusedError:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.1)
+
+    def __exit__(self, *_):
+        self.driver.terminate()
+        self.driver.wait()
+        self.screen.terminate()
+        self.screen.wait()
+        self.profile.cleanup()
+
+    def receive(self):
+        length = b""
+        while not length.endswith(b":"):
+            length += self.bytes.read(1)
+        return json.loads(self.bytes.read(int(length[:-1])))
+
+    def order(self, command, parameters):
+        self.number += 1
+        text = json.dumps([0, self.number, f"WebDriver:{command}", parameters]).encode()
+        self.socket.sendall(str(len(text)).encode() + b":" + text)
+        _, _, error, result = self.receive()
+        if error:
+            raise Failed(error["message"])
+        return result.get("value") if isinstance(result, dict) else result
+
+    def call(self, method, path, body=None):
+        if path.endswith("/click"):
+            return self.order("ElementClick", {"id": path.split("/")[2]})
+        return self.order(self.COMMANDS[path], body or {})
+
+    def resize(self, width, height):
+        """The window's least width is about 450 pixels."""
+        self.order("SetWindowRect", {"x": 0, "y": 0, "width": width, "height": height})
+
+    def faults(self):
+        return []  # Marionette tells nothing of the console
