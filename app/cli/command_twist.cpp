@@ -99,6 +99,15 @@ void addFold(nlohmann::ordered_json& result, const FoldReport& fold) {
   }
 }
 
+/// A wall folds on purpose, and its content may leave: of a hollow organ `folded` says whether the wall does.
+void addWallFolds(nlohmann::ordered_json& result, const FoldReport& fold, const HollowOrgan& organ,
+                  const OrganState& state) {
+  addFold(result, fold);
+  result.erase("fold");
+  result["folded"] = organ.tube(0) != nullptr &&
+                     std::abs(state.twist.graspAngle_rad) > organ.onset_rad(state.hollow.reading.pressure_Pa);
+}
+
 void addOrgan(nlohmann::ordered_json& result, const Scene& scene, const TwistArguments& arguments) {
   result["organ"] = arguments.organ.organ;
   if (scene.repairs.any()) {
@@ -190,7 +199,11 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   result["length_m"] = length_m;
   result["grasp_s_m"] = state.twist.graspArc_m;
   result.update(effect);
-  addFold(result, fold);
+  if (scene.hollow) {
+    addWallFolds(result, fold, *scene.hollow, state);
+  } else {
+    addFold(result, fold);
+  }
   result["peak_shear_pa"] = scene.peakShear_Pa(state);
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;

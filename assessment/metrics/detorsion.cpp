@@ -87,9 +87,13 @@ class DetorsionMeasurer {
     double farthest_rad = std::abs(start_rad);
     std::size_t chosen = ticks_.size();
     std::size_t vented = ticks_.size();
+    std::int64_t open_us = 0;
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
       farthest_rad = std::max(farthest_rad, std::abs(ticks_[i].angle_rad));
-      if (vented == ticks_.size() && ticks_[i].venting) {
+      if (i > 0 && ticks_[i - 1].venting) {
+        open_us += ticks_[i].time_us - ticks_[i - 1].time_us;
+      }
+      if (vented == ticks_.size() && static_cast<double>(open_us) >= kLetOut_s * kSecond_us) {
         vented = i;
       }
       if (chosen == ticks_.size() && i > 0 && ticks_[i].held && ticks_[i - 1].held) {
@@ -150,11 +154,13 @@ class DetorsionMeasurer {
 
   void measureBlood() {
     double patency = ticks_.front().patency;
+    double dose = ticks_.front().dose;
     for (const DetorsionTick& tick : ticks_) {
       patency = std::min(patency, tick.patency);
+      dose = std::max(dose, tick.dose);
     }
     set("detorse.min_patency", patency);
-    set("detorse.dose", ticks_.back().dose);
+    set("detorse.dose", dose);
     const std::size_t back =
         lasting(kFlowBack_s, [&](const DetorsionTick& tick) { return tick.flow >= rules_.enoughFlow; });
     if (back == ticks_.size()) {

@@ -19,6 +19,8 @@ namespace torsio {
 inline constexpr double kChosenTurn_rad = radians(15.0);
 /// Whoever lets go of an organ that is turned further than this has to grip it again.
 inline constexpr double kRegripFrom_rad = radians(30.0);
+/// The content counts as let out once the way was open for so long in all: two thirds of it have left then.
+inline constexpr double kLetOut_s = 3.0;
 /// Blood has come back when it has flowed for so long.
 inline constexpr double kFlowBack_s = 5.0;
 

@@ -17610,6 +17610,14 @@ MSM = 质点弹簧</translation>
         <source>The twist grows. Turn in the opposite direction.</source>
         <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
+    <message>
+        <source>%1, %2 s ago</source>
+        <translation>%1，%2 秒前</translation>
+    </message>
+    <message>
+        <source>Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.</source>
+        <translation>手已转到极限。请上夹子 (C)，松开钳口，再重新抓持。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionPlot</name>

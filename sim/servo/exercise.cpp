@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/error.h"
+#include "sim/base/hollow_pose.h"
 #include "sim/base/portable_math.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/indentation.h"
@@ -116,6 +117,7 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   angle_rad_ = 0.0;
   firstAngle_rad_ = driveAngle(tool);
   angle_rad_ = firstAngle_rad_;
+  wristFrom_rad_ = wristLeast_rad_ = wristMost_rad_ = slidFrom_rad_ = 0.0;
   ++grips_;
   beside_.grip();
   return true;
@@ -159,13 +161,25 @@ Vec3 Exercise::gripOffset(const ToolState& tool, const Scene& scene) const noexc
   return at.outwards * (at.radius_m - gripRadius_m_) + axis_.tangent * (at.height_m - gripHeight_m_);
 }
 
-void Exercise::turnMobilePart(double turn_rad) noexcept {
-  if (organ_.hollow.clipped) {
-    firstAngle_rad_ = angle_rad_;
-    gripAngle_rad_ = organ_.twist.graspAngle_rad;
-  } else {
-    organ_.twist.graspAngle_rad = gripAngle_rad_ + turn_rad;
+bool Exercise::turnMobilePart(double turn_rad) noexcept {
+  const double asked_rad = wristFrom_rad_ + turn_rad;
+  const double wrist_rad =
+      std::clamp(asked_rad, wristMost_rad_ - kHandTurn_rad, wristLeast_rad_ + kHandTurn_rad);
+  if (wrist_rad != asked_rad) {
+    firstAngle_rad_ += asked_rad - wrist_rad;  // turned back, it takes the organ along at once
+    turn_rad = wrist_rad - wristFrom_rad_;
   }
+  wristLeast_rad_ = std::min(wristLeast_rad_, wrist_rad);
+  wristMost_rad_ = std::max(wristMost_rad_, wrist_rad);
+  if (!organ_.hollow.clipped) {
+    organ_.twist.graspAngle_rad = gripAngle_rad_ + turn_rad;
+    slidFrom_rad_ = wrist_rad;
+    return false;
+  }
+  firstAngle_rad_ = angle_rad_;
+  gripAngle_rad_ = organ_.twist.graspAngle_rad;
+  wristFrom_rad_ = wrist_rad;
+  return std::abs(wrist_rad - slidFrom_rad_) > kSlideTurn_rad;
 }
 
 DetorsionHand Exercise::detorsionHand(const ToolState& tool) const noexcept {
@@ -191,7 +205,7 @@ std::uint32_t Exercise::follow(const ToolState& tool, const Scene& scene) noexce
     }
     slips = rodGrasp_.drawnBeyond(kSlipWay_m);
   } else if (scene.hollow) {
-    turnMobilePart(turn_rad);
+    slips = turnMobilePart(turn_rad);
   } else {
     organ_.twist.graspAngle_rad = turn_rad;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "sim/base/angle.h"
 #include "sim/base/live_types.h"
 #include "sim/base/tick_period.h"
 #include "sim/scene/scene.h"
@@ -58,6 +59,8 @@ static_assert(kSurfaceStiffness_N_per_m * kCouplingRatio / (1.0 + kCouplingRatio
 inline constexpr double kGripStiffness_N_per_m = 100.0;
 /// Distance from the grasped section at which the jaw slips off.
 inline constexpr double kSlipWay_m = 0.020;
+/// Turn of a jaw round an organ that a clip holds from which the jaw slips off; assumed.
+inline constexpr double kSlideTurn_rad = radians(30.0);
 /// Height above the surface at which a contact ends, so that tremor does not end it; the force ends at the
 /// surface.
 inline constexpr double kContactHysteresis_m = 0.0005;
@@ -152,8 +155,9 @@ class Exercise {
   [[nodiscard]] ToolState onTissue(const ToolState& tool, const Scene& scene) const noexcept;
   /// Returns the way of the tip along and across the axis since the grip.
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool, const Scene& scene) const noexcept;
-  /// Turns the mobile part of a hollow organ with the hand, which slides on while a clip holds it.
-  void turnMobilePart(double turn_rad) noexcept;
+  /// Turns the mobile part of a hollow organ with the hand, by kHandTurn_rad at most in a grip, there and
+  /// back together; slides on while a clip holds it. Tells whether that makes the jaw slip off.
+  [[nodiscard]] bool turnMobilePart(double turn_rad) noexcept;
   [[nodiscard]] DetorsionHand detorsionHand(const ToolState& tool) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
   /// What a hollow organ in the jaw lets the hand feel.
@@ -189,6 +193,12 @@ class Exercise {
   double lastPull_N_ = 0.0;  // of the hand on it, in the tick before
   double gripAngle_rad_ = 0.0;
   double gripRound_rad_ = 0.0;
+  // Turn of the wrist since the jaw closed: where the present turn began, its extremes, and where it was when
+  // the clip was set.
+  double wristFrom_rad_ = 0.0;
+  double wristLeast_rad_ = 0.0;
+  double wristMost_rad_ = 0.0;
+  double slidFrom_rad_ = 0.0;
 
   BesideTissue beside_;  // where a model beside the servo answers
   std::int64_t grips_ = 0;

@@ -176,7 +176,7 @@ TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
 TEST(RecordedDetorsion, TheWayOutThatIsOpenedBeforeTheTurnCounts) {
   RecordedUntwisting run;
   run.stage(ExercisePhase::kTracking, 100, 200.0).command(ServoCommand::Kind::kVent, 1.0);
-  run.stage(ExercisePhase::kTracking, 100, 200.0).stage(ExercisePhase::kTwisting, 500, 100.0);
+  run.stage(ExercisePhase::kTracking, 3001, 200.0).stage(ExercisePhase::kTwisting, 500, 100.0);
 
   EXPECT_EQ(run.measured().values.at("detorse.vented_first"), 1.0);
 }

@@ -204,7 +204,18 @@ TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndKnowsNoResidual) {
 
   EXPECT_EQ(*got.at("detorse.done"), 0.0);
   EXPECT_FALSE(got.at("detorse.residual"));
-  EXPECT_EQ(*got.at("detorse.dose"), 0.0);  // of the last sample, all the same
+  EXPECT_EQ(*got.at("detorse.dose"), 0.0);  // so far, all the same
+}
+
+TEST(Detorsion, WaitingAfterwardsBuysNoDose) {
+  Untwisting run(200.0);
+  run.pass(100);
+  run.now().dose = 0.95;
+  run.pass(100);
+  run.now().dose = 0.8;  // tissue that is fed recovers
+  run.pass(100);
+
+  EXPECT_EQ(*run.measured().at("detorse.dose"), 0.95);
 }
 
 TEST(Detorsion, AngleLumenAndBloodMustAllBeRight) {
@@ -263,17 +274,33 @@ TEST(Detorsion, LettingOutCountsOnlyBeforeTheTurn) {
   before.pass(10).hand(true).turnTo(190.0, 100);
   Untwisting after = before;
   before.now().venting = true;
-  before.turnTo(100.0, 100);
+  before.pass(3001).turnTo(100.0, 100);
   after.turnTo(100.0, 100);
   const Untwisting never = after;
   after.now().venting = true;
-  after.pass(10);
+  after.pass(4000);
   const DetorsionRules vented{.vent = true};
 
   EXPECT_EQ(*before.measured(vented).at("detorse.vented_first"), 1.0);
   EXPECT_EQ(*after.measured(vented).at("detorse.vented_first"), 0.0);
   EXPECT_EQ(*never.measured(vented).at("detorse.vented_first"), 0.0);
   EXPECT_FALSE(before.measured().at("detorse.vented_first"));
+}
+
+TEST(Detorsion, AWayOutThatIsShutAtOnceLetsNothingOut) {
+  const auto opened = [](int first, int second) {
+    Untwisting run(200.0);
+    run.pass(10).now().venting = true;
+    run.pass(first).now().venting = false;
+    run.pass(500).now().venting = true;
+    run.pass(second).now().venting = false;
+    run.hand(true).turnTo(100.0, 100);
+    return *run.measured({.vent = true}).at("detorse.vented_first");
+  };
+
+  EXPECT_EQ(opened(1, 0), 0.0);
+  EXPECT_EQ(opened(1500, 1499), 0.0);
+  EXPECT_EQ(opened(1500, 1500), 1.0);  // together two thirds have left
 }
 
 // 720 degrees in two stages of 360, five minutes of rest between them; sixty seconds of the tissue a second.

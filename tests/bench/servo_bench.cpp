@@ -189,10 +189,11 @@ void printRelay() {
               p999_us <= kRelayTarget_us ? "met" : "MISSED");
 }
 
-Scene shipped(const std::string& id) {
+Scene shipped(const std::string& id, const std::string& pattern = {}) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = id;
+  request.pattern = pattern;
   return loadScene(request);
 }
 
@@ -211,6 +212,10 @@ int main(int argc, char** argv) {
   for (const Scene& scene : scenes) {
     measure(scene, seconds);
     measureAnywhere(scene);
+  }
+  for (const char* id : {"small-bowel-loop", "gastric-organo-axial", "gastric-mesentero-axial", "sigmoid",
+                         "midgut", "testis"}) {
+    measure(shipped(id, "detorse"), seconds);
   }
   printRelay();
   return 0;

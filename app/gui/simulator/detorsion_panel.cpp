@@ -22,6 +22,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
+#include "sim/base/hollow_pose.h"
+#include "sim/base/time_units.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 
@@ -32,7 +34,9 @@ namespace {
 constexpr double kDegreesPerTurn = 360.0;
 constexpr double kOpenFrom = 0.8;
 constexpr int kBar = 1000;
+constexpr std::int64_t kAgeStep_s = 10;          // of the answer of a check
 constexpr double kWrongWay_rad = radians(10.0);  // beyond what a hand drifts while it holds
+constexpr double kNearEnd_rad = radians(1.0);    // of the turn of a hand
 constexpr FlowCheck kChecks[] = {FlowCheck::kLook, FlowCheck::kTouch, FlowCheck::kDoppler};
 
 QString percent(double share) {
@@ -133,11 +137,14 @@ void DetorsionPanel::createButtons() {
   checking_->hide();
   card_->content()->addWidget(checking_);
 
+  // What is asked counts as done until the next frame tells, so that two quick presses undo each other.
   const auto hold = [this] {
-    Q_EMIT asked({.kind = ServoCommand::Kind::kHoldOrgan, .value = shown_.hollow.clipped ? 0.0 : 1.0});
+    shown_.hollow.clipped = !shown_.hollow.clipped;
+    Q_EMIT asked({.kind = ServoCommand::Kind::kHoldOrgan, .value = shown_.hollow.clipped ? 1.0 : 0.0});
   };
   const auto vent = [this] {
-    Q_EMIT asked({.kind = ServoCommand::Kind::kVent, .value = shown_.hollow.venting ? 0.0 : 1.0});
+    shown_.hollow.venting = !shown_.hollow.venting;
+    Q_EMIT asked({.kind = ServoCommand::Kind::kVent, .value = shown_.hollow.venting ? 1.0 : 0.0});
   };
   connect(clip_, &QPushButton::clicked, this, hold);
   connect(vent_, &QPushButton::clicked, this, vent);
@@ -278,9 +285,12 @@ QString DetorsionPanel::clockText(double scaled_s) {
 
 void DetorsionPanel::show(const LiveState& state) {
   shown_ = state;
+  const double angle_rad = state.response.angle_rad;
   if (state.phase != ExercisePhase::kTwisting) {
-    heldFrom_rad_ = state.response.angle_rad;
+    heldFrom_rad_ = heldLeast_rad_ = heldMost_rad_ = angle_rad;
   }
+  heldLeast_rad_ = std::min(heldLeast_rad_, angle_rad);
+  heldMost_rad_ = std::max(heldMost_rad_, angle_rad);
   if (!present_) {
     return;
   }
@@ -320,9 +330,12 @@ void DetorsionPanel::showCheck() {
   } else if (check.done == FlowCheck::kNone) {
     setText(flow_.value, tr("not checked"));
   } else {
-    setText(flow_.value, tr("%1: %2 % ± %3 %")
-                             .arg(checkName(check.done), percent(check.flow),
-                                  percent(flowCheckCost(check.done).deviation)));
+    const QString told =
+        tr("%1: %2 % ± %3 %")
+            .arg(checkName(check.done), percent(check.flow), percent(flowCheckCost(check.done).deviation));
+    // An old answer says nothing of the organ as it lies now.
+    const std::int64_t age_s = (shown_.time_us - check.done_us) / kSecond_us / kAgeStep_s * kAgeStep_s;
+    setText(flow_.value, age_s > 0 ? tr("%1, %2 s ago").arg(told).arg(age_s) : told);
   }
 }
 
@@ -352,7 +365,16 @@ QString DetorsionPanel::cue() const {
   if (std::abs(shown_.response.angle_rad) > std::abs(heldFrom_rad_) + kWrongWay_rad) {
     return tr("The twist grows. Turn in the opposite direction.");
   }
+  if (handAtItsEnd()) {
+    return tr("Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.");
+  }
   return tr("Holding. Turn, set the clip (C), then grip anew.");
+}
+
+bool DetorsionPanel::handAtItsEnd() const {
+  const double angle_rad = shown_.response.angle_rad;
+  return heldMost_rad_ - heldLeast_rad_ > kHandTurn_rad - kNearEnd_rad &&
+         (angle_rad < heldLeast_rad_ + kNearEnd_rad || angle_rad > heldMost_rad_ - kNearEnd_rad);
 }
 
 void DetorsionPanel::showRest() {

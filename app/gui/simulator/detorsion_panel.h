@@ -70,6 +70,7 @@ class DetorsionPanel : public QWidget {
   void showHandsOff();
   void showWarning();
   [[nodiscard]] bool liesWithinLimits() const;
+  [[nodiscard]] bool handAtItsEnd() const;
   void enable();
 
   Detorsion detorsion_;
@@ -80,6 +81,8 @@ class DetorsionPanel : public QWidget {
   StagedTurn stages_{{}, 1.0};
   double restTaken_s_ = 0.0;   // when stages_ was last told
   double heldFrom_rad_ = 0.0;  // how far the organ was turned when the jaw took hold of it
+  double heldLeast_rad_ = 0.0;  // and since then
+  double heldMost_rad_ = 0.0;
   Card* card_;
   Row angle_;
   Row lumen_;

@@ -138,12 +138,13 @@ Quat PointerControls::orientation(const Quat& view) const {
          axisAngle({0.0, 0.0, 1.0}, input_.roll_rad);
 }
 
-void PointerControls::setHeldAxis(const std::optional<Vec3>& axis) {
+void PointerControls::setHeldAxis(const std::optional<Vec3>& axis, double reach_rad) {
   if (axis.has_value() == heldAxis_.has_value()) {
     return;
   }
   heldAxis_ = axis;
-  turned_rad_ = 0.0;
+  reach_rad_ = reach_rad;
+  turned_rad_ = leastTurned_rad_ = mostTurned_rad_ = 0.0;
   gripped_ = orientation(heldView_);
   if (!axis) {
     rolledByHand_ = false;
@@ -232,7 +233,10 @@ void PointerControls::holdAt(const Vec3& tip_m) {
 
 void PointerControls::turn(double angle_rad) {
   if (heldAxis_) {
-    turned_rad_ += angle_rad;
+    turned_rad_ = std::clamp(turned_rad_ + angle_rad, mostTurned_rad_ - reach_rad_,
+                             leastTurned_rad_ + reach_rad_);
+    leastTurned_rad_ = std::min(leastTurned_rad_, turned_rad_);
+    mostTurned_rad_ = std::max(mostTurned_rad_, turned_rad_);
     followTurn();
   } else {
     rolledByHand_ = true;

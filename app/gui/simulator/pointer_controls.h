@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -39,13 +40,17 @@ class PointerControls : public QObject {
   Q_OBJECT
 
  public:
+  /// Of what is turned without end.
+  static constexpr double kNoEnd_rad = std::numeric_limits<double>::infinity();
+
   explicit PointerControls(SceneView& view);
 
   void setKeys(const PointerKeys& keys);
   /// Puts the tip to a point in front of the organ with the jaw open, as seen from the camera.
   void park(const Vec3& tip_m);
-  /// What the jaw holds: the unit axis about which a turn twists it, or nothing. Told once a frame.
-  void setHeldAxis(const std::optional<Vec3>& axis);
+  /// What the jaw holds: the unit axis about which a turn twists it, or nothing; and how far a hand turns it
+  /// in one grip, rad, there and back together. Told once a frame.
+  void setHeldAxis(const std::optional<Vec3>& axis, double reach_rad = kNoEnd_rad);
   /// The surface that the free tip is near to, or nothing: the shaft leans away from it, so that it does not
   /// lie across the tissue when the jaw closes. Told once a frame. Tilting by hand ends it until parked
   /// again.
@@ -93,6 +98,9 @@ class PointerControls : public QObject {
   Quat heldView_;               // the camera when the jaw closed: the device keeps it while the jaw is closed
   Quat gripped_;                // orientation of the tool when the tissue was gripped
   double turned_rad_ = 0.0;     // since then, about the axis
+  double leastTurned_rad_ = 0.0;
+  double mostTurned_rad_ = 0.0;
+  double reach_rad_ = kNoEnd_rad;
   std::optional<Vec3> leanTo_;  // outwards from the surface nearby, world frame
   bool tiltedByHand_ = false;
   bool rolledByHand_ = false;

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/gui/scene/scene_view.h"
+#include "sim/base/angle.h"
+#include "sim/base/hollow_pose.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/surface_proxy.h"
 
@@ -12,6 +14,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kLeanWithin_m = 0.040;
+constexpr double kLag_rad = radians(10.0);  // the organ lies so far behind the keys at most
 
 }  // namespace
 
@@ -22,7 +25,9 @@ LiveState ShownTool::show(const LiveState& state) {
   if (holds && rides && controller_.playback() == nullptr) {
     axis = controller_.scene()->graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
   }
-  pointer_.setHeldAxis(axis);
+  // Beyond what a hand turns an organ that came twisted its shaft would swing through the tissue.
+  const bool undone = axis && controller_.scene()->hollow != nullptr;
+  pointer_.setHeldAxis(axis, undone ? kHandTurn_rad + kLag_rad : PointerControls::kNoEnd_rad);
   const std::optional<SurfacePoint> near = controller_.nearby(state);
   const bool close = near && near->distance_m < kLeanWithin_m;
   pointer_.leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);

@@ -15,7 +15,7 @@ enum class UntwistingState : std::uint8_t {
   kRest,       ///< untwisted and sound
   kOnset,      ///< the wall begins to fold; of a cord a quarter of its largest twist
   kClosed,     ///< the narrowest place is shut; of a cord half of its largest twist
-  kIschaemic,  ///< as far as it may come twisted, and long so
+  kIschaemic,  ///< as far as it may come twisted, and long so; of a scene that never starves: dammed up
   kRecovered,  ///< undone after that, flow come back
 };
 inline constexpr std::array<std::pair<UntwistingState, const char*>, 5> kUntwistingStates{

@@ -31,6 +31,14 @@ inline constexpr double kMostPurple = 0.85;  ///< share of purple at full conges
 inline constexpr double kDoseFirstBlack = 0.7;
 inline constexpr double kDoseBlack = 1.2;
 
+/// Returns the share of purple at a congestion, 0 .. 1. Veins fill most at the first millimetres of mercury
+/// and hardly at the last: a turn that dams up a quarter of the pressure shows nearly half of the purple. The
+/// shape is assumed.
+[[nodiscard]] inline double purpleShare(double congestion) noexcept {
+  const double empty = 1.0 - std::clamp(congestion, 0.0, 1.0);
+  return kMostPurple * (1.0 - empty * empty);
+}
+
 /// Returns how much of the outside is black from loss, 0 .. 1: smoothstep between kDoseFirstBlack and
 /// kDoseBlack.
 [[nodiscard]] inline double blackShare(double dose) noexcept {
@@ -52,9 +60,9 @@ inline constexpr double kDoseBlack = 1.2;
 [[nodiscard]] inline TissueColour colourOf(const PerfusionState& state) noexcept {
   const double sound =
       std::clamp((state.saturation - kSaturationDusky) / (kSaturationSound - kSaturationDusky), 0.0, 1.0);
-  const double purple = kMostPurple * std::clamp(state.congestion, 0.0, 1.0);
   const double pale = std::clamp(1.0 - state.flow - state.congestion, 0.0, 1.0);
-  const TissueColour filled = mixed(mixed(kSerosaDusky, kSerosaPink, sound), kSerosaPurple, purple);
+  const TissueColour filled =
+      mixed(mixed(kSerosaDusky, kSerosaPink, sound), kSerosaPurple, purpleShare(state.congestion));
   return mixed(mixed(filled, kSerosaPale, pale), kSerosaBlack, blackShare(state.dose));
 }
 

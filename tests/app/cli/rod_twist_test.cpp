@@ -285,6 +285,21 @@ TEST(RodTwist, TheTorqueOfBentHollowTubesIsThatOfThreeDimensionalFiniteElements)
   }
 }
 
+// Its gas makes it larger than it was drawn at less, which is no fold.
+TEST(HollowTwist, IsSaidToFoldFromItsOnsetOnAndNotForItsGas) {
+  const fs::path scratch = emptyFolder("hollow-scene");
+  const std::string call = "--organ gastric-mesentero-axial --angle ";
+
+  const nlohmann::json rest = resultOf(call + "0", scratch);
+  const nlohmann::json folded = resultOf(call + "120", scratch);
+
+  EXPECT_GT(rest["volume_ratio"].get<double>(), 1.01);
+  EXPECT_EQ(rest["folded"], false);
+  EXPECT_LT(folded["onset_deg"].get<double>(), 120.0);
+  EXPECT_EQ(folded["folded"], true);
+  EXPECT_FALSE(rest.contains("fold") || folded.contains("fold"));
+}
+
 TEST(RodTwist, AHollowOrganFoldsNarrowsAndCloses) {
   // An empty stomach as a straight tube: middle line R 40, wall 3 mm, L 250, G 5 kPa. A prototype in another
   // language: plateau of 8 N mm, closed at 130 degrees; Donnell's formula: folds from 14.9 degrees on.

@@ -161,6 +161,24 @@ TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
   EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(-90.0), kAngle);
 }
 
+TEST_F(Controls, AHandTurnsWhatItHoldsNoFurtherThanItReaches) {
+  const Vec3 axis{0.0, 0.0, 1.0};
+  press({480, 340}, Qt::LeftButton);
+  const Quat gripped = orientation();
+  controls_.setHeldAxis(axis, radians(155.0));
+
+  for (int i = 0; i < 60; ++i) {  // 300 degrees
+    wheel(1, Qt::ShiftModifier);
+  }
+  const double most_rad = turnAbout(axis, gripped, orientation());
+  for (int i = 0; i < 5; ++i) {
+    wheel(-1, Qt::ShiftModifier);
+  }
+
+  EXPECT_NEAR(most_rad, radians(155.0), kAngle);
+  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(130.0), kAngle);
+}
+
 TEST_F(Controls, AnglesGoOnSmoothlyThroughMoreThanATurn) {
   // The device smooths the angles one by one: they must not jump where a formula has a pole.
   press({480, 340}, Qt::LeftButton);

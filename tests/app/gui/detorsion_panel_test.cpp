@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/hollow_bar.h"
 
@@ -67,6 +68,20 @@ TEST_F(UntwistingPanel, ShowsOfTheFlowOnlyWhatACheckHasTold) {
   EXPECT_EQ(said(panel_, "flowTold"), QStringLiteral("Doppler: 62 % ± 8 %"));
 }
 
+TEST_F(UntwistingPanel, SaysHowOldTheAnswerOfACheckIs) {
+  LiveState state = lying(1.0);
+  state.hollow.check = {.done = FlowCheck::kTouch, .flow = 0.4, .done_us = 5'000'000};
+  const auto toldAt = [&](std::int64_t time_us) {
+    state.time_us = time_us;
+    panel_.show(state);
+    return said(panel_, "flowTold");
+  };
+
+  EXPECT_EQ(toldAt(14'999'000), QStringLiteral("Feel the pulse: 40 % ± 20 %"));
+  EXPECT_EQ(toldAt(15'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 10 s ago"));
+  EXPECT_EQ(toldAt(71'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 60 s ago"));
+}
+
 TEST_F(UntwistingPanel, SaysOnTheButtonsWhatTheNextPressDoes) {
   LiveState state = lying(1.0);
   panel_.show(state);
@@ -109,6 +124,39 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
   EXPECT_EQ(clipped, QStringLiteral("The clip holds it. Take the clip off (C), then turn on."));
   EXPECT_EQ(panel_.cue(),
             QStringLiteral("It lies within the limits. Keep your hands off, check the blood flow."));
+}
+
+TEST_F(UntwistingPanel, SaysWhenTheHandIsTurnedAsFarAsItGoes) {
+  LiveState state = lying(6.0);
+  panel_.show(state);
+  state.phase = ExercisePhase::kTwisting;
+  state.response.angle_rad = 6.0 - radians(153.0);
+  panel_.show(state);
+  const QString before = panel_.cue();
+  state.response.angle_rad = 6.0 - radians(155.0);
+
+  panel_.show(state);
+
+  EXPECT_EQ(before, QStringLiteral("Holding. Turn, set the clip (C), then grip anew."));
+  EXPECT_EQ(
+      panel_.cue(),
+      QStringLiteral("Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew."));
+}
+
+TEST_F(UntwistingPanel, TwoPressesWithinAFrameUndoEachOther) {
+  panel_.show(lying(1.0));
+  panel_.showNormal();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
+
+  for (const Qt::Key key : {Qt::Key_V, Qt::Key_V, Qt::Key_C, Qt::Key_C}) {
+    QTest::keyClick(&panel_, key);
+  }
+
+  ASSERT_EQ(asked_.size(), 4U);
+  EXPECT_EQ(asked_[0].value, 1.0);
+  EXPECT_EQ(asked_[1].value, 0.0);
+  EXPECT_EQ(asked_[2].value, 1.0);
+  EXPECT_EQ(asked_[3].value, 0.0);
 }
 
 TEST_F(UntwistingPanel, ShowsHowFarACheckHasCome) {

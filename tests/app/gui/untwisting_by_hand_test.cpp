@@ -189,18 +189,21 @@ class Player {
   /// Turns what is held as far as a hand turns, or until it is undone; returns the way that undoes it.
   int turn(int way) {
     const double from_rad = angle_rad();
+    double least_rad = from_rad;
+    double most_rad = from_rad;
     bool turnedBack = false;
     down(QEvent::KeyPress, way > 0 ? Qt::Key_E : Qt::Key_Q);
     while (holds() && now_s() < kLongest_s) {
       pass(kFrame_s);
-      const double turned_rad = std::abs(angle_rad() - from_rad);
+      least_rad = std::min(least_rad, angle_rad());
+      most_rad = std::max(most_rad, angle_rad());
+      const bool atItsEnd = most_rad - least_rad > kHandTurn_rad - radians(0.5);
       if (std::abs(angle_rad()) > std::abs(from_rad) + radians(10.0) && !turnedBack) {
         down(QEvent::KeyRelease, way > 0 ? Qt::Key_E : Qt::Key_Q);
         way = -way;
         turnedBack = true;
         down(QEvent::KeyPress, way > 0 ? Qt::Key_E : Qt::Key_Q);
-      } else if (std::abs(angle_rad()) < radians(2.0) ||
-                 (turned_rad > kHandTurn_rad && std::abs(angle_rad()) < std::abs(from_rad))) {
+      } else if (std::abs(angle_rad()) < radians(2.0) || atItsEnd) {
         break;
       }
     }

@@ -24,7 +24,8 @@ const Scene& tube() {
 /// A hand on a hollow bar.
 class Detorser {
  public:
-  explicit Detorser(const Scene& scene, std::uint64_t seed = 1) : scene_(scene) {
+  explicit Detorser(const Scene& scene, std::uint64_t seed = 1, TwistDrive drive = TwistDrive::kTangential)
+      : exercise({.drive = drive}), scene_(scene) {
     exercise.begin(scene, seed);
   }
 
@@ -67,7 +68,7 @@ class Detorser {
   [[nodiscard]] double angle_rad() const { return exercise.organ().twist.graspAngle_rad; }
   [[nodiscard]] const HollowPose& pose() const { return exercise.organ().hollow; }
 
-  Exercise exercise{ExerciseOptions{}};
+  Exercise exercise;
   std::uint32_t events = kEventNone;
 
  private:
@@ -186,7 +187,7 @@ TEST(Detorsion, KeepsTheMobilePartInAClipWhileTheHandTurnsBack) {
   hand.press(kButtonSecond);
   hand.turn(0.001);
   const double clipped_rad = hand.angle_rad();
-  const ExerciseStep sliding = hand.turn(radians(70.0));
+  const ExerciseStep sliding = hand.turn(radians(25.0));
   const double slid_rad = hand.angle_rad();
   hand.press(0);
   hand.turn(0.001);
@@ -198,6 +199,61 @@ TEST(Detorsion, KeepsTheMobilePartInAClipWhileTheHandTurnsBack) {
   EXPECT_EQ(slid_rad, clipped_rad);
   EXPECT_EQ(sliding.response.torque_Nm, 0.0);
   EXPECT_NEAR(hand.angle_rad(), clipped_rad - radians(1.0), 1e-9);  // goes on from where it was
+}
+
+TEST(Detorsion, AHandTurnsNoFurtherThanAWristAndTurnsBackAtOnce) {
+  for (const TwistDrive drive : {TwistDrive::kTangential, TwistDrive::kRoll}) {
+    const Scene cord = hollowScene(twistedCord(radians(540.0)));
+    Detorser hand(cord, 1, drive);
+
+    hand.grip();
+    hand.turn(-radians(400.0));
+    const double most_rad = hand.angle_rad();
+    hand.turn(radians(100.0));
+    const double back_rad = hand.angle_rad();
+    hand.turn(radians(100.0));
+
+    EXPECT_NEAR(most_rad, radians(540.0 - 155.0), 1e-9);
+    EXPECT_NEAR(back_rad, radians(540.0 - 55.0), 1e-9);
+    EXPECT_NEAR(hand.angle_rad(), radians(540.0), 1e-9);  // there and back is one way of the wrist
+  }
+}
+
+TEST(Detorsion, AJawThatSlidesFarRoundAClippedOrganSlipsOff) {
+  Detorser hand(tube());
+
+  hand.grip();
+  hand.turn(-radians(150.0));
+  hand.exercise.holdOrgan(true);
+  hand.turn(0.001);
+  const double clipped_rad = hand.angle_rad();
+  hand.turn(radians(29.0));
+  const ExercisePhase before = hand.exercise.phase();
+  hand.turn(radians(100.0));
+
+  EXPECT_EQ(before, ExercisePhase::kTwisting);
+  EXPECT_NE(hand.exercise.phase(), ExercisePhase::kTwisting);
+  EXPECT_TRUE(hand.events & kEventSlipped);
+  EXPECT_EQ(hand.angle_rad(), clipped_rad);
+}
+
+TEST(Detorsion, StaysFiniteHoweverFarItIsWound) {
+  Detorser hand(tube());
+
+  ExerciseStep last;
+  for (int i = 0; i < 30; ++i) {
+    hand.grip();
+    hand.exercise.holdOrgan(false);
+    last = hand.turn(radians(150.0));
+    hand.exercise.holdOrgan(true);
+    hand.letGo();
+  }
+
+  EXPECT_GT(hand.angle_rad(), radians(4000.0));
+  EXPECT_TRUE(std::isfinite(last.response.torque_Nm) && std::isfinite(norm(last.response.force_N)));
+  EXPECT_TRUE(std::isfinite(hand.pose().reading.pressure_Pa));
+  EXPECT_GE(hand.pose().reading.patency, 0.0);
+  EXPECT_GE(hand.pose().reading.flow, 0.0);
 }
 
 TEST(Detorsion, SetsNoClipFromAfar) {
@@ -229,6 +285,10 @@ TEST(Detorsion, LetsTheHandFeelTheWallAndWhatRelapses) {
 
   hand.grip();
   const ExerciseStep above = hand.turn(-radians(100.0));
+  hand.exercise.holdOrgan(true);
+  hand.letGo();
+  hand.grip();
+  hand.exercise.holdOrgan(false);
   const ExerciseStep below = hand.turn(-radians(100.0));
 
   EXPECT_NEAR(above.response.torque_Nm,

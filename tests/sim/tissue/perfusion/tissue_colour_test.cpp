@@ -29,6 +29,17 @@ TEST(TissueColour, ATurnMakesItDarkerAndPurpler) {
   }
 }
 
+// 270 degrees: flow 0.77, a quarter of the largest congestion. The vein shuts first: purple though fed.
+TEST(TissueColour, ATurnThatHardlyStarvesIsPurpleAllTheSame) {
+  const TissueColour dammed = settledAt(270.0);
+
+  EXPECT_NEAR(purpleShare(0.25), 0.372, 1e-3);
+  EXPECT_EQ(purpleShare(0.0), 0.0);
+  EXPECT_EQ(purpleShare(1.0), kMostPurple);
+  EXPECT_LT(dammed.green, 0.70 * kSerosaPink.green);
+  EXPECT_GT(dammed.blue, 1.10 * dammed.green);
+}
+
 TEST(TissueColour, AShutArteryLeavesItPaleNotPurple) {
   const TissueColour purple = settledAt(720.0);
   const TissueColour pale = settledAt(760.0);
