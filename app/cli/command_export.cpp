@@ -10,8 +10,10 @@
 #include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/terminal.h"
 #include "app/exchange/cohort_exchange.h"
+#include "app/exchange/foreign_import.h"
 #include "app/maintenance/care_desk.h"
 #include "app/report/wording.h"
 #include "sim/base/file_io.h"
@@ -116,6 +118,41 @@ void writeGrades(const ExportArguments& given) {
   print(exportGradebook(desk.session(), request, digests, given.out), {}, given.json);
 }
 
+struct ImportArguments {
+  std::string database = "torsio.sqlite";
+  std::string layout;
+  std::string map;
+  std::string reason;
+  CareOptions care;
+  bool json = false;
+};
+
+void runImport(const ImportArguments& given) {
+  const ForeignLayout layout = foreignLayout(given.layout);
+  CareDesk desk(given.care.taker(), given.database);
+  ForeignOutcome done;
+  {
+    ProgressLine line;
+    done = importForeign(desk.session(), layout, given.map, given.reason,
+                         [&line](const Progress& progress) { line.show(progress); });
+  }
+  if (given.json) {
+    nlohmann::ordered_json what{{"cohort", done.landed.cohortId.text()},
+                                {"recordings", done.trials},
+                                {"samples", done.samples},
+                                {"marks", done.marks},
+                                {"hash", done.contentHash},
+                                {"codes", done.landed.codes}};
+    printJson(what);
+    return;
+  }
+  std::cout << done.trials << " recordings with " << done.samples << " samples and " << done.marks
+            << " marks, " << done.contentHash << "\n";
+  for (const auto& [name, code] : done.landed.codes) {
+    std::cout << name << " is " << code << "\n";
+  }
+}
+
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
   command.add_option("--database", arguments.database, "SQLite file or postgresql://... address")
       ->capture_default_str();
@@ -185,6 +222,17 @@ void addDataset(CLI::App& program) {
     requireWhole(arguments->dataset.about);
     run(*arguments, &writeSet);
   });
+
+  auto incoming = std::make_shared<ImportArguments>();
+  CLI::App* in = parent->add_subcommand("import", "Recordings of other equipment, as a cohort of their own");
+  in->add_option("--database", incoming->database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  in->add_option("--as", incoming->layout, "jigsaws, rosma, perktutor or csv")->required();
+  in->add_option("--map", incoming->map, "What the files do not say of themselves (JSON)")->required();
+  in->add_option("--reason", incoming->reason, "Why, for the audit trail");
+  addSignIn(*in, incoming->care, "--login")->required();
+  in->add_flag("--json", incoming->json, "Print JSON");
+  in->callback([incoming] { runImport(*incoming); });
 }
 
 }  // namespace torsio::cli

@@ -18,6 +18,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/refusal.h"
 
 namespace torsio {
@@ -170,22 +171,24 @@ class DatasetWriter {
         addText({model, "Parameters of a tissue model", "application/json"}, head.parametersJson);
       }
       const Part part{"trajectories/" + recording.name + ".csv", "Trajectory " + recording.name, "text/csv"};
+      const std::int64_t every = linesEvery(head, contents_.every);
       std::int64_t lines = 0;
       parts_.push_back(part);
       writeFileAtomically(folder_ / part.path, [&](std::ostream& out) {
-        lines = writeTrajectory(trial, contents_.every, TrajectoryForm::kCsv, out);
+        lines = writeTrajectory(trial, every, TrajectoryForm::kCsv, out);
       });
       std::string name = "trajectory-" + recording.name;
       std::transform(name.begin(), name.end(), name.begin(),
                      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
       resources_.push_back(
           resourceOf(name, part, "Motion, force and twist of one recording.", trajectoryColumns()));
-      const double rate_Hz =
-          1e6 / static_cast<double>(head.tickPeriod_us) / static_cast<double>(contents_.every);
+      const double rate_Hz = 1e6 / static_cast<double>(head.tickPeriod_us) / static_cast<double>(every);
+      const bool foreign = isForeign(head.sceneId);
       heads.rows.push_back({recording.name, recording.trainee, head.sceneId.text(), head.patternId.text(),
-                            degrees(head.targetAngle_rad), head.organHash, model, head.deviceModel,
-                            head.deviceLimits.maxForce_N, head.softwareVersion, rate_Hz,
-                            static_cast<double>(lines), part.path});
+                            foreign ? ExportCell() : ExportCell(degrees(head.targetAngle_rad)),
+                            head.organHash, model, head.deviceModel,
+                            foreign ? ExportCell() : ExportCell(head.deviceLimits.maxForce_N),
+                            head.softwareVersion, rate_Hz, static_cast<double>(lines), part.path});
     }
     addTable(heads);
   }
