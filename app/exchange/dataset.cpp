@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exchange/dataset_bids.h"
+#include "app/exchange/dataset_study.h"
 #include "app/exchange/table_files.h"
 #include "app/exchange/trajectory.h"
 #include "assessment/metrics/metric_cards.h"
@@ -20,6 +21,7 @@
 #include "sim/base/file_io.h"
 #include "sim/base/foreign_recording.h"
 #include "sim/base/refusal.h"
+#include "sim/record/trial_file.h"
 
 namespace torsio {
 
@@ -124,6 +126,10 @@ class DatasetWriter {
       addTable(*table);
     }
     addRecordings();
+    if (!contents_.studyJson.empty()) {
+      addText({kDatasetStudyFile, "What another record needs besides", "application/json"},
+              contents_.studyJson);
+    }
     addText({"metrics.json", "Definition of each metric", "application/json"}, metricsJson());
     if (!contents_.curriculumJson.empty()) {
       addText({"curriculum.json", "Curriculum of the cohort", "application/json"}, contents_.curriculumJson);
@@ -163,12 +169,17 @@ class DatasetWriter {
     ensureFolder(folder_ / "parameters");
     ExportTable heads = recordingsTable();
     std::set<std::string> parameters;
-    for (const DatasetRecording& recording : contents_.recordings) {
+    for (std::size_t i = 0; i < contents_.recordings.size(); ++i) {
+      const DatasetRecording& recording = contents_.recordings[i];
+      tellRecording(contents_, i);
       const Trial trial = recording.load();
       const TrialHeader& head = trial.header;
       const std::string model = "parameters/" + head.parameterHash + ".json";
       if (parameters.insert(model).second) {
         addText({model, "Parameters of a tissue model", "application/json"}, head.parametersJson);
+      }
+      if (!contents_.studyJson.empty()) {
+        addWhole(recording.name, trial);
       }
       const Part part{"trajectories/" + recording.name + ".csv", "Trajectory " + recording.name, "text/csv"};
       const std::int64_t every = linesEvery(head, contents_.every);
@@ -191,6 +202,19 @@ class DatasetWriter {
                             head.softwareVersion, rate_Hz, static_cast<double>(lines), part.path});
     }
     addTable(heads);
+  }
+
+  /// A recording as it is.
+  void addWhole(const std::string& name, const Trial& trial) {
+    ensureFolder(folder_ / "recordings");
+    const Part part{"recordings/" + name + ".torsio", "Recording " + name, "application/octet-stream"};
+    parts_.push_back(part);
+    TrialFileSink sink(folder_ / part.path);
+    sink.begin(trial.header);
+    for (const TrialChunk& chunk : trial.chunks) {
+      sink.append(chunk);
+    }
+    sink.finish(trial.summary);
   }
 
   [[nodiscard]] static std::string metricsJson() {
@@ -219,7 +243,8 @@ class DatasetWriter {
     }
     text += "\n| file | what it holds |\n|---|---|\n";
     for (const Part& part : parts_) {
-      if (!part.path.starts_with("trajectories/") && !part.path.starts_with("parameters/")) {
+      if (!part.path.starts_with("trajectories/") && !part.path.starts_with("parameters/") &&
+          !part.path.starts_with("recordings/")) {
         text += "| `" + part.path + "` | " + part.title + " |\n";
       }
     }
@@ -230,6 +255,10 @@ class DatasetWriter {
           "\nThe frame of positions and forces is LPS: x to the patient's left, y to the back, z to the "
           "head. "
           "Rotations are unit quaternions that turn a vector from the frame of the instrument to it.\n";
+    }
+    if (!contents_.studyJson.empty()) {
+      text +=
+          "\n`recordings/` holds the recordings as Torsio made them; `torsio dataset import` reads them.\n";
     }
     return text + "\nColumns are described in `datapackage.json`. Written by Torsio " +
            contents_.softwareVersion + ".\n";

@@ -171,7 +171,9 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
   std::map<std::string, int> runs;           // by subject and task
   std::map<std::string, std::string> scans;  // by subject
   std::set<std::string> parameters;
-  for (const DatasetRecording& recording : contents.recordings) {
+  for (std::size_t i = 0; i < contents.recordings.size(); ++i) {
+    const DatasetRecording& recording = contents.recordings[i];
+    tellRecording(contents, i);
     const Trial trial = recording.load();
     const std::string& subject = subjects.of(recording.trainee);
     const std::string task = labelOf(trial.header.patternId.text());

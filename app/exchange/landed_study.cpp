@@ -9,13 +9,17 @@
 
 #include "app/people/people_service.h"
 #include "app/people/person_codes.h"
+#include "app/study/curriculum_content.h"
+#include "app/study/curriculum_service.h"
 #include "app/study/occasion_service.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/mark.h"
+#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -38,11 +42,13 @@ class Landing {
   }
 
   LandedOutcome land(const ProgressCallback& progress) {
+    addOccasions();
+    addCurriculumVersion();
     outcome_.cohortId = addCohort(session_, study_.cohort);
     addPeople();
     addRaters();
     enrol();
-    addOccasions();
+    addTimes();
     for (std::size_t i = 0; i < study_.trials.size(); ++i) {
       tellProgress(progress, Text::tr("Storing recording %1 of %2", i + 1, study_.trials.size()),
                    static_cast<double>(i) / static_cast<double>(study_.trials.size()));
@@ -123,6 +129,7 @@ class Landing {
       enrolment.id = session_.ids().newUuid();
       enrolment.cohortId = outcome_.cohortId;
       enrolment.traineeId = idOf_.at(one.name);
+      enrolment.state = one.state;
       enrolment.enrolledUtc_us = session_.now_us();
       if (!one.group.empty()) {
         enrolment.groupId = groups.at(one.group);
@@ -151,9 +158,73 @@ class Landing {
     }
   }
 
+  void addCurriculumVersion() {
+    const LandedCurriculum& landed = study_.curriculum;
+    if (landed.name.empty()) {
+      return;
+    }
+    const CurriculumId id = addCurriculum(session_, landed.name, landed.description,
+                                          parseCurriculum(landed.json, "curriculum.json"));
+    const CurriculumVersionId versionId = publishCurriculum(session_, id, "", study_.assets);
+    runCurriculum(session_, versionId);
+    study_.cohort.curriculumVersionId = versionId;
+    version_ = CurriculumRepository(session_.connection()).version(versionId).value();
+  }
+
+  /// Ids of what the codes name in the curriculum that came along.
+  [[nodiscard]] ModuleId moduleOf(const LandedPlace& place) const {
+    const auto found = std::find_if(version_.modules.begin(), version_.modules.end(),
+                                    [&](const TrainingModule& one) { return one.code == place.module; });
+    if (!place.module.empty() && found == version_.modules.end()) {
+      refusePlace(place.module);
+    }
+    return place.module.empty() ? ModuleId() : found->id;
+  }
+  [[nodiscard]] PhaseId phaseOf(const LandedPlace& place) const {
+    const auto found = std::find_if(version_.arms.begin(), version_.arms.end(),
+                                    [&](const StudyArm& one) { return one.code == place.arm; });
+    if (place.arm.empty()) {
+      return {};
+    }
+    if (found == version_.arms.end() || place.phase >= found->phases.size()) {
+      refusePlace(place.arm);
+    }
+    return found->phases[place.phase].id;
+  }
+  [[noreturn]] static void refusePlace(const std::string& code) {
+    refuse(Text::tr("the curriculum has nothing under this code"), code,
+           Text::tr("Export the data set anew, with --whole"));
+  }
+
+  void addTimes() {
+    StudyRepository study(session_.connection());
+    std::vector<Exposure> exposures;
+    for (const LandedExposure& landed : study_.exposures) {
+      exposures.push_back({.id = session_.ids().newUuid(),
+                           .enrolmentId = enrolmentOf_.at(landed.person),
+                           .phaseId = phaseOf(landed.place),
+                           .kind = landed.kind,
+                           .startedUtc_us = landed.startedUtc_us,
+                           .duration_us = landed.duration_us,
+                           .recordedBy = session_.actor().login});
+    }
+    study.addExposures(exposures);
+    for (const LandedDeviation& landed : study_.deviations) {
+      study.addDeviation(
+          {.id = session_.ids().newUuid(),
+           .cohortId = outcome_.cohortId,
+           .enrolmentId = landed.person.empty() ? EnrolmentId() : enrolmentOf_.at(landed.person),
+           .kind = landed.kind,
+           .description = landed.description,
+           .happenedUtc_us = landed.happenedUtc_us,
+           .reportedBy = session_.actor().login,
+           .reportedUtc_us = session_.now_us()});
+    }
+  }
+
   void addTrial(LandedTrial& landed) {
     TrialHeader& header = landed.trial.header;
-    header.traineeCode = landed.person.empty() ? std::string() : outcome_.codes.at(landed.person);
+    header.traineeCode = outcome_.codes.at(landed.person);
     if (header.trialId.empty()) {
       header.trialId = session_.ids().newUuid();
       landed.trial.summary.contentHash = contentHash(landed.trial);
@@ -165,7 +236,10 @@ class Landing {
     }
     TrialContext context;
     context.station = session_.station();
-    context.enrolmentId = landed.person.empty() ? EnrolmentId() : enrolmentOf_.at(landed.person);
+    context.enrolmentId = enrolmentOf_.at(landed.person);
+    context.moduleId = moduleOf(landed.place);
+    context.phaseId = phaseOf(landed.place);
+    context.attemptMode = landed.mode;
     trials.setContext(std::move(context));
     trials.import(landed.trial);
   }
@@ -196,6 +270,7 @@ class Landing {
   std::set<std::string> used_;
   PersonCodes codes_;
   LandedOutcome outcome_;
+  CurriculumVersion version_;                // that came along; without one it has no parts
   std::map<std::string, std::string> idOf_;  // of people by name
   std::map<std::string, EnrolmentId> enrolmentOf_;
   std::map<std::string, std::string> occasionOf_;  // code by what the data call it

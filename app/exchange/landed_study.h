@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "app/base/progress.h"
 #include "app/study/cohort_service.h"
 #include "assessment/scoring/instrument.h"
+#include "assessment/study/protocol_terms.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -22,15 +25,43 @@ struct LandedPerson {
   std::string group{};  ///< code of a group of the cohort; empty: in none
   std::string sex{};
   std::string level{};
+  EnrolmentState state = EnrolmentState::kEnrolled;
 };
 struct LandedRater {
   std::string name{};
   std::string code{};       ///< as above
   std::string classCode{};  ///< of the record
 };
+/// Where in the curriculum something belongs, by codes; empty: nowhere.
+struct LandedPlace {
+  std::string module{};
+  std::string arm{};
+  std::size_t phase = 0;  ///< position in its arm; counts where there is an arm
+};
 struct LandedTrial {
   Trial trial{};         ///< without an id a new one, its code and its hash are filled in
-  std::string person{};  ///< LandedPerson::name; empty: nobody's
+  std::string person{};  ///< LandedPerson::name
+  LandedPlace place{};
+  std::optional<AttemptMode> mode{};
+};
+struct LandedExposure {
+  std::string person{};
+  ExposureKind kind = ExposureKind::kVirtual;
+  std::int64_t startedUtc_us = 0;
+  std::int64_t duration_us = 0;
+  LandedPlace place{};
+};
+struct LandedDeviation {
+  std::string person{};  ///< empty: the whole cohort
+  std::string kind{};
+  std::string description{};
+  std::int64_t happenedUtc_us = 0;
+};
+/// A curriculum that comes along; without a name there is none.
+struct LandedCurriculum {
+  std::string name{};
+  std::string description{};
+  std::string json{};  ///< of curriculumJson()
 };
 struct LandedMark {
   std::string person{};
@@ -43,12 +74,16 @@ struct LandedMark {
 /// A whole study from elsewhere: its own cohort, its own people.
 struct LandedStudy {
   NewCohort cohort{};
+  LandedCurriculum curriculum{};
+  std::filesystem::path assets{};  ///< where the exercises of the curriculum are looked up
   std::vector<LandedPerson> people{};
   std::vector<LandedRater> raters{};
   std::vector<std::string> occasions{};  ///< in order of time
   std::vector<LandedTrial> trials{};
   ScoreScale scale{};
   std::vector<LandedMark> marks{};
+  std::vector<LandedExposure> exposures{};
+  std::vector<LandedDeviation> deviations{};
   std::string markComment{};  ///< kept with each mark: where it is from
 };
 

@@ -20,7 +20,7 @@ inline constexpr double kSlowestForeign_Hz = 20.0;
 [[nodiscard]] Outcome<TrialMetrics> measureForeign(const TrialHeader& header,
                                                    std::span<const Sample> samples);
 
-/// The same as it is kept: the metrics that are defined, the time in any case, and no twist.
+/// Measures such a recording for keeping: metrics that are defined, the time in any case, and no twist.
 [[nodiscard]] AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample> samples);
 
 }  // namespace torsio

@@ -116,6 +116,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/people",
         "app/recording",
         "app/reporting",
+        "app/scoring",
         "app/study",
         "assessment/attempt",
         "assessment/metrics",

@@ -35,10 +35,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::foreignPose;
+using ::testing::HasSubstr;
 using testing::kForeignLines;
+using ::testing::Not;
 using testing::OwnFolder;
 using testing::StudyCentre;
 using testing::writeForeignStudy;
@@ -157,12 +157,30 @@ TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
   StudyCentre centre;
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "csv", true);
+  // One more in each group, marked alike.
+  ordered_json content = ordered_json::parse(readFile(map));
+  std::string marks = readFile(own.path() / "marks.csv");
+  for (const auto& [person, other] : {std::pair("B", "D"), std::pair("C", "E")}) {
+    content["people"].push_back({{"name", other}, {"group", *person == 'B' ? "N" : "E"}});
+    for (const char* trial : {"1", "2"}) {
+      const std::string name = "S_" + std::string(other) + trial + ".txt";
+      ordered_json recording = content["recordings"][(*person == 'B' ? 0 : 2) + (*trial - '1')];
+      fs::copy_file(own.path() / recording["file"].get<std::string>(), own.path() / name);
+      recording["file"] = name;
+      recording["person"] = other;
+      content["recordings"].push_back(recording);
+      const std::string score = *trial == '1' ? "21" : *person == 'B' ? "25" : "28";
+      marks += name + ",GRS 1," + score + "\n" + name + ",GRS 2," + score + "\n";
+    }
+  }
+  writeFileAtomically(own.path() / "marks.csv", marks);
+  writeFileAtomically(map, content.dump());
   const ForeignOutcome done = importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "");
   TrialDigests digests(centre.assets());
   const ExchangeData data =
       exchangeData(centre.as("statistician"), {.cohortId = done.landed.cohortId}, digests);
 
-  ASSERT_EQ(data.inputs.trials.size(), 4U);
+  ASSERT_EQ(data.inputs.trials.size(), 8U);
   for (const TrialSummaryRow& trial : data.inputs.trials) {
     EXPECT_EQ(trial.model, kForeignModel);
     EXPECT_NEAR(trial.detorsion.at("time.total"), 4.0, 1e-9);
@@ -177,8 +195,9 @@ TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
   for (const TraineeScore& score : data.inputs.scores) {
     scores.push_back(score.score);
   }
-  EXPECT_THAT(scores, ::testing::UnorderedElementsAre(12.5, 13.5, 21.5, 22.5));
-  EXPECT_EQ(data.inputs.trainingMarks.size(), 8U);
+  EXPECT_THAT(scores, ::testing::UnorderedElementsAre(12.5, 13.5, 21.5, 22.5, 21.0, 25.0, 21.0, 28.0));
+  EXPECT_EQ(data.inputs.trainingMarks.size(), 16U);
+  EXPECT_FALSE(data.set.comparison.rows.empty());
   EXPECT_FALSE(data.set.agreement.rows.empty());
   const ExportTable& trials = data.set.trials;
   std::size_t motion = 0;
@@ -257,7 +276,8 @@ TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
       {"jigsaws", "'nan' is no number | S_C2.txt, line 3, column 1",
        [](auto&, auto& text) { spoilLine(text, 3, "nan 2 3"); }},
       {"jigsaws", "no instrument 'left'", [](auto& map, auto&) { map["instrument"] = "left"; }},
-      {"jigsaws", "these files have no time", [](auto& map, auto&) {
+      {"jigsaws", "these files have no time",
+       [](auto& map, auto&) {
          map.erase("rate_Hz");
          map["time"] = {{"column", "t"}, {"unit", "s"}};
        }},
@@ -287,7 +307,8 @@ TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
       {"csv", "means nothing here | map.json, \"rate_hz\"", [](auto& map, auto&) { map["rate_hz"] = 30; }},
       {"csv", "nobody called 'Z' | map.json, \"recordings\" 2, \"person\"",
        [](auto& map, auto&) { map["recordings"][1]["person"] = "Z"; }},
-      {"csv", "this is no time", [](auto& map, auto&) { map["recordings"][0]["started"] = "2020-02-30T00:00:00Z"; }},
+      {"csv", "this is no time",
+       [](auto& map, auto&) { map["recordings"][0]["started"] = "2020-02-30T00:00:00Z"; }},
       {"csv", "no such file", [](auto& map, auto&) { map["recordings"][3]["file"] = "S_C9.txt"; }},
   };
   for (const Case& one : cases) {
