@@ -10,10 +10,14 @@
 #include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/terminal.h"
 #include "app/exchange/cohort_exchange.h"
+#include "app/exchange/dataset_import.h"
+#include "app/exchange/foreign_import.h"
 #include "app/maintenance/care_desk.h"
 #include "app/report/wording.h"
+#include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
 namespace torsio::cli {
@@ -116,6 +120,54 @@ void writeGrades(const ExportArguments& given) {
   print(exportGradebook(desk.session(), request, digests, given.out), {}, given.json);
 }
 
+struct ImportArguments {
+  std::string database = "torsio.sqlite";
+  std::string layout;
+  std::string map;
+  std::string folder;
+  std::string reason;
+  CareOptions care;
+  bool json = false;
+};
+
+template <typename Outcome>
+void printImport(const Outcome& done, bool json) {
+  if (json) {
+    printJson(nlohmann::ordered_json{{"cohort", done.landed.cohortId.text()},
+                                     {"recordings", done.trials},
+                                     {"marks", done.marks},
+                                     {"hash", done.contentHash},
+                                     {"codes", done.landed.codes}});
+    return;
+  }
+  std::cout << done.trials << " recordings and " << done.marks << " marks, " << done.contentHash << "\n";
+  for (const auto& [name, code] : done.landed.codes) {
+    std::cout << name << " is " << code << "\n";
+  }
+}
+
+void runImport(const ImportArguments& given) {
+  const bool own = given.layout == "torsio";
+  if (own ? given.folder.empty() || !given.map.empty() : given.map.empty() || !given.folder.empty()) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("a data set of Torsio is a folder, all others need a map"),
+                given.layout, Text::verbatim("Give --from FOLDER with --as torsio, --map FILE otherwise"));
+  }
+  CareDesk desk(given.care.taker(), given.database);
+  auto line = std::make_unique<ProgressLine>();
+  const ProgressCallback show = [&line](const Progress& progress) { line->show(progress); };
+  if (own) {
+    const DatasetOutcome done =
+        importDataset(desk.session(), given.folder, assetsFolder(), given.reason, show);
+    line.reset();
+    printImport(done, given.json);
+    return;
+  }
+  const ForeignOutcome done =
+      importForeign(desk.session(), foreignLayout(given.layout), given.map, given.reason, show);
+  line.reset();
+  printImport(done, given.json);
+}
+
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
   command.add_option("--database", arguments.database, "SQLite file or postgresql://... address")
       ->capture_default_str();
@@ -180,11 +232,24 @@ void addDataset(CLI::App& program) {
   out->add_option("--creator", about.creator, "Person or centre that publishes");
   out->add_option("--rate", arguments->dataset.rate_Hz, "Lines of a trajectory a second; divides 1000")
       ->capture_default_str();
+  out->add_flag("--whole", arguments->dataset.whole, "Also what an import into another record needs");
   out->callback([arguments] {
     arguments->dataset.layout = datasetLayout(arguments->format);
     requireWhole(arguments->dataset.about);
     run(*arguments, &writeSet);
   });
+
+  auto incoming = std::make_shared<ImportArguments>();
+  CLI::App* in = parent->add_subcommand("import", "A data set of Torsio, or recordings of other equipment");
+  in->add_option("--database", incoming->database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor or csv")->required();
+  in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");
+  in->add_option("--map", incoming->map, "Others: what the files do not say of themselves (JSON)");
+  in->add_option("--reason", incoming->reason, "Why, for the audit trail");
+  addSignIn(*in, incoming->care, "--login")->required();
+  in->add_flag("--json", incoming->json, "Print JSON");
+  in->callback([incoming] { runImport(*incoming); });
 }
 
 }  // namespace torsio::cli

@@ -19,6 +19,7 @@
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
@@ -194,17 +195,20 @@ void runMetrics(const MetricsArguments& arguments) {
   OrganKnowledge organ = scene ? organOf(*scene, trial) : OrganKnowledge{};
   organ.shearLimit_Pa = arguments.shearLimit_Pa;
   const MeasuredTrial measured = measureTwists(trial.header, samples, run.rules, organ);
-  const AttemptMeasures measures = measureAttempt(measured);
+  const bool foreign = isForeign(trial.header.sceneId);
+  const AttemptMeasures measures =
+      foreign ? measureAttempt(trial.header, samples, run.rules) : measureAttempt(measured);
   const Outcome<TrialMetrics> whole = measureWhole(trial.header, samples, run.rules, organ);
   Json out;
   out["trial"] = trial.header.trialId;
+  out["kind"] = foreign ? "foreign" : "simulated";
   out["trainee"] = trial.header.traineeCode;
   out["scene"] = trial.header.sceneId;
   out["pattern"] = trial.header.patternId;
   out["phase"] = trial.header.phaseLabel;
   out["demonstration"] = trial.header.demonstration;
   out["device"] = trial.header.deviceModel;
-  out["force_felt"] = forceFelt(trial.header.drive);
+  out["force_felt"] = !foreign && forceFelt(trial.header.drive);
   out["interrupted"] = trial.summary.outcome == TrialOutcome::kInterrupted;
   out["content_hash"] = trial.summary.contentHash;
   out["version"] = kMetricsVersion;
@@ -220,11 +224,13 @@ void runMetrics(const MetricsArguments& arguments) {
       outcomeJson(whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
   out["clock"] = measured.deviceClock ? "device" : "ticks";
   out["duration_s"] = measured.duration_s();
-  out["target_rad"] = trial.header.targetAngle_rad;
-  out["tolerance_rad"] = run.rules.tolerance_rad;
-  out["twists_completed"] = measures.twists.size();
-  out["twists_on_target"] = measures.twistsOnTarget();
-  out["twists_not_completed"] = measures.unfinished;
+  if (!foreign) {
+    out["target_rad"] = trial.header.targetAngle_rad;
+    out["tolerance_rad"] = run.rules.tolerance_rad;
+    out["twists_completed"] = measures.twists.size();
+    out["twists_on_target"] = measures.twistsOnTarget();
+    out["twists_not_completed"] = measures.unfinished;
+  }
   out["attempt"] = measures.values;
   out["whole"] = metricsJson(whole);
   if (measured.detorsion) {

@@ -9,8 +9,10 @@
 
 #include "app/base/build_info.h"
 #include "app/base/csv_table.h"
+#include "app/exchange/dataset_study.h"
 #include "app/reporting/report_names.h"
 #include "app/study/curriculum_content.h"
+#include "app/study/curriculum_ids.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
 #include "assessment/report/number_format.h"
@@ -160,28 +162,36 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
 }
 
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
-                             const std::filesystem::path& file) {
+                             const std::filesystem::path& file, const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
   const ReportModel report = cohortReport(data.inputs);
-  writeWorkbook(contentsOf(data, report), say, file);
+  writeWorkbook(contentsOf(data, report), say, file, progress);
   return noted(session, data.request, "workbook", std::ssize(data.inputs.trainees), false, data.pseudonyms,
                {file});
 }
 
 ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, TableFormat format,
-                           const std::filesystem::path& folder) {
+                           const std::filesystem::path& folder, const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
-  std::vector<std::filesystem::path> files = writeTables(tablesOf(data.set), format, folder);
+  std::vector<std::filesystem::path> files = writeTables(tablesOf(data.set), format, folder, progress);
   return noted(session, data.request, "tables", std::ssize(data.inputs.trainees), false, data.pseudonyms,
                std::move(files));
 }
 
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
-                            const std::filesystem::path& folder) {
+                            const std::filesystem::path& folder, const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
   if (request.rate_Hz < 1 || kRecordedRate_Hz % request.rate_Hz != 0) {
     refuseParameter(Text::tr("trajectories cannot be written at this rate"), std::to_string(request.rate_Hz),
                     Text::tr("Take a rate that divides 1000 Hz, for example 100"));
+  }
+  if (request.whole && (data.pseudonyms || request.layout == DatasetLayout::kBids)) {
+    refuseParameter(Text::tr("a data set for another record needs codes, and is no BIDS"),
+                    std::string("whole"), Text::tr("Take frictionless or ro-crate, and not pseudonymised"));
+  }
+  if (request.whole && !data.inputs.singleMarks) {
+    refuseParameter(Text::tr("single marks may not be seen yet"), std::string("whole"),
+                    Text::tr("Freeze the data when every sheet is in, or export as the owner of the file"));
   }
   DatasetContents contents;
   contents.about = request.about;
@@ -189,6 +199,7 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   contents.tables = tablesOf(data.set);
   contents.every = kRecordedRate_Hz / request.rate_Hz;
   contents.softwareVersion = softwareVersion();
+  contents.progress = progress;
   Connection& connection = session.connection();
   TrialLoader recordings(connection);
   for (const TrialSummaryRow& trial : data.inputs.trials) {
@@ -198,7 +209,10 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   }
   const Cohort cohort = StudyRepository(connection).cohort(data.request.cohortId);
   if (const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId)) {
-    contents.curriculumJson = curriculumJson(*version);
+    contents.curriculumJson = curriculumJson(withCodes(*version));
+  }
+  if (request.whole) {
+    contents.studyJson = datasetStudyJson(connection, data);
   }
   std::vector<std::filesystem::path> files = writeDataset(contents, request.layout, folder);
   return noted(session, data.request, "dataset", std::ssize(data.inputs.trainees), false, data.pseudonyms,

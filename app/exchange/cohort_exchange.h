@@ -59,24 +59,26 @@ void nameRequest(SessionContext& session, const std::string& cohort, const std::
 [[nodiscard]] std::vector<Text> pseudonymSentences(const ExchangeData& data);
 
 /// Each writes `data` and keeps in the audit trail who took out what, why, and the hash. kReportExportCoded.
-/// Throws Error{kFileUnwritable}; nothing half written is left, and nothing is noted.
+/// Throws Error{kFileUnwritable}; nothing half written is left, and nothing is noted. What `progress` throws
+/// gives it up, with the same promise.
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
-                             const std::filesystem::path& file);
+                             const std::filesystem::path& file, const ProgressCallback& progress = {});
 ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, TableFormat format,
-                           const std::filesystem::path& folder);
+                           const std::filesystem::path& folder, const ProgressCallback& progress = {});
 
 /// What of a cohort's data becomes a data set for others.
 struct DatasetRequest {
   DatasetAbout about;
   DatasetLayout layout = DatasetLayout::kFrictionless;
   std::int64_t rate_Hz = 100;  ///< of the trajectories; divides the 1000 Hz of a recording
+  bool whole = false;  ///< also what importDataset() needs; under codes, with single marks, not as BIDS
 };
 
 /// As above, of a whole data set (writeDataset) with the trajectories of the cohort's recordings. Throws
-/// Error{kBadParameter} for a rate that does not divide 1000 Hz or a description that is not whole, before
-/// anything is written.
+/// Error{kBadParameter} for a rate that does not divide 1000 Hz, a description that is not whole, or a whole
+/// data set that is pseudonymised, of BIDS or may not hold single marks, before anything is written.
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
-                            const std::filesystem::path& folder);
+                            const std::filesystem::path& folder, const ProgressCallback& progress = {});
 
 /// Writes the scores of a cohort as a learning system takes them (Moodle's CSV): a line a trainee, known by
 /// staff or student number and mail address, or by code where the centre keeps neither; a column an occasion.

@@ -12,13 +12,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exchange/dataset_bids.h"
+#include "app/exchange/dataset_study.h"
 #include "app/exchange/table_files.h"
 #include "app/exchange/trajectory.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/refusal.h"
+#include "sim/record/trial_file.h"
 
 namespace torsio {
 
@@ -123,6 +126,10 @@ class DatasetWriter {
       addTable(*table);
     }
     addRecordings();
+    if (!contents_.studyJson.empty()) {
+      addText({kDatasetStudyFile, "What another record needs besides", "application/json"},
+              contents_.studyJson);
+    }
     addText({"metrics.json", "Definition of each metric", "application/json"}, metricsJson());
     if (!contents_.curriculumJson.empty()) {
       addText({"curriculum.json", "Curriculum of the cohort", "application/json"}, contents_.curriculumJson);
@@ -162,32 +169,52 @@ class DatasetWriter {
     ensureFolder(folder_ / "parameters");
     ExportTable heads = recordingsTable();
     std::set<std::string> parameters;
-    for (const DatasetRecording& recording : contents_.recordings) {
+    for (std::size_t i = 0; i < contents_.recordings.size(); ++i) {
+      const DatasetRecording& recording = contents_.recordings[i];
+      tellRecording(contents_, i);
       const Trial trial = recording.load();
       const TrialHeader& head = trial.header;
       const std::string model = "parameters/" + head.parameterHash + ".json";
       if (parameters.insert(model).second) {
         addText({model, "Parameters of a tissue model", "application/json"}, head.parametersJson);
       }
+      if (!contents_.studyJson.empty()) {
+        addWhole(recording.name, trial);
+      }
       const Part part{"trajectories/" + recording.name + ".csv", "Trajectory " + recording.name, "text/csv"};
+      const std::int64_t every = linesEvery(head, contents_.every);
       std::int64_t lines = 0;
       parts_.push_back(part);
       writeFileAtomically(folder_ / part.path, [&](std::ostream& out) {
-        lines = writeTrajectory(trial, contents_.every, TrajectoryForm::kCsv, out);
+        lines = writeTrajectory(trial, every, TrajectoryForm::kCsv, out);
       });
       std::string name = "trajectory-" + recording.name;
       std::transform(name.begin(), name.end(), name.begin(),
                      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
       resources_.push_back(
           resourceOf(name, part, "Motion, force and twist of one recording.", trajectoryColumns()));
-      const double rate_Hz =
-          1e6 / static_cast<double>(head.tickPeriod_us) / static_cast<double>(contents_.every);
+      const double rate_Hz = 1e6 / static_cast<double>(head.tickPeriod_us) / static_cast<double>(every);
+      const bool foreign = isForeign(head.sceneId);
       heads.rows.push_back({recording.name, recording.trainee, head.sceneId.text(), head.patternId.text(),
-                            degrees(head.targetAngle_rad), head.organHash, model, head.deviceModel,
-                            head.deviceLimits.maxForce_N, head.softwareVersion, rate_Hz,
-                            static_cast<double>(lines), part.path});
+                            foreign ? ExportCell() : ExportCell(degrees(head.targetAngle_rad)),
+                            head.organHash, model, head.deviceModel,
+                            foreign ? ExportCell() : ExportCell(head.deviceLimits.maxForce_N),
+                            head.softwareVersion, rate_Hz, static_cast<double>(lines), part.path});
     }
     addTable(heads);
+  }
+
+  /// A recording as it is.
+  void addWhole(const std::string& name, const Trial& trial) {
+    ensureFolder(folder_ / "recordings");
+    const Part part{"recordings/" + name + ".torsio", "Recording " + name, "application/octet-stream"};
+    parts_.push_back(part);
+    TrialFileSink sink(folder_ / part.path);
+    sink.begin(trial.header);
+    for (const TrialChunk& chunk : trial.chunks) {
+      sink.append(chunk);
+    }
+    sink.finish(trial.summary);
   }
 
   [[nodiscard]] static std::string metricsJson() {
@@ -216,7 +243,8 @@ class DatasetWriter {
     }
     text += "\n| file | what it holds |\n|---|---|\n";
     for (const Part& part : parts_) {
-      if (!part.path.starts_with("trajectories/") && !part.path.starts_with("parameters/")) {
+      if (!part.path.starts_with("trajectories/") && !part.path.starts_with("parameters/") &&
+          !part.path.starts_with("recordings/")) {
         text += "| `" + part.path + "` | " + part.title + " |\n";
       }
     }
@@ -227,6 +255,10 @@ class DatasetWriter {
           "\nThe frame of positions and forces is LPS: x to the patient's left, y to the back, z to the "
           "head. "
           "Rotations are unit quaternions that turn a vector from the frame of the instrument to it.\n";
+    }
+    if (!contents_.studyJson.empty()) {
+      text +=
+          "\n`recordings/` holds the recordings as Torsio made them; `torsio dataset import` reads them.\n";
     }
     return text + "\nColumns are described in `datapackage.json`. Written by Torsio " +
            contents_.softwareVersion + ".\n";

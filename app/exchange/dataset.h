@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "app/base/progress.h"
 #include "app/exchange/export_table.h"
 #include "sim/record/trial.h"
 
@@ -49,11 +51,21 @@ struct DatasetContents {
   std::int64_t every = 10;       ///< one line of a trajectory for so many samples of a recording
   std::string curriculumJson{};  ///< empty: the cohort follows none
   std::string softwareVersion;
+  ProgressCallback progress{};  ///< told before each recording; may throw to give up
+  std::string studyJson{};      ///< dataset_study.h; not empty: recordings are written as they are, too
 };
+
+/// Tells that a recording is written now.
+inline void tellRecording(const DatasetContents& contents, std::size_t number) {
+  tellProgress(contents.progress,
+               Text::tr("Writing recording %1 of %2", number + 1, contents.recordings.size()),
+               static_cast<double>(number) / static_cast<double>(contents.recordings.size()));
+}
 
 /// Writes into `folder`, which must be missing or empty: data/*.csv (the tables, and `recordings`: organ,
 /// pattern, hashes, device, rate of each), trajectories/*.csv, parameters/*.json (models of tissue),
-/// metrics.json (definition cards), curriculum.json, README.md and the descriptor of `layout`. Returns the
+/// metrics.json (definition cards), curriculum.json, README.md and the descriptor of `layout`; with a study
+/// also study.json and recordings/*.torsio, from which importDataset() makes it again. Returns the
 /// files in their order. Throws Error{kFileUnwritable}, {kBadParameter} (requireWhole); what was written
 /// before an error is taken away again.
 std::vector<std::filesystem::path> writeDataset(const DatasetContents& contents, DatasetLayout layout,

@@ -13,6 +13,7 @@
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/file_io.h"
+#include "sim/base/foreign_recording.h"
 
 namespace torsio {
 
@@ -114,9 +115,10 @@ std::string motionJson(const TrialHeader& head, double rate_Hz, const std::strin
 constexpr const char* kScansHead = "filename\torgan\tpattern\ttarget_deg\torgan_hash\tparameter_hash\n";
 
 std::string scanLine(const std::string& file, const TrialHeader& head) {
+  const bool foreign = isForeign(head.sceneId);
   return file + "\t" + head.sceneId.text() + "\t" + head.patternId.text() + "\t" +
-         formatExact(degrees(head.targetAngle_rad)) + "\t" + head.organHash + "\t" + head.parameterHash +
-         "\n";
+         (foreign ? "n/a" : formatExact(degrees(head.targetAngle_rad))) + "\t" +
+         (foreign ? "n/a" : head.organHash) + "\t" + head.parameterHash + "\n";
 }
 
 std::string scansJson() {
@@ -169,7 +171,9 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
   std::map<std::string, int> runs;           // by subject and task
   std::map<std::string, std::string> scans;  // by subject
   std::set<std::string> parameters;
-  for (const DatasetRecording& recording : contents.recordings) {
+  for (std::size_t i = 0; i < contents.recordings.size(); ++i) {
+    const DatasetRecording& recording = contents.recordings[i];
+    tellRecording(contents, i);
     const Trial trial = recording.load();
     const std::string& subject = subjects.of(recording.trainee);
     const std::string task = labelOf(trial.header.patternId.text());
@@ -179,11 +183,10 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
     const std::string name = "sub-" + subject + "_task-" + task + "_tracksys-torsio_run-" + run;
     ensureFolder(folder / place);
     files.push_back(folder / place / (name + "_motion.tsv"));
-    writeFileAtomically(files.back(), [&](std::ostream& out) {
-      writeTrajectory(trial, contents.every, TrajectoryForm::kBids, out);
-    });
-    const double rate_Hz =
-        1e6 / static_cast<double>(trial.header.tickPeriod_us) / static_cast<double>(contents.every);
+    const std::int64_t every = linesEvery(trial.header, contents.every);
+    writeFileAtomically(
+        files.back(), [&](std::ostream& out) { writeTrajectory(trial, every, TrajectoryForm::kBids, out); });
+    const double rate_Hz = 1e6 / static_cast<double>(trial.header.tickPeriod_us) / static_cast<double>(every);
     write(place / (name + "_motion.json"), motionJson(trial.header, rate_Hz, task));
     write(place / (name + "_channels.tsv"), channelsText());
     scans[subject] += scanLine("motion/" + name + "_motion.tsv", trial.header);

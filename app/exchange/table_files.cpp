@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/base/csv_table.h"
@@ -19,6 +20,47 @@ constexpr std::array<std::pair<std::string_view, TableFormat>, 3> kFormats = {
     {{"csv", TableFormat::kCsv}, {"r", TableFormat::kR}, {"spss", TableFormat::kSpss}}};
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Files of one folder that are written one after the other; unless they are kept, those that were not there
+/// before go again.
+class NewFiles {
+ public:
+  explicit NewFiles(fs::path folder) : folder_(std::move(folder)), hadFolder_(fs::exists(folder_)) {
+    ensureFolder(folder_);
+  }
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+  ~NewFiles() {
+    if (kept_) {
+      return;
+    }
+    std::error_code ignored;
+    for (const fs::path& file : fresh_) {
+      fs::remove(file, ignored);
+    }
+    if (!hadFolder_) {
+      fs::remove(folder_, ignored);  // only an empty one
+    }
+  }
+  const fs::path& add(const std::string& name) {
+    files_.push_back(folder_ / name);
+    if (!fs::exists(files_.back())) {
+      fresh_.push_back(files_.back());
+    }
+    return files_.back();
+  }
+  std::vector<fs::path> keep() {
+    kept_ = true;
+    return std::move(files_);
+  }
+
+ private:
+  fs::path folder_;
+  bool hadFolder_;
+  bool kept_ = false;
+  std::vector<fs::path> files_;
+  std::vector<fs::path> fresh_;
+};
 
 std::string typeWord(ColumnKind kind) {
   switch (kind) {
@@ -97,26 +139,26 @@ TableFormat tableFormat(const std::string& word) {
 }
 
 std::vector<fs::path> writeTables(const std::vector<const ExportTable*>& tables, TableFormat format,
-                                  const fs::path& folder) {
-  ensureFolder(folder);
-  std::vector<fs::path> files;
+                                  const fs::path& folder, const ProgressCallback& progress) {
+  NewFiles made(folder);
   const auto write = [&](const std::string& name, const std::string& text) {
-    files.push_back(folder / name);
-    writeFileAtomically(files.back(), text);
+    writeFileAtomically(made.add(name), text);
   };
-  for (const ExportTable* table : tables) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const ExportTable& table = *tables[i];
+    tellProgress(progress, Text::tr("Writing %1", table.title),
+                 static_cast<double>(i) / static_cast<double>(tables.size()));
     if (format == TableFormat::kSpss) {
-      files.push_back(folder / (table->name + ".sav"));
-      writeSpssFile(*table, files.back());
+      writeSpssFile(table, made.add(table.name + ".sav"));
     } else {
-      write(table->name + ".csv", std::string(kByteOrderMark) + tableText(*table));
+      write(table.name + ".csv", std::string(kByteOrderMark) + tableText(table));
     }
   }
   if (format == TableFormat::kR) {
     write("read_tables.R", readerScript(tables));
   }
   write("codebook.csv", codebookText(tables));
-  return files;
+  return made.keep();
 }
 
 }  // namespace torsio

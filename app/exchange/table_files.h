@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/base/progress.h"
 #include "app/exchange/export_table.h"
 
 namespace torsio {
@@ -24,9 +25,11 @@ enum class TableFormat {
 /// Writes each table as a file of its name into `folder`, which is made where it is missing, and
 /// codebook.csv: table, column, what it means, unit, type, where it comes from. Returns the files. A file
 /// that was there is replaced as a whole or kept. Throws Error{kFileUnwritable}, {kBadData} for a table that
-/// the format cannot hold.
+/// the format cannot hold. What `progress` throws gives it up: files that were not there before are taken
+/// away again.
 std::vector<std::filesystem::path> writeTables(const std::vector<const ExportTable*>& tables,
-                                               TableFormat format, const std::filesystem::path& folder);
+                                               TableFormat format, const std::filesystem::path& folder,
+                                               const ProgressCallback& progress = {});
 
 /// Writes a table as an SPSS data file. As above.
 void writeSpssFile(const ExportTable& table, const std::filesystem::path& file);

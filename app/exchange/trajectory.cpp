@@ -10,6 +10,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 #include "sim/base/device_sample.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/time_units.h"
 #include "sim/record/sample_codec.h"
 
@@ -25,6 +26,11 @@ struct Line {
 struct Quantity {
   ExportColumn column;
   std::function<double(const Line&)> value;
+
+  /// Whether other equipment records it, too: the path of the instrument, and its jaw.
+  [[nodiscard]] bool isMotion() const {
+    return column.name == "time_s" || column.name == "grip" || column.name.starts_with("tool_");
+  }
 };
 
 void addVector(std::vector<Quantity>& all, const std::string& name, const std::string& unit,
@@ -112,6 +118,8 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryF
   const bool csv = form == TrajectoryForm::kCsv;
   const char* const between = csv ? "," : "\t";
   const char* const end = csv ? "\r\n" : "\n";
+  const char* const nothing = csv ? "" : "n/a";
+  const bool foreign = isForeign(trial.header.sceneId);
   const char* separator = "";
   if (csv) {
     for (const ExportColumn& column : trajectoryColumns()) {
@@ -129,7 +137,12 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryF
       const Line at{sample, toolState(sample.device)};
       separator = "";
       for (const Quantity& one : allQuantities()) {
-        out << separator << formatExact(one.value(at));
+        out << separator;
+        if (foreign && !one.isMotion()) {
+          out << nothing;
+        } else {
+          out << formatExact(one.value(at));
+        }
         separator = between;
       }
       out << end;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/exchange/export_table.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -15,13 +16,20 @@ namespace torsio {
 /// angle.
 [[nodiscard]] const std::vector<ExportColumn>& trajectoryColumns();
 
+/// One line of a trajectory for so many samples: what other equipment recorded, seldom enough, is written as
+/// it is.
+[[nodiscard]] inline std::int64_t linesEvery(const TrialHeader& header, std::int64_t every) {
+  return isForeign(header.sceneId) ? 1 : every;
+}
+
 enum class TrajectoryForm {
   kCsv,   ///< comma-separated under a line of names
   kBids,  ///< tab-separated without names, as Motion-BIDS wants it
 };
 
-/// Writes every `every`-th sample of a recording as a line; numbers with all their digits. Returns the number
-/// of lines. Throws Error{kBadData} for a recording that is not whole, ContractError for `every` < 1.
+/// Writes every `every`-th sample of a recording as a line; numbers with all their digits. Of a recording of
+/// other equipment (isForeign) only time, path and jaw have values. Returns the number of lines. Throws
+/// Error{kBadData} for a recording that is not whole, ContractError for `every` < 1.
 std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out);
 
 }  // namespace torsio

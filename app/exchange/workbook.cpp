@@ -229,14 +229,18 @@ void SheetPen::cell(std::uint32_t row, std::uint16_t column, const ExportCell& v
   }
 }
 
-void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, const fs::path& file) {
+void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, const fs::path& file,
+                   const ProgressCallback& progress) {
   PartFile part(file);
   {
     Workbook book(part.path(), file.parent_path(), say);
     book.addFacts(contents.title, contents.facts);
-    for (const ExportTable* table : contents.tables) {
-      if (!table->rows.empty()) {
-        book.addTable(*table);
+    for (std::size_t i = 0; i < contents.tables.size(); ++i) {
+      const ExportTable& table = *contents.tables[i];
+      tellProgress(progress, Text::tr("Writing %1", table.title),
+                   static_cast<double>(i) / static_cast<double>(contents.tables.size()));
+      if (!table.rows.empty()) {
+        book.addTable(table);
       }
     }
     if (!contents.figures.empty()) {

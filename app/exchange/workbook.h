@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/base/progress.h"
 #include "app/exchange/export_table.h"
 #include "assessment/report/report_model.h"
 
@@ -26,8 +27,9 @@ struct WorkbookContents {
 /// Writes an Office Open XML workbook: frozen headings, filters, widths; numbers are numbers of 15 digits,
 /// times are times of the spreadsheet (UTC), text is never a formula. A last sheet says what each column is
 /// and where it comes from. Through a temporary file beside `file`, which the worker's memory does not hold.
-/// Throws Error{kFileUnwritable}; then an older file of that name is untouched. Any thread.
+/// Throws Error{kFileUnwritable}; then an older file of that name is untouched, as when `progress` throws to
+/// give up. Any thread.
 void writeWorkbook(const WorkbookContents& contents, const ExportWording& say,
-                   const std::filesystem::path& file);
+                   const std::filesystem::path& file, const ProgressCallback& progress = {});
 
 }  // namespace torsio

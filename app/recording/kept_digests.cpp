@@ -11,14 +11,13 @@
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 #include "sim/base/time_units.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"
 
 namespace torsio {
-
-namespace {}  // namespace
 
 AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
                                const ModuleId& moduleId) {
@@ -80,7 +79,8 @@ TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, cons
   kept.forceLimit_N = rules.forceLimit_N;
   kept.torqueLimit_Nm = rules.torqueLimit_Nm;
   kept.contentHash = trial.summary.contentHash;
-  kept.model = modelName(trial.header.parametersJson);
+  kept.model =
+      isForeign(trial.header.sceneId) ? std::string(kForeignModel) : modelName(trial.header.parametersJson);
   kept.duration_us = measures.duration_us;
   kept.unfinishedTwists = measures.unfinished;
   kept.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
@@ -146,7 +146,7 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
     row.attempts.push_back({twist.error_deg, twist.onTarget});
   }
   for (const auto& [metric, value] : measures.values) {
-    if (isDetorsionMetric(metric)) {
+    if (isDetorsionMetric(metric) || digest.model == kForeignModel) {  // there are no twists
       row.detorsion.emplace(metric, value);
     }
   }

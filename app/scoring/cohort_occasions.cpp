@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scoring/cohort_occasions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,11 +22,16 @@ Occasions occasionsOfCohort(Connection& connection, const CohortId& cohortId) {
   OccasionRepository repository(connection);
   Occasions all = repository.all();
   const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
+  const std::set<std::string> used = repository.usedBy(cohortId);
+  std::vector<Occasion> own;
+  if (!used.empty() && repository.cameFromElsewhere(cohortId)) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+                 [&](const Occasion& occasion) { return used.contains(occasion.code); });
+    return Occasions(std::move(own));
+  }
   if (!version || version->plannedOccasions.empty()) {
     return all;
   }
-  std::set<std::string> used = repository.usedBy(cohortId);
-  std::vector<Occasion> own;
   for (Occasion occasion : all) {
     for (const PlannedOccasion& point : version->plannedOccasions) {
       if (point.code == occasion.code) {

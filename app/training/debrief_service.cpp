@@ -21,6 +21,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
 
@@ -149,6 +150,9 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   const TrialListing listing = ownTrial(session, record, trialId);
   TrialRepository trials(session.connection());
   const Trial trial = trials.load(trialId);
+  if (isForeign(trial.header.sceneId)) {
+    (void)sceneRequestFor(trial.header.parametersJson);  // says why there is none
+  }
   const TrainingModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);
   const AttemptRules rules = recordedRules(

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/statistics/quantiles.h"
+#include "sim/base/foreign_recording.h"
 
 namespace torsio {
 
@@ -89,6 +91,9 @@ std::int64_t AttemptMeasures::twistsOnTarget() const noexcept {
 
 AttemptMeasures measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
                                const AttemptRules& rules) {
+  if (isForeign(header.sceneId)) {
+    return foreignAttempt(header, samples);
+  }
   return measureAttempt(measureTwists(header, samples, rules));
 }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/attempt/recorded_detorsion.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/signal.h"
+#include "sim/base/foreign_recording.h"
 
 namespace torsio {
 
@@ -278,6 +280,9 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
 
 Outcome<TrialMetrics> measureWhole(const TrialHeader& header, std::span<const Sample> samples,
                                    const AttemptRules& rules, const OrganKnowledge& organ) {
+  if (isForeign(header.sceneId)) {
+    return measureForeign(header, samples);
+  }
   TrialTrace trace = trialTrace(header, samples, rules.tolerance_rad, organ);
   if (comesTwisted(samples)) {
     dropTwists(trace);

@@ -8,6 +8,7 @@
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/report/foreign_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
@@ -368,6 +369,9 @@ ReportSection trialsSection(const CohortInputs& in) {
   }
   if (std::optional<ReportTable> untwistings = detorsionTable(in)) {
     section.tables.push_back(std::move(*untwistings));
+  }
+  for (ReportTable& table : foreignTables(in)) {
+    section.tables.push_back(std::move(table));
   }
   return section;
 }

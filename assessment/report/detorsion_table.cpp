@@ -9,6 +9,7 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/quantiles.h"
 #include "sim/base/angle.h"
+#include "sim/base/foreign_recording.h"
 
 namespace torsio {
 
@@ -59,7 +60,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   std::map<std::pair<std::size_t, std::string>, Untwistings> cells;
   std::int64_t trials = 0;
   for (const TrialSummaryRow& trial : in.trials) {
-    if (!trial.detorsion.empty()) {
+    if (!trial.detorsion.empty() && trial.model != kForeignModel) {
       cells[{trial.group, trial.phase.str()}].add(trial);
       ++trials;
     }

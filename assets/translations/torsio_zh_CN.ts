@@ -14616,6 +14616,514 @@ audit trail %3</source>
         <source>the text has %1 characters; %2 are the most</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a data set for another record needs codes, and is no BIDS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take frictionless or ro-crate, and not pseudonymised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single marks may not be seen yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freeze the data when every sheet is in, or export as the owner of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing recording %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not every mark may be shown yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no study of a data set of Torsio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the data set anew, with --whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the study of the data set is damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; means nothing here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the study knows nobody under the code %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place is more than 200 m away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the unit that the map states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no object of JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the example of a map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map has a word that means nothing here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its spelling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map must say this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it into the map; nothing is guessed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put it in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map must say this number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write it without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names of columns belong here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name each of them once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list belongs here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>either the file has times, or the map states the rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave one of the two out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State the rate: these files have no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State lines a second, up to 10000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these files have no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State rate_Hz instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the open and the closed jaw read the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State what the file says of each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these files say nothing of the jaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map knows nobody called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter them in its lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter it under &quot;groups&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this name stands twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name each person once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this file stands twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name each recording once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write 2026-01-05T08:00:00Z (UTC)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map lists no recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List at least one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number belongs here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the scale of the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only JIGSAWS has such a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a table instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this recording has a mark and no occasion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name its occasion in the map: trial 1, trial 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 marked %2 twice at one occasion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give each of the recordings an occasion of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such layout of recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take jigsaws, rosma, perktutor or csv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map is no JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its quotes, commas and brackets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line ends before the score</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It needs the recording&apos;s name, a skill and the total</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no mark of any recording of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the names of the recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map lists no recording &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter it in the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the map lists no rater &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter them in the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the names in the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its rights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these numbers are no rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the line, and at the form of rotation that the map names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the time does not rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the lines in order, and take out those that stand twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording has fewer than two lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the instrument and the columns that the map names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write numbers with a decimal point; leave out lines without a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JIGSAWS has no instrument &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name master left, master right, slave left or slave right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JIGSAWS has rotation matrices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name their form: matrix rows or matrix columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has %1 numbers, not 76</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the kinematics files of JIGSAWS as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line has %1 values and the header %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give every line as many values as there are columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is not one column &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the names in the map and in the first line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ROSMA has quaternions, x y z w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name their form: quaternion xyzw, or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has not one column of %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name an instrument of the file: MTML, MTMR, PSM1 or PSM2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perk Tutor has matrices of 16 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sequences of Slicer are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the transforms as XML in Perk Tutor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the transform has %1 numbers, not 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the files of Perk Tutor as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Storing recording %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record has somebody under this code already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import into an empty record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record has no class of raters &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take intern, deputy_chief, chief or another of its classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curriculum has nothing under this code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record has this recording already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fewer than 20 samples a second were recorded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples are missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not applicable: foreign recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median path of the tip (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>path of the tip (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median idle time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>idle time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recordings of other equipment by group and phase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force, torque and twist do not apply: no organ answered, and nothing can be computed again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning of every trainee on other equipment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left in the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other equipment made this recording: there is no organ to be shown or computed again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its metrics and at its path in a data set</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

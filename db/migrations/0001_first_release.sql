@@ -695,7 +695,7 @@ CREATE INDEX frozen_dataset_cohort ON frozen_dataset (cohort_id, created_utc_us)
 
 -- A trial without a row in trial_end is running or was interrupted. attempt_mode: practice or graded as it counted
 -- then, whatever the module says later; null for free practice. host_*: the machine that recorded, what a late tick is
--- explained by.
+-- explained by. The scene 'foreign' is that of recordings of other equipment: no model answered, so there is none.
 CREATE TABLE trial (
   id TEXT PRIMARY KEY,
   trainee_id TEXT REFERENCES trainee (person_id),
@@ -724,14 +724,15 @@ CREATE TABLE trial (
   tick_period_us BIGINT NOT NULL,
   started_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL,
-  tissue_model TEXT NOT NULL CHECK (tissue_model IN ('twist', 'fem', 'msm')),
+  tissue_model TEXT CHECK (tissue_model IN ('twist', 'fem', 'msm')),
   module_id TEXT REFERENCES module (id),
   phase_id TEXT REFERENCES curriculum_phase (id),
   attempt_mode TEXT CHECK (attempt_mode IN ('practice', 'graded')),
   host_name TEXT,
   host_os TEXT,
   host_cpu TEXT,
-  host_gpu TEXT
+  host_gpu TEXT,
+  CHECK ((tissue_model IS NULL) = (scene_id = 'foreign'))
 );
 CREATE INDEX trial_newest ON trial (started_utc_us, id);
 CREATE INDEX trial_station ON trial (station, started_utc_us);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio {
@@ -257,8 +258,14 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
 }
 
 SceneRequest sceneRequestFor(const std::string& parametersJson) {
+  const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
+  if (json.contains(kForeignParameters)) {
+    throw Error(
+        ErrorCode::kBadData,
+        Text::tr("other equipment made this recording: there is no organ to be shown or computed again"),
+        Text::tr("run"), Text::tr("Look at its metrics and at its path in a data set"));
+  }
   try {
-    const auto json = nlohmann::json::parse(parametersJson);
     SceneRequest request;
     request.formulation = json.at("formulation") == nameOf(kFormulations, Formulation::kPaper)
                               ? Formulation::kPaper

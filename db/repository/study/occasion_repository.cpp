@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "db/connection/row_reader.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -21,6 +22,14 @@ void OccasionRepository::add(const Occasion& occasion) {
       "INSERT INTO occasion (code, label, position)"
       " VALUES (?, ?, (SELECT COALESCE(MAX(s.position), 0) + 1 FROM occasion s))",
       {occasion.code, occasion.label});
+}
+
+bool OccasionRepository::cameFromElsewhere(const CohortId& cohortId) const {
+  return selectFirst(connection_,
+                     "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id"
+                     " WHERE e.cohort_id = ? AND t.scene_id = ? LIMIT 1",
+                     {cohortId, std::string(kForeignScene)}, readText)
+      .has_value();
 }
 
 std::set<std::string> OccasionRepository::usedBy(const CohortId& cohortId) const {

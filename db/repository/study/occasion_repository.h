@@ -21,6 +21,8 @@ class OccasionRepository {
   void add(const Occasion& occasion);
   /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
   [[nodiscard]] std::set<std::string> usedBy(const CohortId& cohortId) const;
+  /// Tells whether a cohort has recordings of other equipment (sim/base/foreign_recording.h).
+  [[nodiscard]] bool cameFromElsewhere(const CohortId& cohortId) const;
 
  private:
   Connection& connection_;

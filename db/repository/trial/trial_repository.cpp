@@ -14,6 +14,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 #include "sim/record/content_hash.h"
 
@@ -34,6 +35,11 @@ constexpr const char* kSelectHeader =
     " t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale, t.tick_period_us,"
     " t.started_utc_us, t.demonstration, t.tissue_model"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
+
+/// What nothing answered has no model.
+TissueModel modelOf(const std::string& stored) {
+  return stored.empty() ? TissueModel::kTwist : tissueModelOf(stored);
+}
 
 DeviceLimits deviceLimitsOf(RowReader& row) {
   return {.maxForce_N = row.real(),
@@ -61,7 +67,7 @@ TrialHeader headerOf(RowReader& row) {
           .tickPeriod_us = row.int64(),
           .startedUtc_us = row.int64(),
           .demonstration = row.boolean(),
-          .model = tissueModelOf(row.text())};
+          .model = modelOf(row.text())};
 }
 
 /// The closing row `e` of a trial, as summaryOf() reads it.
@@ -108,7 +114,7 @@ TrialListing listingOf(RowReader& row) {
           .moduleId = row.text(),
           .phaseId = row.text(),
           .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
-          .model = tissueModelOf(row.text())};
+          .model = modelOf(row.text())};
 }
 
 TrialChunk chunkOf(RowReader& row) {
@@ -160,7 +166,8 @@ std::vector<IdempotentColumn> headerColumns(const TrialHeader& header, Value tra
           {"tick_period_us", header.tickPeriod_us},
           {"started_utc_us", header.startedUtc_us},
           {"demonstration", header.demonstration},
-          {"tissue_model", std::string(tissueModelId(header.model))}};
+          {"tissue_model",
+           isForeign(header.sceneId) ? Value() : Value(std::string(tissueModelId(header.model)))}};
 }
 
 std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind kind) {

@@ -10,6 +10,8 @@
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
 #include "app/exchange/cohort_exchange.h"
+#include "app/exchange/dataset_import.h"
+#include "app/exchange/foreign_import.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
@@ -370,6 +372,12 @@ std::vector<ServiceCall> reportingCalls() {
        [](SessionContext& w, Path folder) { exportTables(w, {}, TableFormat::kCsv, folder / "tables"); }},
       {O::kReportExportCoded, "exportDataset",
        [](SessionContext& w, Path folder) { exportDataset(w, {}, {}, folder / "dataset"); }},
+      {O::kStudySetup, "importDataset",
+       [](SessionContext& w, Path folder) { importDataset(w, folder / "no such set", {}, ""); }},
+      {O::kStudySetup, "importForeign",
+       [](SessionContext& w, Path folder) {
+         importForeign(w, ForeignLayout::kCsv, folder / "no such map.json", "");
+       }},
       {O::kReportExportNamed, "exportGradebook",
        [](SessionContext& w, Path folder) {
          TrialDigests digests(folder);

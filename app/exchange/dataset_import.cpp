@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exchange/dataset_import.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/exchange/dataset_study.h"
+#include "db/connection/connection.h"
+#include "sim/base/digest.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+DatasetOutcome importDataset(SessionContext& session, const std::filesystem::path& folder,
+                             const std::filesystem::path& assets, const std::string& reason,
+                             const ProgressCallback& progress) {
+  constexpr double kReadingDataset = 0.3;  // of the whole work
+  requireLanding(session);
+  tellProgress(progress, Text::tr("Reading %1", folder.filename().string()), 0.0);
+  LandedStudy study = readDatasetStudy(folder);
+  study.assets = assets;
+  DatasetOutcome outcome;
+  outcome.trials = study.trials.size();
+  outcome.marks = study.marks.size();
+  Digest digest;
+  digest.update(readFile(folder / kDatasetStudyFile));
+  for (const LandedTrial& landed : study.trials) {
+    digest.update(landed.trial.summary.contentHash);
+  }
+  outcome.contentHash = digest.hex();
+  const nlohmann::ordered_json what{
+      {"layout", "torsio"},           {"people", study.people.size()}, {"raters", study.raters.size()},
+      {"recordings", outcome.trials}, {"marks", outcome.marks},        {"hash", outcome.contentHash}};
+  Transaction transaction(session.connection());
+  outcome.landed = landStudy(session, std::move(study), partOf(progress, kReadingDataset, 1.0));
+  session.note({.action = AuditAction::kTrialImport,
+                .objectKind = AuditObject::kCohort,
+                .objectId = outcome.landed.cohortId,
+                .newJson = what.dump(),
+                .reason = reason});
+  transaction.commit();
+  return outcome;
+}
+
+}  // namespace torsio
