@@ -23614,6 +23614,13 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::SceneCanvas</name>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished">未知</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SceneView</name>
     <message>
         <source>This display cannot show the organ: it has no OpenGL.</source>
@@ -23626,10 +23633,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Three-dimensional view; the numbers beside it say the same in text.</source>
         <translation>三维视图；旁边的数字以文字给出相同内容。</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
     </message>
 </context>
 <context>

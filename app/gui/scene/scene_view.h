@@ -3,74 +3,26 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
-#include <QColor>
-#include <QElapsedTimer>
 #include <QImage>
+#include <QString>
 #include <QWidget>
 
-#include "app/gui/scene/blood_map.h"
-#include "app/gui/scene/lattice_overlay.h"
-#include "app/gui/scene/markers.h"
 #include "app/gui/scene/orbit_camera.h"
-#include "app/gui/scene/organ_surface.h"
-#include "app/gui/scene/quality_control.h"
-#include "app/gui/scene/shear_map.h"
-#include "app/gui/scene/surroundings.h"
-#include "app/gui/scene/tissue_look.h"
-#include "app/gui/scene/tissue_skin.h"
+#include "app/gui/scene/scene_canvas.h"
+#include "app/gui/scene/view_scene.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/live_types.h"
 #include "sim/base/pose.h"
 #include "sim/scene/organ_state.h"
 
-class QQuickItem;
-class QQuickWidget;
-
 namespace torsio::gui {
 
-class OrganGeometry;
-class SkinTexture;
 class StressLegend;
-class WireGeometry;
 struct InstrumentParts;
 struct Theme;
-
-/// What the view draws for one organ; made once beside the loading.
-struct ViewScene {
-  OrganSurface surface;
-  std::shared_ptr<const TissueSkin> skin;  ///< null where no scene can be drawn
-  LatticeLines lines;
-  TissueLook look;
-  Surroundings surroundings = Surroundings::kDrape;
-  ShearMap shear;                   ///< empty: no map can be shown
-  BloodMap blood;                   ///< empty: the tissue keeps its colour
-  std::vector<SkinAnchor> markers;  ///< empty: the organ has none
-  /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
-  std::function<void(const OrganState&, std::span<Vec3>)> deform;
-  /// Where a model beside the servo answers: the number of its newest shape, 0 before the first, and the
-  /// vertices of that shape. GUI thread. Empty: `deform` tells all.
-  std::function<std::int64_t()> shapeNumber;
-  std::function<void(std::span<Vec3>)> shape;
-};
-
-/// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
-/// call it before the servo runs.
-/// `tissue`: name by which the look is chosen, empty: the scene's id.
-[[nodiscard]] ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene,
-                                      const std::string& tissue = {});
-
-enum class RenderQuality {
-  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
-  kFast,
-  kFine,  ///< antialiasing, shadow, ambient occlusion
-};
 
 /// The living picture of organ and instrument. On a platform without OpenGL ("offscreen") it shows a sentence
 /// instead, so that everything round it can be built and tested anywhere.
@@ -128,11 +80,11 @@ class SceneView : public QWidget {
   /// Draws once more, although nothing changed.
   void redraw();
   /// Whether a redraw() will end in frameDrawn().
-  [[nodiscard]] bool draws() const { return quick_ != nullptr && isVisible(); }
+  [[nodiscard]] bool draws() const;
   /// Frames drawn so far; the window measures its rate from it.
-  [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
+  [[nodiscard]] std::int64_t framesDrawn() const noexcept { return canvas_->framesDrawn(); }
   /// Name of the renderer: "llvmpipe ...", empty before the first frame.
-  [[nodiscard]] const QString& renderer() const noexcept { return renderer_; }
+  [[nodiscard]] const QString& renderer() const noexcept { return canvas_->renderer(); }
   /// The picture as it is now, in device pixels; null without a renderer.
   [[nodiscard]] QImage picture();
 
@@ -147,35 +99,19 @@ class SceneView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void createScene();
-  void noteFrame();
-  void applyQuality();
   void showSkin();
   /// Tells whether the organ lies otherwise than it is shown.
   [[nodiscard]] bool moves(const OrganState& state) const;
   /// Computes the vertices: of the state, or of the shape that a model beside the servo has delivered.
   void deformSkin(const OrganState& state);
   void paintSkin();
-  void showLook(const TissueLook& look);
-  /// `back_mm`: farthest point of the organ from the viewer in front of it.
-  void showSurroundings(float back_mm);
-  void paintSurroundings();
+  void showSurroundings();
   void placeMarkers();
   void placeLegend();
-  void setRootProperty(const char* name, const QVariant& value);
 
-  QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
-  QQuickItem* root_ = nullptr;
-  OrganGeometry* organ_ = nullptr;
-  SkinTexture* skin_ = nullptr;
-  WireGeometry* wire_ = nullptr;
-  RibbonGeometry* lattice_ = nullptr;
-  RibbonGeometry* grasp_ = nullptr;
-  OrganGeometry* ghost_ = nullptr;
-  SurroundingsTexture* surroundings_ = nullptr;
-  ThemeKind themeKind_ = ThemeKind::kLight;
-  MarkerGeometry* markers_ = nullptr;
+  SceneCanvas* canvas_ = nullptr;
   StressLegend* legend_ = nullptr;
+  ThemeKind themeKind_ = ThemeKind::kLight;
 
   ViewScene view_;
   std::vector<Vec3> deformed_m_;
@@ -189,14 +125,9 @@ class SceneView : public QWidget {
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;
-  double jawOpening_deg_ = 20.0;
+  float organBack_ = 0.0F;  // mm: the farthest that it reaches from a viewer in front
   bool wireframe_ = false;
   bool latticeVisible_ = false;
-  RenderQuality quality_ = RenderQuality::kAutomatic;
-  QualityControl control_;
-  QElapsedTimer sinceFrame_;
-  QString renderer_;
-  std::int64_t framesDrawn_ = 0;
 };
 
 }  // namespace torsio::gui

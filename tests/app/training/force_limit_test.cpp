@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No run passes whose tissue bore more than the limit, whatever the device could give of it. Hands by chance,
-// through the whole servo; TORSIO_FORCE_RUNS says how many.
+// through the whole servo; TORSIO_FORCE_RUNS says how many, TORSIO_FORCE_FROM which is the first (slices of a
+// large number run one after another).
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -32,9 +33,9 @@ using testing::trainingBar;
 constexpr std::uint64_t kSeed = 20261125;
 constexpr int kUsualRuns = 40;
 
-int runsWanted() {
-  const char* wanted = std::getenv("TORSIO_FORCE_RUNS");
-  return wanted != nullptr ? std::max(1, std::atoi(wanted)) : kUsualRuns;
+int wanted(const char* variable, int least, int usual) {
+  const char* value = std::getenv(variable);
+  return value != nullptr ? std::max(least, std::atoi(value)) : usual;
 }
 
 struct RandomRun {
@@ -72,8 +73,9 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
   int passed = 0;
   int failedByForceAlone = 0;
   int unseenByTheDevice = 0;
-  const int runs = runsWanted();
-  for (int i = 0; i < runs; ++i) {
+  const int first = wanted("TORSIO_FORCE_FROM", 0, 0);
+  const int end = first + wanted("TORSIO_FORCE_RUNS", 1, kUsualRuns);
+  for (int i = first; i < end; ++i) {
     const RandomRun run = randomRun(static_cast<std::uint64_t>(i));
     const std::vector<Sample> samples = decodeTrial(run.trial);
     const double limit_N = *run.rules.forceLimit_N;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <QVariant>
+#include <QVector3D>
+
+#include "app/gui/scene/quality_control.h"
+#include "app/gui/scene/surroundings.h"
+#include "app/gui/widgets/theme.h"
+#include "sim/base/pose.h"
+
+class QQuickItem;
+class QQuickWidget;
+class QWidget;
+
+namespace torsio::gui {
+
+class MarkerGeometry;
+class OrganGeometry;
+class OrganSurface;
+class RibbonGeometry;
+class SkinTexture;
+class WireGeometry;
+struct InstrumentParts;
+struct TissueLook;
+
+enum class RenderQuality {
+  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
+  kFast,
+  kFine,  ///< antialiasing, shadow, ambient occlusion
+};
+
+/// The drawing of a scene: the scene graph, its level and its frames. It knows nothing of scenes and states;
+/// SceneView hands it what is to be seen. On a platform without OpenGL everything is taken and nothing drawn.
+/// GUI thread.
+class SceneCanvas : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The meshes and pictures of scene_view.qml; null on a platform without OpenGL.
+  struct Parts {
+    OrganGeometry* organ = nullptr;
+    SkinTexture* skin = nullptr;
+    WireGeometry* wire = nullptr;
+    RibbonGeometry* lattice = nullptr;
+    RibbonGeometry* grasp = nullptr;
+    OrganGeometry* ghost = nullptr;
+    MarkerGeometry* markers = nullptr;
+    SurroundingsTexture* surroundings = nullptr;
+  };
+
+  explicit SceneCanvas(QWidget& parent);
+
+  static void registerTypes();
+  [[nodiscard]] static bool platformCanRender();
+
+  [[nodiscard]] QQuickWidget* widget() const noexcept { return quick_; }
+  [[nodiscard]] bool drawn() const noexcept { return root_ != nullptr; }
+  [[nodiscard]] const Parts& parts() const noexcept { return parts_; }
+  /// A property of the root of scene_view.qml.
+  void set(const char* name, const QVariant& value);
+
+  void setInstrument(const InstrumentParts& parts);
+  /// `grip`: 0 open .. 1 closed.
+  void setTool(const Pose& pose, double grip);
+  /// An arrow at a world point along the force on the tool; nothing below what a hand feels. `radius_mm`: of
+  /// the organ, by which the arrow is measured.
+  void setForce(const Vec3& at_m, const Vec3& force_N, float radius_mm);
+  void setLook(const TissueLook& look);
+  /// What lies behind an organ that reaches back to `back_mm`.
+  void setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
+                       float radius_mm, float back_mm, const Theme& theme);
+  void setTheme(const Theme& theme);
+  void setQuality(RenderQuality quality);
+
+  void redraw();
+  [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
+  [[nodiscard]] const QString& renderer() const noexcept { return renderer_; }
+  [[nodiscard]] QImage picture() const;
+
+ Q_SIGNALS:
+  /// As SceneView::frameDrawn().
+  void frameDrawn();
+
+ private:
+  void readParts();
+  void noteFrame();
+  void applyQuality();
+
+  QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
+  QQuickItem* root_ = nullptr;
+  Parts parts_;
+  double jawOpening_deg_ = 20.0;
+  RenderQuality quality_ = RenderQuality::kAutomatic;
+  QualityControl control_;
+  QElapsedTimer sinceFrame_;
+  QString renderer_;
+  std::int64_t framesDrawn_ = 0;
+};
+
+}  // namespace torsio::gui

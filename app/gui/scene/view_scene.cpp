@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/view_scene.h"
+
+#include "app/gui/scene/scene_canvas.h"
+#include "sim/scene/hollow_view.h"
+
+namespace torsio::gui {
+
+ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::string& tissue) {
+  ViewScene view;
+  const std::string& tissueId = tissue.empty() ? scene->id : tissue;
+  view.look = tissueLook(tissueId);
+  view.surroundings = surroundingsOf(tissueId);
+  view.surface = OrganSurface(scene->mesh);
+  if (SceneCanvas::platformCanRender()) {
+    view.skin = std::make_shared<const TissueSkin>(paintSkin(*scene, view.look));
+  }
+  view.lines = latticeLines(*scene);
+  view.shear = ShearMap(scene);
+  view.blood = BloodMap(scene);
+  view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
+  if (scene->hollow) {
+    view.deform = [drawn = std::make_shared<HollowView>(scene)](
+                      const OrganState& state, std::span<Vec3> out_m) { drawn->deform(state, out_m); };
+  }
+  return view;
+}
+
+}  // namespace torsio::gui
