@@ -14550,71 +14550,71 @@ audit trail %3</source>
     </message>
     <message>
         <source>what was watched is not a stretch of the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>报告的观看范围不是录像中的一段</translation>
     </message>
     <message>
         <source>the page sent something that cannot be used</source>
-        <translation type="unfinished"></translation>
+        <translation>页面发来的内容无法使用</translation>
     </message>
     <message>
         <source>Load the page again</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新载入页面</translation>
     </message>
     <message>
         <source>the server is busy</source>
-        <translation type="unfinished"></translation>
+        <translation>服务器繁忙</translation>
     </message>
     <message>
         <source>Try again in a few seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>请几秒后再试</translation>
     </message>
     <message>
         <source>the organ of this recording is not on this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>本机没有此录像所用的器官</translation>
     </message>
     <message>
         <source>too many tries</source>
-        <translation type="unfinished"></translation>
+        <translation>尝试次数过多</translation>
     </message>
     <message>
         <source>Wait a little, then try again</source>
-        <translation type="unfinished"></translation>
+        <translation>请稍候再试</translation>
     </message>
     <message>
         <source>name or password is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>用户名或密码错误</translation>
     </message>
     <message>
         <source>Type both again, or ask an administrator for a new start password</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新输入，或请管理员设置新的初始密码</translation>
     </message>
     <message>
         <source>the browser is for physicians who score</source>
-        <translation type="unfinished"></translation>
+        <translation>浏览器界面仅供评分医师使用</translation>
     </message>
     <message>
         <source>Use Torsio&apos;s window at a station</source>
-        <translation type="unfinished"></translation>
+        <translation>请在工作站上使用 Torsio 窗口</translation>
     </message>
     <message>
         <source>there is nothing at this address</source>
-        <translation type="unfinished"></translation>
+        <translation>此地址没有内容</translation>
     </message>
     <message>
         <source>this was not ordered by a page of Torsio</source>
-        <translation type="unfinished"></translation>
+        <translation>此请求并非来自 Torsio 的页面</translation>
     </message>
     <message>
         <source>the text holds a character that cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>文本中含有无法识别的字符</translation>
     </message>
     <message>
         <source>Type it anew instead of pasting it</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新输入，不要粘贴</translation>
     </message>
     <message>
         <source>the text has %1 characters; %2 are the most</source>
-        <translation type="unfinished"></translation>
+        <translation>文本有 %1 个字符，最多允许 %2 个</translation>
     </message>
     <message>
         <source>a data set for another record needs codes, and is no BIDS</source>
@@ -23617,7 +23617,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::SceneCanvas</name>
     <message>
         <source>unknown</source>
-        <translation type="unfinished">未知</translation>
+        <translation>未知</translation>
     </message>
 </context>
 <context>
