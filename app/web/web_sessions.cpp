@@ -88,11 +88,6 @@ void WebSessions::closeAll(const UserId& userId) {
   }
 }
 
-std::size_t WebSessions::count() const {
-  const std::lock_guard lock(mutex_);
-  return held_.size();
-}
-
 std::chrono::seconds TryLimit::tried(const std::string& address, SteadyTime now) {
   const std::lock_guard lock(mutex_);
   if (windows_.size() > kMostWindows) {

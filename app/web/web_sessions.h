@@ -62,7 +62,6 @@ class WebSessions {
   void close(const std::string& cookie);
   /// Ends all sessions of a user: before a change of password opens a new one.
   void closeAll(const UserId& userId);
-  [[nodiscard]] std::size_t count() const;
 
  private:
   struct Held {
@@ -70,7 +69,7 @@ class WebSessions {
     SteadyTime seen{};
   };
   Limits limits_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::map<std::string, Held> held_;
 };
 

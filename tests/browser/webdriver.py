@@ -15,7 +15,7 @@ ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
 KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Control": "\ue009", "Alt": "\ue00a", "Shift": "\ue008", "Escape": "\ue00c", "Backspace": "\ue003",
         "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Home": "\ue011",
         "End": "\ue010", "Space": " "}
-PATIENCE_S = 20
+PATIENCE_S = 60
 
 
 class Failed(AssertionError):

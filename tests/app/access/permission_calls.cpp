@@ -44,6 +44,7 @@
 #include "app/review/rater_calibration.h"
 #include "app/review/remark_replies.h"
 #include "app/review/review_queue.h"
+#include "app/review/viewing_report.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
@@ -390,6 +391,12 @@ std::vector<ServiceCall> reviewCalls() {
   return {
       {O::kTrialViewAssigned, "loadBlindedRecording",
        [](SessionContext& w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "blindedTask",
+       [](SessionContext& w, Path) { (void)blindedTask(w, kNoSuch); }},
+      {O::kMarkSubmit, "reportViewing",
+       [](SessionContext& w, Path) { (void)reportViewing(w, kNoSuch, {}, 0); }},
+      {O::kMarkSubmit, "changeSubmitted",
+       [](SessionContext& w, Path) { changeSubmitted(w, kNoSuch, {}, "why"); }},
       {O::kMarkSubmit, "reviewQueue", [](SessionContext& w, Path) { (void)reviewQueue(w); }},
       {O::kMarkSubmit, "openSheet", [](SessionContext& w, Path) { (void)openSheet(w, kNoSuch); }},
       {O::kMarkSubmit, "submitSheet", [](SessionContext& w, Path) { submitSheet(w, kNoSuch, {}, {}); }},

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a browser draws of a recording: as near to the window's picture as docs/server.md says, and small enough
+// for a slow line.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/base/assets.h"
+#include "app/review/blinded_case.h"
+#include "app/web/case_picture.h"
+#include "sim/scene/scene.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio::web {
+namespace {
+
+using torsio::testing::ReviewCentre;
+
+struct Organ {
+  const char* scene;
+  const char* pattern;
+};
+
+class CasePictureOf : public ::testing::TestWithParam<Organ> {};
+
+TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = GetParam().scene;
+  request.pattern = GetParam().pattern;
+  const Scene scene = loadScene(request);
+  ReviewCentre centre({.raters = 1, .trainees = 1, .trial_s = 8.0, .scene = &scene});
+  const auto physician = centre.physician(0);
+
+  const CasePicture picture =
+      casePicture(loadBlindedRecording(*physician, centre.cases(0).front()), assetsFolder());
+
+  ASSERT_FALSE(picture.organ.empty());
+  EXPECT_LE(picture.farthest_mm, 0.2F);
+  EXPECT_LE(picture.organ.size() + picture.recording.size(), 1'500'000U);
+  RecordProperty("farthest_um", static_cast<int>(std::lround(1000.0F * picture.farthest_mm)));
+  RecordProperty("organ_bytes", static_cast<int>(picture.organ.size()));
+  RecordProperty("recording_bytes", static_cast<int>(picture.recording.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, CasePictureOf,
+                         ::testing::Values(Organ{"forearm", ""}, Organ{"stomach", ""}, Organ{"small-bowel-loop", "detorse"}),
+                         [](const auto& organ) {
+                           std::string name = organ.param.scene;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace torsio::web
