@@ -35,6 +35,7 @@ export class Traces {
     this.onSeek = onSeek;
     new ResizeObserver(() => this.#redraw(true)).observe(this.canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw(true));
+    this.canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the keyboard stays in the sheet
     this.canvas.addEventListener('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       if (event.pointerType !== 'touch') this.#seekTo(event.clientX); // a finger may be about to scroll
