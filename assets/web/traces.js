@@ -93,7 +93,7 @@ export class Traces {
     if (!this.recording) return [];
     const { rate_hz, frames } = this.recording.meta;
     const at = Math.min(Math.round((this.#position_us * rate_hz) / 1e6), frames - 1);
-    return this.#lanes.map((one) => withUnit(figure(one.value[at], one.decimals), one.unit));
+    return this.#lanes.map((one) => sizeText(one, one.value[at]));
   }
 
   #seekTo(x_px) {
@@ -111,17 +111,24 @@ export class Traces {
     this.onSeek(this.#position_us + steps[event.key]);
   }
   em_px = 16;
+  labels_px = 80;
+  readings_px = 80;
+  /// Room for what stands beside the lanes, at both sides.
   #measure() {
     const style = getComputedStyle(this.canvas);
     this.em_px = parseFloat(style.fontSize);
     this.typeface = style.fontFamily;
+    const paint = this.#context(this.#still, 1);
+    const widest = (texts) => Math.ceil(Math.max(0, ...texts.map((text) => paint.measureText(text).width)) + this.em_px);
+    this.labels_px = widest(this.#lanes.flatMap((one) => [one.name, scaleText(one)]));
+    this.readings_px = widest(this.#lanes.flatMap((one) => [one.bottom, one.top].map((value) => sizeText(one, value))));
   }
   #plot() {
     const { em_px } = this;
     const width = this.canvas.clientWidth;
     const narrow = width < 26 * em_px; // then there is no room for readings
     return {
-      left: Math.round((narrow ? 4.8 : 5.8) * em_px), right: Math.round(width - (narrow ? 1 : 4.8) * em_px), top: 8,
+      left: this.labels_px, right: Math.round(width - (narrow ? em_px : this.readings_px)), top: 8,
       bottom: Math.round(this.canvas.clientHeight - 1.7 * em_px),
     };
   }
@@ -218,6 +225,16 @@ function withUnit(size, unit) {
   return unit === '\u00b0' ? size + unit : `${size} ${unit}`;
 }
 
+function sizeText(one, value) {
+  return withUnit(figure(value, one.decimals), one.unit);
+}
+
+/// "0…185°": what a lane shows from bottom to top.
+function scaleText(one) {
+  const end = (value) => (Math.abs(value) < 0.5 * 10 ** -one.decimals ? '0' : figure(value, one.decimals));
+  return withUnit(`${end(one.bottom)}\u2026${end(one.top)}`, one.unit);
+}
+
 function lane({ low, high = low, value = low, limit = null, band = null, ...rest }) {
   let [least, most] = [0, 0];
   for (const one of low) least = Math.min(least, one);
@@ -275,8 +292,7 @@ function drawLane(paint, one, area, palette) {
   paint.fillText(one.name, 0, top + height / 2 - 3);
   paint.textBaseline = 'top';
   paint.fillStyle = palette.quiet;
-  const low = Math.abs(one.bottom) < 0.5 * 10 ** -one.decimals ? '0' : figure(one.bottom, one.decimals);
-  paint.fillText(withUnit(`${low}\u2026${figure(one.top, one.decimals)}`, one.unit), 0, top + height / 2 + 2);
+  paint.fillText(scaleText(one), 0, top + height / 2 + 2);
 }
 
 function drawBand(paint, { target, tolerance }, { left, columns, frameAt, yOf }, palette) {
