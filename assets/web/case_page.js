@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One case: the recording at the left, the sheet at the right, each keystroke on its way to the server.
-import { api, NoConnection } from './api.js';
+import { api, NoConnection, Refusal } from './api.js';
 import { pressKey } from './case_keys.js';
 import { stepName, versionsText } from './case_words.js';
 import { rememberAdvancing, remembersAdvancing } from './habits.js';
@@ -59,7 +59,7 @@ export class CasePage {
     this.#build();
     if (kept) this.#save();
     this.view.takeFocus();
-    await this.#openRecording();
+    this.#openRecording(); // may take a while; the sheet is there
   }
 
   /// A new session gives a case another handle; its label stays, and is found in the queue again.
@@ -152,7 +152,8 @@ export class CasePage {
       this.player.setBookmarks(this.remarks.remarks.map((one) => one.time_us));
     } catch (error) {
       const again = button(t('Try again'), () => this.#openRecording());
-      this.player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${problemText(error)} `, again);
+      const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
+      this.player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `, again);
     }
   }
 

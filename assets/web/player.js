@@ -175,6 +175,7 @@ export class Player {
         'aria-label': t('Speed'), title: t('J slower, L faster; the speed is kept with the mark'),
         onchange: () => {
           this.playback.speed = Number(this.speed.value);
+          this.speed.blur(); // the keys belong to the sheet again
         },
       }, speeds.map((one) => h('option', { value: one }, t('%1 ×', pointsText(one)))));
     this.#showSpeed();

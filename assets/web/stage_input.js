@@ -39,6 +39,7 @@ export function followInput(stage) {
   for (const end of ['pointerup', 'pointercancel']) {
     canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
+  canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the keyboard stays in the sheet
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener(
     'wheel',

@@ -3,10 +3,10 @@
 import { h } from './dom.js';
 import { clockTime, figure } from './numbers.js';
 import { t } from './texts.js';
+import { drawLane, lane, scaleText, sizeText } from './trace_lane.js';
 
 const kLaneGap = 6;
 const kWatchedHeight = 4;
-const kRoom = 1.05; // a limit does not lie on the edge
 const kTicks_s = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800];
 
 function colours() {
@@ -35,6 +35,7 @@ export class Traces {
     this.onSeek = onSeek;
     new ResizeObserver(() => this.#redraw(true)).observe(this.canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw(true));
+    this.canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the keyboard stays in the sheet
     this.canvas.addEventListener('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       if (event.pointerType !== 'touch') this.#seekTo(event.clientX); // a finger may be about to scroll
@@ -92,7 +93,7 @@ export class Traces {
     if (!this.recording) return [];
     const { rate_hz, frames } = this.recording.meta;
     const at = Math.min(Math.round((this.#position_us * rate_hz) / 1e6), frames - 1);
-    return this.#lanes.map((one) => withUnit(figure(one.value[at], one.decimals), one.unit));
+    return this.#lanes.map((one) => sizeText(one, one.value[at]));
   }
 
   #seekTo(x_px) {
@@ -110,17 +111,24 @@ export class Traces {
     this.onSeek(this.#position_us + steps[event.key]);
   }
   em_px = 16;
+  labels_px = 80;
+  readings_px = 80;
+  /// Room for what stands beside the lanes, at both sides.
   #measure() {
     const style = getComputedStyle(this.canvas);
     this.em_px = parseFloat(style.fontSize);
     this.typeface = style.fontFamily;
+    const paint = this.#context(this.#still, 1);
+    const widest = (texts) => Math.ceil(Math.max(0, ...texts.map((text) => paint.measureText(text).width)) + this.em_px);
+    this.labels_px = widest(this.#lanes.flatMap((one) => [one.name, scaleText(one)]));
+    this.readings_px = widest(this.#lanes.flatMap((one) => [one.bottom, one.top].map((value) => sizeText(one, value))));
   }
   #plot() {
     const { em_px } = this;
     const width = this.canvas.clientWidth;
     const narrow = width < 26 * em_px; // then there is no room for readings
     return {
-      left: Math.round((narrow ? 4.8 : 5.8) * em_px), right: Math.round(width - (narrow ? 1 : 4.8) * em_px), top: 8,
+      left: this.labels_px, right: Math.round(width - (narrow ? em_px : this.readings_px)), top: 8,
       bottom: Math.round(this.canvas.clientHeight - 1.7 * em_px),
     };
   }
@@ -211,81 +219,4 @@ export class Traces {
       paint.fillText(text, this.canvas.clientWidth - 4, area.top + area.height / 2);
     });
   }
-}
-
-function withUnit(size, unit) {
-  return unit === '\u00b0' ? size + unit : `${size} ${unit}`;
-}
-
-function lane({ low, high = low, value = low, limit = null, band = null, ...rest }) {
-  let [least, most] = [0, 0];
-  for (const one of low) least = Math.min(least, one);
-  for (const one of high) most = Math.max(most, one);
-  const sign = -least > most ? -1 : 1;
-  const made = { ...rest, lowest: low, highest: high, value, band, least, most, limit: limit === null ? null : sign * limit };
-  let [bottom, top] = [least, Math.max(most, least + 1e-3)];
-  if (band) {
-    for (const target of band.target) {
-      bottom = Math.min(bottom, target - kRoom * band.tolerance);
-      top = Math.max(top, target + kRoom * band.tolerance);
-    }
-  }
-  if (made.limit !== null) {
-    bottom = Math.min(bottom, kRoom * made.limit);
-    top = Math.max(top, kRoom * made.limit);
-  }
-  const size = Math.max(-bottom, top);
-  return { ...made, bottom, top, decimals: size >= 10 ? 0 : size >= 1 ? 1 : 2 };
-}
-
-function drawLane(paint, one, area, palette) {
-  const { left, right, top, height } = area;
-  const yOf = (value) => top + height - 1 - ((value - one.bottom) / (one.top - one.bottom)) * (height - 2);
-  paint.fillStyle = palette.surface;
-  paint.fillRect(left, top, right - left, height);
-  const frames = one.lowest.length;
-  const columns = Math.max(1, Math.floor(right - left));
-  const frameAt = (x) => Math.min(Math.floor((x / columns) * frames), frames - 1);
-  if (one.band) drawBand(paint, one.band, { left, columns, frameAt, yOf }, palette);
-  paint.fillStyle = palette.line;
-  paint.fillRect(left, yOf(0), right - left, 1);
-  if (one.limit !== null) {
-    paint.strokeStyle = palette.quiet;
-    paint.setLineDash([4, 4]);
-    paint.beginPath();
-    paint.moveTo(left, yOf(one.limit));
-    paint.lineTo(right, yOf(one.limit));
-    paint.stroke();
-    paint.setLineDash([]);
-  }
-  paint.fillStyle = palette[one.colour];
-  for (let x = 0; x < columns; ++x) {
-    let [low, high] = [Infinity, -Infinity];
-    // One frame of overlap joins the columns.
-    for (let i = Math.max(frameAt(x) - 1, 0); i <= frameAt(x + 1); ++i) {
-      low = Math.min(low, one.lowest[i]);
-      high = Math.max(high, one.highest[i]);
-    }
-    paint.fillRect(left + x, yOf(high) - 0.75, 1, yOf(low) - yOf(high) + 1.5);
-  }
-  paint.textAlign = 'left';
-  paint.textBaseline = 'alphabetic';
-  paint.fillStyle = palette.text;
-  paint.fillText(one.name, 0, top + height / 2 - 3);
-  paint.textBaseline = 'top';
-  paint.fillStyle = palette.quiet;
-  const low = Math.abs(one.bottom) < 0.5 * 10 ** -one.decimals ? '0' : figure(one.bottom, one.decimals);
-  paint.fillText(withUnit(`${low}\u2026${figure(one.top, one.decimals)}`, one.unit), 0, top + height / 2 + 2);
-}
-
-function drawBand(paint, { target, tolerance }, { left, columns, frameAt, yOf }, palette) {
-  paint.fillStyle = palette.good;
-  paint.globalAlpha = 0.22;
-  for (let x = 0; x < columns; ++x) {
-    const middle = target[frameAt(x)];
-    paint.fillRect(left + x, yOf(middle + tolerance), 1, yOf(middle - tolerance) - yOf(middle + tolerance));
-  }
-  paint.globalAlpha = 0.8;
-  for (let x = 0; x < columns; x += 6) paint.fillRect(left + x, yOf(target[frameAt(x)]), 3, 1);
-  paint.globalAlpha = 1;
 }

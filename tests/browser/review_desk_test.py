@@ -3,6 +3,7 @@
 """The pages of the review desk in a headless Chromium, against the mock of the server. `review_desk_test.py [--firefox]
 [NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 when one fails, 77 where there is no
 such browser."""
+import gzip
 import json
 import re
 import shutil
@@ -363,6 +364,28 @@ def test_player(browser, url, desk):
     browser.keys("R", "Control+a", "Look at the jaw", "Enter")
     browser.says(".remarks", "Look at the jaw")
     check("seeking is not watching", desk.cases["c1"].share() < 0.6 and at != "")
+
+
+def test_recording_refused(browser, url, desk):
+    desk.files["recording"] = gzip.compress(b"TRS1 that breaks off")
+    open_case(browser, url)
+    browser.says(".sentence", "The recording could not be opened.")
+    browser.keys("5")
+    saved(browser, desk, [50, None, None, None])
+    del desk.files["recording"]
+    browser.click(".sentence button")
+    browser.until("the traces are there", lambda: "of 0:20" in browser.text(".time"))
+
+
+def test_mouse_leaves_the_keyboard_in_the_sheet(browser, url, desk):
+    open_case(browser, url)
+    browser.until("the traces are there", lambda: "of 0:20" in browser.text(".time"))
+    browser.keys("5")
+    browser.click(".traces")
+    browser.says(".time", "0:")
+    browser.click(".play")
+    browser.keys("ArrowRight")
+    saved(browser, desk, [55, None, None, None])
 
 
 def test_amend(browser, url, desk):
