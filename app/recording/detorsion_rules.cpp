@@ -24,6 +24,7 @@ std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson
     rules.relapseFrom_rad = detorsion.at("base").at("relapse_from_rad").get<double>();
     rules.jaw_Pa = limits.at("jaw_force_n").get<double>() / limits.at("jaw_area_m2").get<double>();
     rules.bruise_Pa = limits.at("bruise_pa").get<double>();
+    rules.tear_Pa = limits.at("tear_pa").get<double>();
     rules.pull_N = limits.at("pull_n").get<double>();
     rules.timeScale = detorsion.at("time_scale").get<double>();
     if (detorsion.contains("stages")) {

@@ -185,7 +185,7 @@ class DetorsionMeasurer {
       if (tick.held) {
         jaw_Pa = std::max(jaw_Pa.value_or(0.0), tick.jaw_Pa);
       }
-      const double strength = 1.0 - kLostStrength * std::min(tick.dose, 1.0);
+      const double strength = strengthOf(tick);
       const bool crushed = tick.held && tick.jaw_Pa > strength * rules_.bruise_Pa;
       if (crushed || tick.force_N > strength * rules_.pull_N) {
         over_s += i + 1 < ticks_.size() ? at_s(i + 1) - at_s(i) : spanOf_s(1);
@@ -201,12 +201,25 @@ class DetorsionMeasurer {
 
   [[nodiscard]] static bool isFree(const DetorsionTick& tick) noexcept { return !tick.held && !tick.clipped; }
 
+  /// Share of what sound tissue bears.
+  [[nodiscard]] static double strengthOf(const DetorsionTick& tick) noexcept {
+    return 1.0 - kLostStrength * std::min(tick.dose, 1.0);
+  }
+
+  [[nodiscard]] bool tears(const DetorsionTick& tick) const noexcept {
+    const double strength = strengthOf(tick);
+    return tick.held &&
+           (tick.jaw_Pa >= strength * rules_.tear_Pa || tick.force_N >= strength * rules_.pull_N);
+  }
+
   void measureEnd() {
     const std::size_t undone = lasting(rules_.handsOff_s, [&](const DetorsionTick& tick) {
       return isFree(tick) && std::abs(tick.angle_rad) <= rules_.residual_rad &&
              tick.patency >= rules_.patency && tick.flow >= rules_.flow;
     });
-    const bool done = undone < ticks_.size();
+    const bool torn =
+        std::any_of(ticks_.begin(), ticks_.end(), [&](const DetorsionTick& tick) { return tears(tick); });
+    const bool done = undone < ticks_.size() && !torn;
     set("detorse.done", yesNo(done));
     if (done) {
       out_.done_s = at_s(undone) + rules_.handsOff_s;
@@ -215,7 +228,9 @@ class DetorsionMeasurer {
           [&](const DetorsionTick& tick) { return std::abs(tick.angle_rad) > rules_.relapseFrom_rad; });
       set("detorse.relapse", yesNo(relapsed));
     } else {
-      set("detorse.relapse", Outcome<double>::undefined(Text::tr("the organ was never undone")));
+      set("detorse.relapse",
+          Outcome<double>::undefined(torn ? Text::tr("the wall was torn: that is not undone")
+                                          : Text::tr("the organ was never undone")));
     }
     set("detorse.residual", residual());
   }

@@ -34,6 +34,7 @@ struct DetorsionRules {
   double relapseFrom_rad = radians(90.0);
   double jaw_Pa = 500e3;     ///< of a jaw that is closed fully
   double bruise_Pa = 330e3;  ///< which sound tissue bears
+  double tear_Pa = 660e3;    ///< at which a jaw tears sound tissue
   double pull_N = 10.0;      ///< which sound tissue bears
   double timeScale = 60.0;   ///< seconds of the tissue for a second of the hand
   bool vent = false;         ///< whether the content can be let out

@@ -98,9 +98,11 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "samples with patch shear stress above the limit / rate", "s", kHolding, kLower},
     // Of an organ that came twisted by phi_0; limits, d (hands off) and q_c are those of its scene.
     {"detorse.done", "Undone",
-     "Whether the organ lay untwisted, open and supplied with nobody holding it: 1 yes, 0 no.",
-     "|phi| <= limit and patency >= least and flow >= least for d without hand and clip", "1", kTask,
-     kHigher},
+     "Whether the organ lay untwisted, open, supplied and whole with nobody holding it: 1 yes, 0 no.",
+     "|phi| <= limit and patency >= least and flow >= least for d without hand and clip; jaw and force never "
+     "at "
+     "what tears the wall",
+     "1", kTask, kHigher},
     {"detorse.time_to_flow", "Time until blood flows",
      "When blood came back. Undefined (censored at the end) where it did not.",
      "first time from which flow >= q_c for 5 s; seconds of the hand", "s", kTask, kLower},

@@ -15124,6 +15124,10 @@ audit trail %3</source>
         <source>Look at its metrics and at its path in a data set</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the wall was torn: that is not undone</source>
+        <translation>壁已撕裂：不算复位</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -17876,10 +17880,6 @@ MSM = 质点弹簧</translation>
         <translation>剩余扭转：%1。</translation>
     </message>
     <message>
-        <source>Tears of the wall: %1. Its content leaks.</source>
-        <translation>壁撕裂：%1 处。内容物外漏。</translation>
-    </message>
-    <message>
         <source>Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.</source>
         <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
     </message>
@@ -17902,6 +17902,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Times that the instrument slipped off: %1.</source>
         <translation>器械滑脱：%1 次。</translation>
+    </message>
+    <message>
+        <source>Tears of the wall: %1. A torn organ does not count as undone.</source>
+        <translation>壁撕裂：%1 处。器官撕裂不算复位。</translation>
     </message>
 </context>
 <context>

@@ -117,7 +117,7 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   angle_rad_ = 0.0;
   firstAngle_rad_ = driveAngle(tool);
   angle_rad_ = firstAngle_rad_;
-  wristFrom_rad_ = wristLeast_rad_ = wristMost_rad_ = slidFrom_rad_ = 0.0;
+  wristFrom_rad_ = wristLeast_rad_ = wristMost_rad_ = slidFrom_rad_ = lost_rad_ = 0.0;
   ++grips_;
   beside_.grip();
   return true;
@@ -149,6 +149,9 @@ ToolState Exercise::onTissue(const ToolState& tool, const Scene& scene) const no
     const double turn_rad = organ_.twist.graspAngle_rad - heldFrom_rad_ - alone_rad;
     carried.pose.position_m =
         axis_.centre_m + rotateAbout(tool.pose.position_m - axis_.centre_m, axis_.tangent, turn_rad);
+    if (lost_rad_ != 0.0) {
+      carried.pose.orientation = axisAngle(axis_.tangent, -lost_rad_) * tool.pose.orientation;
+    }
   }
   return carried;
 }
@@ -167,6 +170,7 @@ bool Exercise::turnMobilePart(double turn_rad) noexcept {
       std::clamp(asked_rad, wristMost_rad_ - kHandTurn_rad, wristLeast_rad_ + kHandTurn_rad);
   if (wrist_rad != asked_rad) {
     firstAngle_rad_ += asked_rad - wrist_rad;  // turned back, it takes the organ along at once
+    lost_rad_ += asked_rad - wrist_rad;
     turn_rad = wrist_rad - wristFrom_rad_;
   }
   wristLeast_rad_ = std::min(wristLeast_rad_, wrist_rad);

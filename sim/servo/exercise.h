@@ -199,6 +199,7 @@ class Exercise {
   double wristLeast_rad_ = 0.0;
   double wristMost_rad_ = 0.0;
   double slidFrom_rad_ = 0.0;
+  double lost_rad_ = 0.0;  // turned beyond what a hand turns: the shaft does not go round by it
 
   BesideTissue beside_;  // where a model beside the servo answers
   std::int64_t grips_ = 0;

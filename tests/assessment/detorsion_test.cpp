@@ -232,6 +232,27 @@ TEST(Detorsion, AngleLumenAndBloodMustAllBeRight) {
   EXPECT_EQ(done(15.0, 0.8, 0.79), 0.0);
 }
 
+TEST(Detorsion, ATornOrganIsNotUndone) {
+  // A tick is enough: sound tissue tears at 660 kPa or 10 N, at a dose of .5 at three quarters of it.
+  const auto done = [](double jaw_Pa, double force_N, double dose) {
+    Untwisting run(200.0);
+    run.now().dose = dose;
+    run.pass(10).hand(true).turnTo(0.0, 1000);
+    run.now().jaw_Pa = jaw_Pa;
+    run.now().force_N = force_N;
+    run.pass(1);
+    run.now().jaw_Pa = run.now().force_N = 0.0;
+    run.hand(false).blood(1.0, 1.0).pass(10'000);
+    return *run.measured().at("detorse.done");
+  };
+
+  EXPECT_EQ(done(659e3, 0.0, 0.0), 1.0);
+  EXPECT_EQ(done(660e3, 0.0, 0.0), 0.0);
+  EXPECT_EQ(done(500e3, 0.0, 0.5), 0.0);
+  EXPECT_EQ(done(0.0, 9.9, 0.0), 1.0);
+  EXPECT_EQ(done(0.0, 7.6, 0.5), 0.0);
+}
+
 TEST(Detorsion, JawAndPullOverloadByTheTissueAsItFares) {
   // Sound tissue bears 330 kPa and 10 N; at a dose of .5 three quarters of it, 247.5 kPa and 7.5 N.
   Untwisting run(200.0);

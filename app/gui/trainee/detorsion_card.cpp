@@ -158,7 +158,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
                          [what](const DetorsionStory::Event& event) { return event.what == what; });
   };
   if (const auto tears = count(DetorsionMoment::kTear); tears > 0) {
-    out << tr("Tears of the wall: %1. Its content leaks.").arg(tears);
+    out << tr("Tears of the wall: %1. A torn organ does not count as undone.").arg(tears);
   }
   if (const auto bruises = count(DetorsionMoment::kBruise); bruises > 0) {
     out << tr("Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.").arg(bruises);

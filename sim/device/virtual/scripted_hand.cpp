@@ -7,6 +7,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/hollow_pose.h"
 
 namespace torsio {
 
@@ -160,6 +161,10 @@ ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, const HandT
   cycle.held_rad = turn.angle_rad + motion.angleError_rad * boundedNormal(random, 2.5);
   cycle.reached_rad =
       cycle.held_rad + turn.angle_rad * motion.overshoot * (1.0 + 0.5 * boundedNormal(random, 2.0));
+  if (!task_.turns.empty()) {  // no wrist turns an organ further in one grip
+    cycle.held_rad = std::clamp(cycle.held_rad, -kHandTurn_rad, kHandTurn_rad);
+    cycle.reached_rad = std::clamp(cycle.reached_rad, -kHandTurn_rad, kHandTurn_rad);
+  }
 
   std::array<double, kLegs> lasts_s{};
   lasts_s[kReach] = motion.reach_s;

@@ -55,6 +55,7 @@ TEST(DetorsionRules, AreReadOutOfWhatTheRecordingStores) {
                                     .relapseFrom_rad = 1.25,
                                     .jaw_Pa = 8.0 / 20e-6,
                                     .bruise_Pa = 300e3,
+                                    .tear_Pa = 600e3,
                                     .pull_N = 9.0,
                                     .timeScale = 30.0,
                                     .vent = true}));

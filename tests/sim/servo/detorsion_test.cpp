@@ -207,12 +207,13 @@ TEST(Detorsion, AHandTurnsNoFurtherThanAWristAndTurnsBackAtOnce) {
     Detorser hand(cord, 1, drive);
 
     hand.grip();
-    hand.turn(-radians(400.0));
+    const ExerciseStep end = hand.turn(-radians(400.0));
     const double most_rad = hand.angle_rad();
     hand.turn(radians(100.0));
     const double back_rad = hand.angle_rad();
     hand.turn(radians(100.0));
 
+    EXPECT_FALSE(drive == TwistDrive::kRoll && (end.contact & kContactShaft) != 0);  // it stays outside
     EXPECT_NEAR(most_rad, radians(540.0 - 155.0), 1e-9);
     EXPECT_NEAR(back_rad, radians(540.0 - 55.0), 1e-9);
     EXPECT_NEAR(hand.angle_rad(), radians(540.0), 1e-9);  // there and back is one way of the wrist
