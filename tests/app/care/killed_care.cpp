@@ -66,7 +66,7 @@ ProgramRun CutOffCare::run(const std::vector<std::string>& arguments, const char
   return test::runProgram(program, lineOf(arguments), folder_);
 }
 
-void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault,
+void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault, const char* variable,
                                   const std::function<void(const FaultyRun&)>& judge) const {
   cut.before();
   int code = -1;
@@ -74,7 +74,7 @@ void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault,
   ASSERT_EQ(code, 0) << run(cut.arguments, cut.program).err;
   ASSERT_GT(all, 0) << "nothing of it can be cut off";
   cut.after();
-  const long wanted = std::min(all, test::killInstants(kInstants));
+  const long wanted = std::min(all, test::instantsOf(variable, kInstants));
   for (long i = 0; i < wanted && !HasFailure(); ++i) {
     const long instant = 1 + i * all / wanted;
     SCOPED_TRACE("instant " + std::to_string(instant) + " of " + std::to_string(all));
@@ -95,12 +95,13 @@ void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault,
 }
 
 void CutOffCare::killEverywhere(const CutOff& cut) const {
-  cutOffEverywhere(cut, "TORSIO_FAULT_KILL_AT=",
-                   [](const FaultyRun& ended) { EXPECT_TRUE(ended.killed || ended.code == 0) << ended.code; });
+  cutOffEverywhere(cut, "TORSIO_FAULT_KILL_AT=", "TORSIO_KILL_INSTANTS", [](const FaultyRun& ended) {
+    EXPECT_TRUE(ended.killed || ended.code == 0) << ended.code;
+  });
 }
 
 void CutOffCare::fillDiskEverywhere(const CutOff& cut) const {
-  cutOffEverywhere(cut, "TORSIO_FAULT_FULL_AT=", [this](const FaultyRun& ended) {
+  cutOffEverywhere(cut, "TORSIO_FAULT_FULL_AT=", "TORSIO_FULL_DISK_INSTANTS", [this](const FaultyRun& ended) {
     EXPECT_FALSE(ended.killed);
     std::ifstream in(file(".said"));
     std::string said;

@@ -48,7 +48,8 @@ class CutOffCare : public DatabaseTest {
   std::filesystem::path folder_;
 
  private:
-  void cutOffEverywhere(const CutOff& cut, const char* fault,
+  /// `variable`: of the environment, says at how many instants.
+  void cutOffEverywhere(const CutOff& cut, const char* fault, const char* variable,
                         const std::function<void(const test::FaultyRun&)>& judge) const;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every care command may be killed at any instant, and the disk may be full from any on: the record stays
 // whole, what is written is whole or not there, and the same command does its work afterwards.
-// TORSIO_KILL_INSTANTS says at how many instants; all that a command has are some hundreds.
+// TORSIO_KILL_INSTANTS and TORSIO_FULL_DISK_INSTANTS say at how many instants; a command has some hundreds.
 #include "tests/app/care/killed_care.h"
 
 #include <fstream>
@@ -27,10 +27,10 @@ class KilledCare : public CutOffCare {
  protected:
   /// What does not depend on the engine is done once.
   void SetUp() override {
-    CutOffCare::SetUp();
-    if (!IsSkipped() && onPostgresql() && !aboutServers()) {
+    if (onPostgresql() && !aboutServers()) {
       GTEST_SKIP() << "what it writes does not depend on the engine";
     }
+    CutOffCare::SetUp();
   }
   static bool aboutServers() {
     const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();

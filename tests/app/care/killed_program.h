@@ -15,9 +15,10 @@ extern char** environ;
 
 namespace torsio::test {
 
-/// At how many instants a program is killed; TORSIO_KILL_INSTANTS changes it.
-inline long killInstants(long usually) {
-  const char* wanted = std::getenv("TORSIO_KILL_INSTANTS");
+/// At how many instants a program is cut off; the variable changes it: TORSIO_KILL_INSTANTS,
+/// TORSIO_FULL_DISK_INSTANTS.
+inline long instantsOf(const char* variable, long usually) {
+  const char* wanted = std::getenv(variable);
   return wanted == nullptr ? usually : std::atol(wanted);
 }
 

@@ -66,9 +66,9 @@ class KilledWindow : public CutOffCare {
     made_ = true;
   }
   /// An act of window_act, which `done` tells of, and what holds in the record after it.
-  [[nodiscard]] CutOff act(const std::vector<std::string>& words, const std::function<bool()>& done,
-                           const std::function<void(Connection&)>& after,
-                           const std::function<void()>& before = [] {}) const {
+  [[nodiscard]] CutOff act(
+      const std::vector<std::string>& words, const std::function<bool()>& done,
+      const std::function<void(Connection&)>& after, const std::function<void()>& before = [] {}) const {
     std::vector<std::string> arguments{words.at(0), target(), "office", kPassword};
     arguments.insert(arguments.end(), words.begin() + 1, words.end());
     return {.arguments = arguments,
@@ -107,7 +107,9 @@ TEST_F(KilledWindow, APersonIsErasedWholeOrNot) {
   };
   cutOff(act(
       {"erase", kPerson},
-      [this] { return ask("SELECT count(*) FROM person WHERE state = 'erased' AND id = 'real trainee'") > 0; },
+      [this] {
+        return ask("SELECT count(*) FROM person WHERE state = 'erased' AND id = 'real trainee'") > 0;
+      },
       [&number](Connection& record) {
         const std::int64_t erased =
             number(record, "SELECT count(*) FROM person WHERE state = 'erased' AND id = ");

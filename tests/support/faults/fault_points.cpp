@@ -161,8 +161,7 @@ ssize_t hookedSendfile(int to, int from, off_t* at, size_t size) {
 ssize_t hookedCopyRange(int from, off64_t* fromAt, int to, off64_t* toAt, size_t size, unsigned flags)
     HOOKED("copy_file_range");
 ssize_t hookedCopyRange(int from, off64_t* fromAt, int to, off64_t* toAt, size_t size, unsigned flags) {
-  static auto* const call =
-      real<ssize_t(int, off64_t*, int, off64_t*, size_t, unsigned)>("copy_file_range");
+  static auto* const call = real<ssize_t(int, off64_t*, int, off64_t*, size_t, unsigned)>("copy_file_range");
   return handOver(to, size, [&](size_t some) { return call(from, fromAt, to, toAt, some, flags); });
 }
 
