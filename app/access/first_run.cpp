@@ -10,6 +10,7 @@
 
 #include "assessment/people/account.h"
 #include "db/connection/connection.h"
+#include "db/connection/database_file.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
@@ -40,6 +41,9 @@ RecordPlace lookAtRecord(const std::string& locator) {
   const Locator place = parseLocator(locator);
   std::error_code ignored;
   if (place.engine == Engine::kSqlite && !std::filesystem::exists(place.file, ignored)) {
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(place.file, ignored))) {
+      requireUsableFile(place.file, OpenMode::kReadOnly);  // a new record in its place would hide the old one
+    }
     const QFileInfo folder(QFileInfo(QString::fromStdString(place.file)).absolutePath());
     if (!folder.isDir() || !folder.isWritable()) {
       throw Error(ErrorCode::kFileUnwritable,

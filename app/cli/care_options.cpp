@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/care_options.h"
 
+#include <iostream>
+
 #include <CLI/CLI.hpp>
 
 #include "app/cli/terminal.h"
@@ -18,6 +20,10 @@ std::function<std::string()> secretOf(int descriptor, const std::string& login) 
 }
 
 }  // namespace
+
+void say(const Text& sentence) {
+  std::cerr << "torsio: " << sentence.str() << "\n";
+}
 
 CLI::Option* addSignIn(CLI::App& command, CareOptions& options, const char* loginOption) {
   CLI::Option* login = command.add_option(loginOption, options.login, "Signs in to the record as this user");
@@ -52,7 +58,8 @@ CareTaker CareOptions::taker() const {
           .secondLogin = secondLogin,
           .secondPassword = secretOf(secondDescriptor, secondLogin),
           .systemAccount = asSystem ? systemAccount() : "",
-          .ownsFile = ownsFile};
+          .ownsFile = ownsFile,
+          .tell = say};
 }
 
 }  // namespace torsio::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/maintenance/care_taker.h"
+#include "sim/base/text.h"
 
 namespace CLI {
 class App;
@@ -22,6 +23,9 @@ struct CareOptions {
 
   [[nodiscard]] CareTaker taker() const;
 };
+
+/// A line on standard error.
+void say(const Text& sentence);
 
 /// Adds the option `login`, by which somebody signs in, and --password-fd.
 CLI::Option* addSignIn(CLI::App& command, CareOptions& options, const char* login);

@@ -118,11 +118,8 @@ void setStation(const AuditArguments& arguments) {
 }
 
 void replaceKey(const AuditArguments& arguments) {
-  const ReplacedKey made =
-      replaceAnchorKey(arguments.database.locator(), arguments.key, arguments.file, utcNow_us());
-  if (!arguments.witness.empty()) {
-    appendToWitness(arguments.witness, made.line);
-  }
+  const ReplacedKey made = replaceAnchorKey(arguments.database.locator(), arguments.key, arguments.file,
+                                            arguments.witness, utcNow_us());
   std::cout << "Public key: " << made.publicKey << "\n"
             << made.line << "\n"
             << "Keep this line with the heads of the older key; torsio audit station --key " << arguments.file

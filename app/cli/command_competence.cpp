@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "app/access/access_service.h"
-#include "app/access/session_context.h"
+#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/maintenance/care_desk.h"
 #include "app/recording/competence_service.h"
 #include "assessment/attempt/competence.h"
 #include "sim/base/angle.h"
-#include "sim/base/error.h"
 
 namespace torsio::cli {
 
@@ -23,12 +21,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kPasswordVariable = "TORSIO_PASSWORD";
-
 struct CompetenceArguments {
   CompetenceDesign design;
   std::string database = "torsio.sqlite";
-  std::string login;
+  CareOptions care;
   std::string exercise;
   std::string expertCohort;
   std::optional<double> tolerance_deg;
@@ -49,23 +45,9 @@ Json designJson(const CompetenceDesign& design) {
   return json;
 }
 
-/// A session of somebody with a password; rights are asked for by the services, as in the window.
-SessionContext signedIn(const CompetenceArguments& arguments) {
-  const char* password = std::getenv(kPasswordVariable);  // NOLINT(concurrency-mt-unsafe): before any thread
-  if (password == nullptr) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("no password was given"), std::string(kPasswordVariable),
-                Text::verbatim("Put the password of this login into the environment variable"));
-  }
-  if (arguments.database.find("://") == std::string::npos && !std::filesystem::exists(arguments.database)) {
-    throw Error(ErrorCode::kFileMissing, Text::verbatim("there is no such database"), arguments.database,
-                Text::verbatim("Give the file of the record with --database"));
-  }
-  SessionContext session({.locator = arguments.database, .station = stationName()});
-  if (signIn(session, arguments.login, password).outcome != SignIn::kOk) {
-    throw Error(ErrorCode::kPermission, Text::verbatim("signing in failed"), arguments.login,
-                Text::verbatim("Sign in at the window once to see why"));
-  }
-  return session;
+/// Somebody who signed in; rights are asked for by the services, as in the window.
+CareDesk deskOf(const CompetenceArguments& arguments) {
+  return {arguments.care.taker(), arguments.database};
 }
 
 void plan(const CompetenceArguments& arguments) {
@@ -83,10 +65,9 @@ void plan(const CompetenceArguments& arguments) {
 }
 
 void show(const CompetenceArguments& arguments) {
-  SessionContext session = signedIn(arguments);
+  CareDesk desk = deskOf(arguments);
   Json all = Json::array();
-  session.beginCall();
-  for (const ExerciseDesigns& exercise : competenceDesigns(session)) {
+  for (const ExerciseDesigns& exercise : competenceDesigns(desk.session())) {
     Json json{{"exercise", exercise.moduleId.text()},
               {"curriculum", exercise.curriculum},
               {"curriculum_version", exercise.curriculumVersion},
@@ -103,13 +84,12 @@ void show(const CompetenceArguments& arguments) {
 }
 
 void enrolDesign(const CompetenceArguments& arguments) {
-  SessionContext session = signedIn(arguments);
+  CareDesk desk = deskOf(arguments);
   CompetenceDesign design = arguments.design;
   design.moduleId = arguments.exercise;
   if (!arguments.expertCohort.empty()) {
-    session.beginCall();
     const ProficiencyThreshold experts =
-        expertTolerance_deg(session, design.moduleId, arguments.expertCohort);
+        expertTolerance_deg(desk.session(), design.moduleId, arguments.expertCohort);
     design.source = ToleranceSource::kExperts;
     design.experts = static_cast<std::int64_t>(experts.experts);
     design.tolerance_rad = radians(experts.toleranceBound);
@@ -117,8 +97,7 @@ void enrolDesign(const CompetenceArguments& arguments) {
     design.source = ToleranceSource::kChosen;
     design.tolerance_rad = radians(*arguments.tolerance_deg);
   }
-  session.beginCall();
-  printJson(designJson(registerCompetence(session, design)));
+  printJson(designJson(registerCompetence(desk.session(), design)));
 }
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
@@ -137,11 +116,10 @@ void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& a
   command.add_option("--tolerance", arguments->tolerance_deg, "Degrees; without it that of the exercise");
 }
 
-void addSignIn(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
-  command.add_option("--database", arguments->database, "SQLite file or postgresql://... address")
+void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
+  addDatabaseArgument(command, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
-  command.add_option("--login", arguments->login, "Who signs in; the password stands in TORSIO_PASSWORD")
-      ->required();
+  addSignIn(command, arguments->care, "--login")->required();
 }
 
 }  // namespace
@@ -157,11 +135,11 @@ void addCompetence(CLI::App& program) {
   command->callback([arguments] { plan(*arguments); });
 
   command = competence->add_subcommand("show", "Prints the designs of all exercises of a record");
-  addSignIn(*command, arguments);
+  addDesk(*command, arguments);
   command->callback([arguments] { show(*arguments); });
 
   command = competence->add_subcommand("register", "Registers a design for an exercise; it never changes");
-  addSignIn(*command, arguments);
+  addDesk(*command, arguments);
   addNumbers(*command, arguments);
   command->add_option("--exercise", arguments->exercise, "Id of the exercise, as show prints it")->required();
   command->add_option("--experts", arguments->expertCohort,

@@ -9,6 +9,7 @@
 #include "app/base/assets.h"
 #include "app/cli/care_options.h"
 #include "app/cli/commands.h"
+#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/terminal.h"
@@ -169,7 +170,7 @@ void runImport(const ImportArguments& given) {
 }
 
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
-  command.add_option("--database", arguments.database, "SQLite file or postgresql://... address")
+  addDatabaseArgument(command, "--database", arguments.database, "SQLite file or postgresql://... address")
       ->capture_default_str();
   command.add_option("--cohort", arguments.cohort, "Name of the cohort; the oldest one");
   command.add_option("--out", arguments.out, out)->required();

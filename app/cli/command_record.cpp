@@ -8,9 +8,11 @@
 #include <QUuid>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/organ_option.h"
+#include "app/maintenance/record_privacy.h"
 #include "app/recording/pipeline.h"
 #include "app/recording/recording_host.h"
 #include "app/recording/trial_store.h"
@@ -37,6 +39,9 @@ void runRecord(const RecordArguments& arguments) {
   request.tissue = tissueModelOf(arguments.model);
   const Scene scene = loadScene(request);
   const TrialStore store(arguments.database.locator());  // makes the database when there is none
+  for (const Text& closed : closeRecordFiles(arguments.database.locator(), {})) {
+    say(closed);
+  }
   ScriptedTrial trial;
   trial.recording = {.trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
                      .startedUtc_us = utcNow_us(),

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/reporting/cell_trace.h"
 
@@ -44,7 +45,8 @@ void addReport(CLI::App& program) {
   report->require_subcommand(1);
   CLI::App* command = report->add_subcommand(
       "trace", "Follows a number to its marks, criteria, scoring sheet, recording and program");
-  command->add_option("--database", arguments->trace.record, "SQLite file or postgresql://... address")
+  addDatabaseArgument(*command, "--database", arguments->trace.record,
+                      "SQLite file or postgresql://... address")
       ->capture_default_str();
   command->add_option("--cohort", arguments->trace.cohort, "Name of the cohort; the oldest one");
   command->add_option("--evaluation", arguments->trace.campaign,

@@ -79,6 +79,9 @@ std::string typedSecret(const std::string& question) {
 
 std::string secretFrom(int descriptor) {
   std::string line = lineOf(descriptor);
+  if (line.ends_with('\r')) {
+    line.pop_back();  // a file of Windows
+  }
   if (line.empty()) {
     throw Error(ErrorCode::kUsage, Text::verbatim("no password can be read"),
                 "file descriptor " + std::to_string(descriptor),

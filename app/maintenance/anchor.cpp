@@ -133,6 +133,65 @@ bool genuine(const std::string& text, const std::string& signedBy, const std::st
          crypto_sign_verify_detached(signature->data(), bytesOfText(text), text.size(), key->data()) == 0;
 }
 
+void requireNewKeyFile(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(file, ignored))) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), file.string(),
+                Text::tr("Name a new file: an older key is needed to check older heads"));
+  }
+}
+
+SecretKey drawKey() {
+  TORSIO_EXPECTS(sodium_init() >= 0);
+  PublicKey open{};
+  SecretKey secret{};
+  crypto_sign_keypair(open.data(), secret.data());
+  return secret;
+}
+
+/// A key, and the line by which it takes the place of another, if it does.
+void writeKey(const fs::path& file, const SecretKey& secret, const std::string& replacement) {
+  writeFileAtomically(file, std::string(kKeyWord) + " 1 " + toHex(secret) + "\n" +
+                                (replacement.empty() ? "" : replacement + "\n"));
+  makePrivate(file);
+}
+
+/// The replacement of `old` that an earlier call wrote with the key in `file`. None: the file is not there,
+/// or something else.
+std::optional<Replacement> replacementIn(const fs::path& file, const std::string& old) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    return std::nullopt;
+  }
+  std::istringstream in(readFile(file));
+  std::string line;
+  while (std::getline(in, line) && !line.starts_with(std::string(kReplacedWord) + " ")) {
+  }
+  if (!in) {
+    return std::nullopt;
+  }
+  Replacement made = replacementOf(line);
+  const bool sound = made.old == old && made.fresh == publicOf(readKey(file)) &&
+                     genuine(made.signedText(), made.signatureOfOld, made.old) &&
+                     genuine(made.signedText(), made.signatureOfFresh, made.fresh);
+  return sound ? std::optional(std::move(made)) : std::nullopt;
+}
+
+bool endsALine(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(-1, std::ios::end);
+  return in.get() == '\n';
+}
+
+/// Whether the witness file has the line.
+bool keeps(const fs::path& witness, const std::string& line) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(witness, ignored)) {
+    return false;
+  }
+  return readFile(witness).find(line + "\n") != std::string::npos;
+}
+
 /// Keys whose heads count, each for the lengths of the trail in its time.
 class TrustedKeys {
  public:
@@ -228,37 +287,40 @@ std::string flawOfTrail(const Head& head, const std::map<std::int64_t, std::stri
 }  // namespace
 
 std::string makeAnchorKey(const fs::path& file) {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  std::error_code ignored;
-  if (fs::exists(fs::symlink_status(file, ignored))) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), file.string(),
-                Text::tr("Name a new file: an older key is needed to check older heads"));
-  }
-  PublicKey open{};
-  SecretKey secret{};
-  crypto_sign_keypair(open.data(), secret.data());
-  writeFileAtomically(file, std::string(kKeyWord) + " 1 " + toHex(secret) + "\n");
-  makePrivate(file);
-  return toHex(open);
+  requireNewKeyFile(file);
+  const SecretKey secret = drawKey();
+  writeKey(file, secret, {});
+  return publicOf(secret);
 }
 
 ReplacedKey replaceAnchorKey(const std::string& locator, const fs::path& old, const fs::path& file,
-                             std::int64_t now_us) {
+                             const fs::path& witness, std::int64_t now_us) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
-  return replaceAnchorKey(connection, old, file, now_us);
+  return replaceAnchorKey(connection, old, file, witness, now_us);
 }
 
 ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const fs::path& file,
-                             std::int64_t now_us) {
+                             const fs::path& witness, std::int64_t now_us) {
   const SecretKey before = readKey(old);
-  const std::string fresh = makeAnchorKey(file);
+  const std::optional<Replacement> begun = replacementIn(file, publicOf(before));
+  if (!begun) {
+    requireNewKeyFile(file);
+  }
+  if (begun && keeps(witness, begun->line())) {
+    return {.publicKey = begun->fresh, .line = begun->line()};
+  }
+  const SecretKey secret = begun ? readKey(file) : drawKey();
   Replacement made{.old = publicOf(before),
-                   .fresh = fresh,
+                   .fresh = publicOf(secret),
                    .length = AuditRepository(connection).head().length,
                    .utc_us = now_us};
   made.signatureOfOld = signedWith(before, made.signedText());
-  made.signatureOfFresh = signedWith(readKey(file), made.signedText());
-  return {.publicKey = fresh, .line = made.line()};
+  made.signatureOfFresh = signedWith(secret, made.signedText());
+  writeKey(file, secret, made.line());  // first: a call that ends here is taken up again by the next
+  if (!witness.empty()) {
+    appendToWitness(witness, made.line());
+  }
+  return {.publicKey = made.fresh, .line = made.line()};
 }
 
 std::string publicAnchorKey(const fs::path& file) {
@@ -295,12 +357,24 @@ AnchoredHead readHead(const std::string& line) {
 
 void appendToWitness(const fs::path& witness, const std::string& head) {
   requireNoDatabase(witness);
+  std::error_code ignored;
+  if (const fs::file_status there = fs::status(witness, ignored);
+      fs::exists(there) && !fs::is_regular_file(there)) {
+    refuseUnwritable(witness);  // a pipe would wait for somebody who reads
+  }
+  const std::uintmax_t before = fs::is_regular_file(witness, ignored) ? fs::file_size(witness, ignored) : 0;
+  std::string line = head + "\n";
+  if (before > 0 && !endsALine(witness)) {
+    line.insert(0, 1, '\n');  // whatever was cut off there must not take this line along
+  }
   std::ofstream out(witness, std::ios::binary | std::ios::app);
-  out << head << '\n';
+  out << line;
   out.close();
   if (!out) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), witness.string(),
-                Text::tr("Choose a folder in which you may write"));
+    if (fs::is_regular_file(witness, ignored)) {
+      fs::resize_file(witness, before, ignored);  // a full disk takes the first half of a line
+    }
+    refuseUnwritable(witness);
   }
 }
 

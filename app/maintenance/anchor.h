@@ -17,16 +17,20 @@ class Connection;
 /// (kFileUnwritable) when the file exists.
 [[nodiscard]] std::string makeAnchorKey(const std::filesystem::path& file);
 /// Makes a new key in place of the one in `old`, whose heads it vouches for up to now. Returns its public
-/// part and the line that says so, signed by both: "torsio-key 1 OLD NEW LENGTH TIME SIGNATURE SIGNATURE", to
-/// be kept among the heads. Throws Error as makeAnchorKey() and publicAnchorKey(), DbError.
+/// part and the line that says so, signed by both: "torsio-key 1 OLD NEW LENGTH TIME SIGNATURE SIGNATURE",
+/// which is kept in the key's file, and added to `witness` unless that is empty. A call that was cut off is
+/// brought to its end by the same call. Throws Error as makeAnchorKey(), publicAnchorKey() and
+/// appendToWitness(), DbError.
 struct ReplacedKey {
   std::string publicKey{};
   std::string line{};
 };
-[[nodiscard]] ReplacedKey replaceAnchorKey(const std::string& locator, const std::filesystem::path& old,
-                                           const std::filesystem::path& file, std::int64_t now_us);
-[[nodiscard]] ReplacedKey replaceAnchorKey(Connection& connection, const std::filesystem::path& old,
-                                           const std::filesystem::path& file, std::int64_t now_us);
+ReplacedKey replaceAnchorKey(const std::string& locator, const std::filesystem::path& old,
+                             const std::filesystem::path& file, const std::filesystem::path& witness,
+                             std::int64_t now_us);
+ReplacedKey replaceAnchorKey(Connection& connection, const std::filesystem::path& old,
+                             const std::filesystem::path& file, const std::filesystem::path& witness,
+                             std::int64_t now_us);
 /// Public part of the key in `file`. Throws Error: kFileMissing, kBadData, kPermission when other accounts
 /// can read it.
 [[nodiscard]] std::string publicAnchorKey(const std::filesystem::path& file);
@@ -49,7 +53,7 @@ struct AnchoredHead {
 };
 /// Throws Error (kBadData) for a line that is no head.
 [[nodiscard]] AnchoredHead readHead(const std::string& line);
-/// Adds a line to a witness file; makes the file. Throws Error (kFileUnwritable).
+/// Adds a line to a witness file, whole or not at all; makes the file. Throws Error (kFileUnwritable).
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);
 
 /// Compares the audit trail with lines that were kept elsewhere: finds entries that were cut off, a chain

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/access/access_service.h"
+#include "app/maintenance/copies.h"
+#include "app/maintenance/record_privacy.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"
@@ -58,6 +60,17 @@ CareDesk::CareDesk(const CareTaker& taker, const std::string& locator)
 CareDesk::CareDesk(const CareTaker& taker, Connection opened, const std::string& owned)
     : connection_(std::move(opened)),
       session_(connection_, ids_, {.locator = owned, .station = stationName(), .actor = {}}, utcNow_us) {
+  enter(taker, owned);
+  for (const std::vector<Text>& closed : {closeRecordFiles(owned, {}), closeKnownCopies(connection_)}) {
+    for (const Text& sentence : closed) {
+      if (taker.tell) {
+        taker.tell(sentence);
+      }
+    }
+  }
+}
+
+void CareDesk::enter(const CareTaker& taker, const std::string& owned) {
   if (!taker.login.empty()) {
     requireSignedIn(signIn(session_, taker.login, taker.password()), taker.login);
     return;

@@ -11,7 +11,8 @@
 
 namespace torsio {
 
-/// A record with whoever takes care of it, signed in. Both constructors throw Error (kPermission) when nobody
+/// A record with whoever takes care of it, signed in; its files and copies are closed to other accounts of
+/// this computer. Both constructors throw Error (kPermission) when nobody
 /// was named, the password is not right, or the record belongs to another account of the system; DbError.
 class CareDesk {
  public:
@@ -30,6 +31,8 @@ class CareDesk {
   void handOver(const CareTaker& taker, const DutyWish& wish);
 
  private:
+  void enter(const CareTaker& taker, const std::string& owned);
+
   Connection connection_;
   SystemIdSource ids_;
   SessionContext session_;

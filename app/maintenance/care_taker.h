@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// Who takes care of a record without the window: somebody who signs in, or the account of the operating
@@ -15,6 +17,7 @@ struct CareTaker {
   std::function<std::string()> secondPassword{};
   std::string systemAccount{};                              ///< empty, and no login: nobody, who may nothing
   std::function<bool(const std::string& file)> ownsFile{};  ///< of that account; for SQLite
+  std::function<void(const Text&)> tell{};                  ///< hears what was mended; may be empty
 };
 
 }  // namespace torsio

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/maintenance/copies.h"
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 
+#include "app/maintenance/record_privacy.h"
 #include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/clock.h"
+#include "sim/base/private_files.h"
 #include "sim/base/time_units.h"
 
 namespace torsio {
@@ -27,9 +31,27 @@ std::int64_t keep_us(Connection& connection) {
   return days * kDay_us;
 }
 
+bool onServer(const RecordCopy& copy) {
+  return copy.place.starts_with("postgresql://");
+}
+
+/// Where a record lies, as the register names it.
+std::string placeOf(const std::string& locator) {
+  const Locator place = parseLocator(locator);
+  return place.engine == Engine::kSqlite ? fs::absolute(place.file).lexically_normal().string()
+                                         : place.shown();
+}
+
+/// Whether an end of a move is the record at `locator` itself.
+bool isSelf(const RecordCopy& copy, const std::string& locator) {
+  return copy.kind == CopyKind::kMoved && copy.place == placeOf(locator) &&
+         (onServer(copy) || copy.station == stationName());
+}
+
 bool isGone(const RecordCopy& copy) {
   std::error_code unreadable;
-  return copy.station == stationName() && !fs::exists(copy.place, unreadable) && !unreadable;
+  return !onServer(copy) && copy.station == stationName() && !fs::exists(copy.place, unreadable) &&
+         !unreadable;
 }
 
 std::vector<ListedCopy> listed(Connection& connection, std::vector<RecordCopy> copies) {
@@ -54,11 +76,51 @@ void registerCopy(Connection& connection, CopyKind kind, const fs::path& place, 
             .madeUtc_us = now_us});
 }
 
+RegisteredMove::RegisteredMove(Connection& connection, const std::string& from, const std::string& to,
+                               std::int64_t now_us)
+    : connection_(connection) {
+  CopyRegister copies(connection);
+  const std::vector<RecordCopy> before = copies.all();
+  for (const std::string& end : {from, to}) {
+    const RecordCopy copy{
+        .kind = CopyKind::kMoved, .place = placeOf(end), .station = stationName(), .madeUtc_us = now_us};
+    const bool known = std::any_of(before.begin(), before.end(),
+                                   [&](const RecordCopy& one) { return one.place == copy.place; });
+    const std::string id = copies.add(copy);
+    if (!known) {
+      fresh_.push_back(id);
+    }
+  }
+}
+
+void RegisteredMove::giveUp(std::int64_t now_us) {
+  for (const std::string& id : fresh_) {
+    CopyRegister(connection_).setGone(id, now_us);
+  }
+}
+
+std::vector<Text> closeKnownCopies(Connection& connection) {
+  std::vector<Text> told;
+  for (const RecordCopy& copy : CopyRegister(connection).all()) {
+    std::error_code unreadable;
+    const fs::path place = copy.place;
+    const bool ours =
+        fs::is_regular_file(place, unreadable) || fs::exists(place / "manifest.json", unreadable);
+    if (copy.station == stationName() && !onServer(copy) && ours && makePrivate(place)) {
+      told.push_back(othersCouldRead(place));
+    }
+  }
+  return told;
+}
+
 std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& personId) {
   session.require(Operation::kPersonErase);
   CopyRegister copies(session.connection());
   std::vector<RecordCopy> there;
   for (RecordCopy& copy : copies.holding(personId)) {
+    if (isSelf(copy, session.key().locator)) {
+      continue;
+    }
     if (isGone(copy)) {
       copies.setGone(copy.id, session.now_us());
     } else {
@@ -71,7 +133,7 @@ std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& p
 std::vector<ListedCopy> copiesOf(const std::string& locator) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
   std::vector<RecordCopy> copies = CopyRegister(connection).all();
-  std::erase_if(copies, isGone);
+  std::erase_if(copies, [&](const RecordCopy& copy) { return isGone(copy) || isSelf(copy, locator); });
   return listed(connection, std::move(copies));
 }
 

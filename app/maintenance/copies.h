@@ -9,6 +9,7 @@
 #include "app/access/session_context.h"
 #include "assessment/people/record_copy.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -26,6 +27,22 @@ struct ListedCopy {
 /// Puts a copy that was made just now at this machine into the register.
 void registerCopy(Connection& connection, CopyKind kind, const std::filesystem::path& place,
                   std::int64_t now_us, const PersonId& personId = {});
+
+/// Puts both ends of a move into the register, so that the record at either of them knows the other one. What
+/// becomes known as given up is taken back, unless a copy was known there before.
+class RegisteredMove {
+ public:
+  RegisteredMove(Connection& connection, const std::string& from, const std::string& to, std::int64_t now_us);
+  void giveUp(std::int64_t now_us);
+
+ private:
+  Connection& connection_;
+  std::vector<std::string> fresh_;  // ids at places where nothing was known
+};
+
+/// Closes the copies of this machine that other accounts could read: files and packages that are still there.
+/// Returns one sentence each.
+[[nodiscard]] std::vector<Text> closeKnownCopies(Connection& connection);
 
 /// Every place that still holds a person besides the record, newest first; those of this machine that are
 /// there no more are left out and noted as gone. kPersonErase.

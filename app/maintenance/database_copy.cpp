@@ -5,12 +5,14 @@
 #include <system_error>
 
 #include "app/base/build_info.h"
+#include "app/maintenance/copies.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 
 namespace torsio {
 
@@ -80,7 +82,9 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
   }
   const FileInTheMaking making(target.file);
   CopyReport report = copyInto(reading, making.path().string(), progress);
-  foldSqlite(making.path());
+  if (!foldSqlite(making.path())) {
+    refuseUnwritable(target.file);
+  }
   refuseTaken(target.file);  // whoever was faster keeps what he wrote
   fs::rename(making.path(), target.file, failed);
   if (failed) {
@@ -98,12 +102,19 @@ CopyReport copyDatabase(SessionContext& session, const std::string& to, const Pr
   AuditNote note{.action = AuditAction::kDatabaseMove,
                  .objectKind = AuditObject::kDatabase,
                  .objectId = parseLocator(to).shown()};
-  session.note(note);  // before the copy, so that both tell of it
+  // Before the copy, so that both tell of it.
+  Transaction together(session.connection());
+  RegisteredMove move(session.connection(), session.key().locator, to, session.now_us());
+  session.note(note);
+  together.commit();
   try {
     return copyAll(session.key().locator, to, progress);
   } catch (...) {
+    Transaction givenUp(session.connection());
+    move.giveUp(session.now_us());
     note.action = AuditAction::kDatabaseMoveGivenUp;
     session.note(note);
+    givenUp.commit();
     throw;
   }
 }

@@ -23,6 +23,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/copy_register.h"
 #include "db/repository/people/person_data.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -222,6 +223,18 @@ void tell(SessionContext& session, Connection& connection, AuditAction action, c
                                     session, askedBy)});
 }
 
+/// Copies that were made since hold people of the older record too: it has to know them. Those of a person
+/// whom it does not have are left out.
+void keepRegister(Connection& present, Connection& older) {
+  const std::set<std::string> known = idsOf(older, "record_copy");
+  const std::set<std::string> people = idsOf(older, "person");
+  for (const RecordCopy& copy : CopyRegister(present).all()) {
+    if (!known.contains(copy.id) && (copy.personId.empty() || people.contains(copy.personId.text()))) {
+      CopyRegister(older).add(copy);
+    }
+  }
+}
+
 /// Brings the copy up to date, erases again, tells of the restore.
 void bringToday(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
                 const fs::path& safety, const UserId& askedBy) {
@@ -230,6 +243,7 @@ void bringToday(SessionContext& session, const fs::path& ready, const RestorePla
   for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
   }
+  keepRegister(session.connection(), copy);
   registerCopy(copy, CopyKind::kBeforeRestore, safety, session.now_us());
   registerCopy(copy, CopyKind::kBackup, plan.backup, session.now_us());
   tell(session, copy, AuditAction::kDatabaseRestore, plan, safety, askedBy);
@@ -274,7 +288,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   requireFile(session);
   requireNobodyAtWork(session);
   const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
-  const fs::path record = session.key().locator;
+  const fs::path record = beyondLinks(session.key().locator);
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
   tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety, askedBy);
@@ -317,8 +331,9 @@ void noteRestore(SessionContext& session, const fs::path& backup) {
   transaction.commit();
 }
 
-Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std::string& file) {
-  requireOwnRestore(file);
+Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std::string& locator) {
+  requireOwnRestore(locator);
+  const std::string file = beyondLinks(locator).string();
   sweepLeftovers(file);
   Restored restored{.content = checkBackup(backup)};
   if (std::optional<Connection> present = presentRecord(file, restored.unreadable)) {

@@ -92,11 +92,12 @@ struct Restored {
   std::string unreadable{};           ///< why what was there could not be compared; empty: it could
 };
 
-/// Puts a sound backup in the place of the record `file`, as planRestore, prepareRestore and takeOver do.
-/// Where no record can be read, `taker` signs in to the backup, and it cannot be known who was erased since.
-/// Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing is changed
-/// then.
-Restored restoreRecord(const CareTaker& taker, const std::filesystem::path& backup, const std::string& file);
+/// Puts a sound backup in the place of the record at `locator`, as planRestore, prepareRestore and takeOver
+/// do. Where no record can be read, `taker` signs in to the backup, and it cannot be known who was erased
+/// since. Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing is
+/// changed then.
+Restored restoreRecord(const CareTaker& taker, const std::filesystem::path& backup,
+                       const std::string& locator);
 
 /// Tells in the restored record that it was restored from `backup`, without a record to compare it with.
 /// kDatabaseRestore.

@@ -57,9 +57,9 @@ bool remindOfKey() {
 
 LeftHead witnessHead(Connection& connection, std::int64_t now_us) {
   const StationAnchor anchor = stationAnchor();
-  LeftHead head{.line = anchoredHead(connection, anchor.key, now_us), .witnessed = !anchor.witness.empty()};
-  if (head.witnessed) {
-    appendToWitness(anchor.witness, head.line);
+  LeftHead head{.line = anchoredHead(connection, anchor.key, now_us), .witness = anchor.witness};
+  if (!head.witness.empty()) {
+    appendToWitness(head.witness, head.line);
   }
   return head;
 }

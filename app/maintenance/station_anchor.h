@@ -27,9 +27,9 @@ void setStationAnchor(const StationAnchor& anchor);
 
 /// The head of a record when somebody left it.
 struct LeftHead {
-  std::string line{};      ///< as anchoredHead() makes it
-  bool witnessed = false;  ///< added to the witness file of this station
-  Text trouble{};          ///< why it was not signed or not added though it should have been; "": nothing
+  std::string line{};               ///< as anchoredHead() makes it
+  std::filesystem::path witness{};  ///< file of this station that it was added to; empty: none
+  Text trouble{};  ///< why it was not signed or not added though it should have been; "": nothing
 };
 /// Signs the head of the record with the key of this station and adds it to its witness file, as far as they
 /// are set. Throws Error, DbError.

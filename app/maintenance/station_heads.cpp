@@ -121,10 +121,7 @@ void makeStationKey(SessionContext& session, const fs::path& file) {
   if (publicPart(anchor.key).empty()) {
     (void)makeAnchorKey(file);
   } else {
-    const ReplacedKey made = replaceAnchorKey(session.connection(), anchor.key, file, session.now_us());
-    if (!anchor.witness.empty()) {
-      appendToWitness(anchor.witness, made.line);
-    }
+    replaceAnchorKey(session.connection(), anchor.key, file, anchor.witness, session.now_us());
   }
   useKey(session, file);
 }

@@ -17,12 +17,14 @@ enum class CopyKind : std::uint8_t {
   kBeforeRestore,  ///< the record as it was before a backup took its place
   kBeforeSchema,   ///< the record as it was before a step of the schema
   kPackage,        ///< all about one person
+  kMoved,          ///< the record at the other end of a move to another database
 };
 inline constexpr auto kCopyKinds = std::to_array<Term<CopyKind>>({
     {CopyKind::kBackup, "backup", Text::tr("backup")},
     {CopyKind::kBeforeRestore, "before_restore", Text::tr("record before a restore")},
     {CopyKind::kBeforeSchema, "before_schema", Text::tr("record before a new schema")},
     {CopyKind::kPackage, "package", Text::tr("package about the person")},
+    {CopyKind::kMoved, "moved", Text::tr("record before or after a move")},
 });
 [[nodiscard]] constexpr const auto& termsOf(CopyKind) noexcept {
   return kCopyKinds;
@@ -36,8 +38,8 @@ inline constexpr auto kCopyKinds = std::to_array<Term<CopyKind>>({
 /// One place where a copy was put.
 struct RecordCopy {
   CopyKind kind = CopyKind::kBackup;
-  std::string place{};    ///< file or folder
-  std::string station{};  ///< machine whose disk it is
+  std::string place{};    ///< file or folder; address of a server, without an account
+  std::string station{};  ///< machine whose disk it is, or that made it on a server
   PersonId personId{};    ///< empty: everybody
   std::int64_t madeUtc_us = 0;
   std::string id{};

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -31,6 +33,14 @@ Index indexOf(std::size_t i) {
   return static_cast<Index>(i);
 }
 
+/// Targets with equally many marks. Their weights are the same at any ratio of the variances, so that sums of
+/// squares over targets are weighted sums over few of these, however many targets there are.
+struct Level {
+  double count = 0.0;    // marks of each
+  double targets = 0.0;  // how many they are
+  MatrixXd within;       // products of their rows of Sums::within
+};
+
 /// Sums over the marks. With n marks V0 = I + a Zt Zt' + b Zr Zr' is n x n; it is only met through the border
 /// [Zr X] and the sums within targets, so that 2,000 targets with 40 raters stay small.
 struct Sums {
@@ -38,8 +48,9 @@ struct Sums {
   Index raters = 0;
   Index fixed = 0;
   double marks = 0.0;
-  VectorXd counts;    // marks of each target
-  MatrixXd within;    // targets x [raters, fixed, mark]: sums over the target's marks
+  VectorXd counts;  // marks of each target
+  MatrixXd within;  // targets x [raters, fixed, mark]: sums over the target's marks
+  std::vector<Level> levels;
   MatrixXd products;  // of [raters, fixed, mark]
   MatrixXd back;      // coefficients of the orthogonal fixed part -> coefficients asked for
   VectorXd ordinary;  // least squares, which the marks have been freed of
@@ -77,6 +88,20 @@ bool orthogonalise(const NumberTable& fixed, const VectorXd& sums, Sums& out) {
   out.ordinary = lengths.cwiseInverse().asDiagonal() * VectorXd(qr.solve(y));
   out.logScale = 2.0 * (r.diagonal().array().abs().log().sum() + lengths.array().log().sum());
   return true;
+}
+
+std::vector<Level> levelsOf(const Sums& sums) {
+  std::map<double, std::vector<Index>> rows;
+  for (Index i = 0; i < sums.targets; ++i) {
+    rows[sums.counts[i]].push_back(i);
+  }
+  std::vector<Level> levels;
+  for (const auto& [count, of] : rows) {
+    const MatrixXd within = sums.within(of, Eigen::all);
+    levels.push_back(
+        {.count = count, .targets = static_cast<double>(of.size()), .within = within.transpose() * within});
+  }
+  return levels;
 }
 
 /// Fills what the fit needs. False: the fixed coefficients cannot be told apart.
@@ -117,16 +142,16 @@ bool gather(const std::vector<CrossedMark>& marks, const NumberTable& fixed, Sum
       x.transpose() * out.counts.asDiagonal() * x;
   out.products.block(out.raters, k, out.fixed, 1) = x.transpose() * out.within.col(k);
   out.products.triangularView<Eigen::StrictlyLower>() = out.products.transpose();
+  out.levels = levelsOf(out);
   return true;
 }
 
 /// The border and the marks under A = I + a Zt Zt'.
 MatrixXd underTargets(const Sums& sums, double a) {
-  const VectorXd weight = a * (1.0 + a * sums.counts.array()).inverse();
-  const MatrixXd rooted = weight.array().sqrt().matrix().asDiagonal() * sums.within;
   MatrixXd out = sums.products;
-  out.selfadjointView<Eigen::Upper>().rankUpdate(rooted.transpose(), -1.0);
-  out.triangularView<Eigen::StrictlyLower>() = out.transpose();
+  for (const Level& level : sums.levels) {
+    out -= a / (1.0 + a * level.count) * level.within;
+  }
   return out;
 }
 
@@ -157,8 +182,12 @@ Profile profileOf(const Sums& sums, const MatrixXd& under, double a, double b, b
     return out;
   }
   const double logQ = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
-  out.criterion = (a * sums.counts.array()).log1p().sum() + logQ + sums.logScale +
-                  rest * (1.0 + std::log(2.0 * std::numbers::pi * out.squares / rest));
+  double logA = 0.0;
+  for (const Level& level : sums.levels) {
+    logA += level.targets * std::log1p(a * level.count);
+  }
+  out.criterion =
+      logA + logQ + sums.logScale + rest * (1.0 + std::log(2.0 * std::numbers::pi * out.squares / rest));
   if (whole) {
     out.inverse = scale.asDiagonal() * factor.solve(MatrixXd::Identity(k, k)) * scale.asDiagonal();
     out.solution = scale.asDiagonal() * solved;
@@ -202,16 +231,22 @@ Derivatives derivativesAt(const Sums& sums, const Parts& variance) {
     return out;
   }
   const VectorXd shrink = (1.0 + a * sums.counts.array()).inverse();
-  const MatrixXd h = shrink.asDiagonal() * sums.within.leftCols(k);  // Zt' A^-1 F
-  const VectorXd d = sums.counts.cwiseProduct(shrink);               // Zt' A^-1 Zt
-  const MatrixXd hm = h * m;
-  const MatrixXd hh = h.transpose() * h;
+  const VectorXd d = sums.counts.cwiseProduct(shrink);  // Zt' A^-1 Zt
+  MatrixXd hh = MatrixXd::Zero(k, k);                   // of H = Zt' A^-1 F, which is met in products only
+  MatrixXd hdh = MatrixXd::Zero(k, k);
+  for (const Level& level : sums.levels) {
+    const double shrunk = 1.0 / (1.0 + a * level.count);
+    hh += shrunk * shrunk * level.within.topLeftCorner(k, k);
+    hdh += level.count * shrunk * shrunk * shrunk * level.within.topLeftCorner(k, k);
+  }
   const MatrixXd g = under.topLeftCorner(sums.raters, k);  // Zr' A^-1 F
   const MatrixXd ofRaters = under.topLeftCorner(sums.raters, sums.raters) - g * m * g.transpose();
-  const MatrixXd crossed = h.leftCols(sums.raters) - hm * g.transpose();
+  const MatrixXd crossed = MatrixXd::Identity(k, sums.raters) - m * g.transpose();  // H of it: Zt' P0 Zr
   const VectorXd solution = out.profile.solution;
-  const VectorXd targets = shrink.cwiseProduct(sums.within.col(k)) - h * solution;  // Zt' P0 y
-  const VectorXd raters = under.col(k).head(sums.raters) - g * solution;            // Zr' P0 y
+  const VectorXd targets =
+      shrink.cwiseProduct(sums.within.col(k) - sums.within.leftCols(k) * solution);  // Zt' P0 y
+  const VectorXd ofTargets = sums.within.leftCols(k).transpose() * shrink.cwiseProduct(targets);
+  const VectorXd raters = under.col(k).head(sums.raters) - g * solution;  // Zr' P0 y
 
   Parts traces{};
   traces[kTargets] = d.sum() - (m.cwiseProduct(hh)).sum();
@@ -220,9 +255,9 @@ Derivatives derivativesAt(const Sums& sums, const Parts& variance) {
   traces[kResidual] = rest - a * traces[kTargets] - b * traces[kRaters];
   std::array<Parts, kParts> pairs{};
   const MatrixXd mhh = m * hh;
-  pairs[kTargets][kTargets] = d.squaredNorm() - 2.0 * hm.cwiseProduct(d.asDiagonal() * h).sum() +
-                              mhh.cwiseProduct(mhh.transpose()).sum();
-  pairs[kTargets][kRaters] = crossed.squaredNorm();
+  pairs[kTargets][kTargets] =
+      d.squaredNorm() - 2.0 * m.cwiseProduct(hdh).sum() + mhh.cwiseProduct(mhh.transpose()).sum();
+  pairs[kTargets][kRaters] = crossed.cwiseProduct(hh * crossed).sum();
   pairs[kRaters][kRaters] = ofRaters.squaredNorm();
   completeByResidual(a, b, traces, pairs);
 
@@ -231,9 +266,8 @@ Derivatives derivativesAt(const Sums& sums, const Parts& variance) {
   squares[kRaters] = raters.squaredNorm();
   squares[kResidual] = out.profile.squares - a * squares[kTargets] - b * squares[kRaters];
   std::array<Parts, kParts> forms{};
-  forms[kTargets][kTargets] =
-      d.dot(targets.cwiseAbs2()) - (h.transpose() * targets).dot(m * (h.transpose() * targets));
-  forms[kTargets][kRaters] = targets.dot(crossed * raters);
+  forms[kTargets][kTargets] = d.dot(targets.cwiseAbs2()) - ofTargets.dot(m * ofTargets);
+  forms[kTargets][kRaters] = ofTargets.dot(crossed * raters);
   forms[kRaters][kRaters] = raters.dot(ofRaters * raters);
   completeByResidual(a, b, squares, forms);
 
@@ -245,9 +279,9 @@ Derivatives derivativesAt(const Sums& sums, const Parts& variance) {
     }
   }
   out.covariance = s * m.bottomRightCorner(sums.fixed, sums.fixed);
-  const MatrixXd kt = hm.rightCols(sums.fixed);
+  const MatrixXd mt = m.rightCols(sums.fixed);
   const MatrixXd kr = g * m.rightCols(sums.fixed);
-  out.covarianceSlopes[kTargets] = kt.transpose() * kt;
+  out.covarianceSlopes[kTargets] = mt.transpose() * hh * mt;
   out.covarianceSlopes[kRaters] = kr.transpose() * kr;
   out.covarianceSlopes[kResidual] = m.bottomRightCorner(sums.fixed, sums.fixed) -
                                     a * out.covarianceSlopes[kTargets] - b * out.covarianceSlopes[kRaters];

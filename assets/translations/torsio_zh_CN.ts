@@ -15128,6 +15128,22 @@ audit trail %3</source>
         <source>the wall was torn: that is not undone</source>
         <translation>壁已撕裂：不算复位</translation>
     </message>
+    <message>
+        <source>record before or after a move</source>
+        <translation>迁移前或迁移后的记录</translation>
+    </message>
+    <message>
+        <source>is a link to a file that is not there</source>
+        <translation>是一个链接，但其指向的文件不存在</translation>
+    </message>
+    <message>
+        <source>Connect the disk that it lies on, or remove the link</source>
+        <translation>请接上它所在的磁盘，或删除该链接</translation>
+    </message>
+    <message>
+        <source>Check the disk, and whether it is full</source>
+        <translation>请检查磁盘，并查看磁盘是否已满</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -19287,16 +19303,16 @@ MSM = 质点弹簧</translation>
         <translation>链头未能保存。%1</translation>
     </message>
     <message>
-        <source>It was added to the witness file of this station.</source>
-        <translation>已添加到本站的见证文件。</translation>
-    </message>
-    <message>
         <source>This station keeps no heads. Copy it or write it down, away from the record: with it anybody can tell later whether the trail was cut off or rewritten.</source>
         <translation>本站不保存链头。请复制或抄下，并与数据分开存放：日后凭它可以查出审计记录是否被截断或改写。</translation>
     </message>
     <message>
         <source>&amp;Copy the head</source>
         <translation>复制链头(&amp;C)</translation>
+    </message>
+    <message>
+        <source>It was added to the witness file of this station: %1</source>
+        <translation>已添加到本站的见证文件：%1</translation>
     </message>
 </context>
 <context>
@@ -19900,6 +19916,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>No card with this code is in force. Sign in with your name and password</source>
         <translation>没有使用此代码的有效卡片。请用登录名和密码登录</translation>
+    </message>
+    <message>
+        <source>Close the window once more, when you have read this</source>
+        <translation>阅读后请再次关闭窗口</translation>
     </message>
 </context>
 <context>

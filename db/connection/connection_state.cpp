@@ -2,7 +2,6 @@
 #include "db/connection/connection_state.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -14,6 +13,7 @@
 #include <QVariant>
 
 #include "db/connection/change_watch.h"
+#include "db/connection/database_file.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
@@ -21,19 +21,6 @@ namespace torsio {
 namespace fs = std::filesystem;
 
 namespace {
-
-[[noreturn]] void readOnlyFile(const Text& what, const fs::path& path) {
-  throw Error(ErrorCode::kFileUnwritable, what, path.string(),
-              Text::tr("Choose a folder in which you may write, or open the database for reading only"));
-}
-
-/// Whether somebody took all write permissions away: then we do not write, even where root could.
-bool markedReadOnly(const fs::path& path) {
-  constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  std::error_code failed;
-  const fs::file_status status = fs::status(path, failed);
-  return !failed && fs::exists(status) && (status.permissions() & kWrite) == fs::perms::none;
-}
 
 /// One parameter as PostgreSQL's library reads it; Qt turns each semicolon between them into a blank.
 QString optionOf(const std::string& name, const std::string& value) {
@@ -72,58 +59,6 @@ bool beginsAsDatabase(const fs::path& file) {
   std::string head(15, '\0');
   std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
   return head == "SQLite format 3";
-}
-
-/// Whether a file has no byte, and gets none although it is new: another program may be making it just now.
-bool staysEmpty(const fs::path& file) {
-  constexpr auto kPatience = std::chrono::seconds(2);
-  constexpr auto kPause = std::chrono::milliseconds(20);
-  std::error_code gone;
-  while (fs::file_size(file, gone) == 0 && !gone) {
-    if (fs::file_time_type::clock::now() - fs::last_write_time(file, gone) > kPatience) {
-      return true;
-    }
-    std::this_thread::sleep_for(kPause);
-  }
-  return false;
-}
-
-/// What the engine would only report as "unable to open database file" gets a reason here.
-void checkFile(const fs::path& file, OpenMode mode) {
-  std::error_code ignored;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (fs::is_directory(file, ignored)) {
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("is a folder, not a database"), file.string(),
-                Text::tr("Name a file in that folder"));
-  }
-  const bool exists = fs::exists(file, ignored);
-  if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would wait for somebody who writes
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("is no file, so it is no database"), file.string(),
-                Text::tr("Name a file"));
-  }
-  if (exists && staysEmpty(file)) {
-    throw Error(ErrorCode::kFileUnreadable,
-                Text::tr("is empty, which no record ever is: something emptied it"), file.string(),
-                Text::tr("Restore the latest backup; if there never was a record here, remove the file"));
-  }
-  if (!exists && mode != OpenMode::kCreate) {
-    throw Error(ErrorCode::kFileMissing, Text::tr("no such database"), file.string(),
-                Text::tr("Check the path"));
-  }
-  if (!exists && !fs::is_directory(folder, ignored)) {
-    throw Error(ErrorCode::kFileMissing, Text::tr("no such folder"), folder.string(),
-                Text::tr("Create it, or choose another"));
-  }
-  if (mode == OpenMode::kReadOnly) {
-    return;
-  }
-  if (exists && markedReadOnly(file)) {
-    readOnlyFile(Text::tr("database file is read-only"), file);
-  }
-  // The write-ahead log is a file beside the database.
-  if (markedReadOnly(folder)) {
-    readOnlyFile(Text::tr("folder is read-only"), folder);
-  }
 }
 
 }  // namespace
@@ -171,7 +106,7 @@ void ConnectionState::close() noexcept {
 void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
   const bool inMemory = locator.file == ":memory:";
   if (!inMemory) {
-    checkFile(locator.file, mode);
+    requireUsableFile(locator.file, mode);
   }
   database_->setDatabaseName(QString::fromStdString(locator.file));
   QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout_ms);
@@ -202,7 +137,7 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       return;  // somebody is writing, so it can be written
     }
     if (error.fault() == DbFault::kReadOnly) {
-      readOnlyFile(Text::tr("database file is read-only"), locator.file);
+      refuseReadOnly(Text::tr("database file is read-only"), locator.file);
     }
     if (error.fault() == DbFault::kCorrupt) {
       throw Error(beginsAsDatabase(locator.file) ? ErrorCode::kVerifyFailed : ErrorCode::kFileUnreadable,

@@ -3,10 +3,24 @@
 
 namespace torsio {
 
+namespace {
+
+ErrorCode codeOf(DbFault fault) {
+  switch (fault) {
+    case DbFault::kCorrupt:
+      return ErrorCode::kVerifyFailed;
+    case DbFault::kFull:
+      return ErrorCode::kFileUnwritable;
+    default:
+      return ErrorCode::kDatabase;
+  }
+}
+
+}  // namespace
+
 DbError::DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
                  const Text& remedy)
-    : Error(fault == DbFault::kCorrupt ? ErrorCode::kVerifyFailed : ErrorCode::kDatabase,
-            operation.empty() ? what : Text::tr("%1 (%2)", what, operation), where, remedy),
+    : Error(codeOf(fault), operation.empty() ? what : Text::tr("%1 (%2)", what, operation), where, remedy),
       fault_(fault),
       operation_(operation) {}
 

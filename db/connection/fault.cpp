@@ -73,6 +73,13 @@ DbFault postgresqlFault(const QString& state) {
   return state.isEmpty() || state.startsWith(QLatin1String("08")) ? DbFault::kUnreachable : DbFault::kOther;
 }
 
+bool isOfTheDisk(const QSqlError& error) {
+  constexpr int kIoError = 10;
+  constexpr int kCannotOpen = 14;
+  const int primary = error.nativeErrorCode().toInt() & 0xFF;
+  return primary == kIoError || primary == kCannotOpen;
+}
+
 struct Wording {
   Text what;
   Text remedy;
@@ -161,7 +168,9 @@ void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
       what = Text::verbatim("%1: %2", wording.what, detail);
     }
   }
-  throw DbError(fault, operationOf(sql), what, location, wording.remedy);
+  const bool ofTheDisk = fault == DbFault::kOther && engine == Engine::kSqlite && isOfTheDisk(error);
+  throw DbError(fault, operationOf(sql), what, location,
+                ofTheDisk ? Text::tr("Check the disk, and whether it is full") : wording.remedy);
 }
 
 }  // namespace torsio

@@ -150,7 +150,7 @@ CREATE TABLE erasure (
 -- gone_utc_us: when it was seen to be there no more.
 CREATE TABLE record_copy (
   id TEXT PRIMARY KEY,
-  kind TEXT NOT NULL CHECK (kind IN ('backup', 'before_restore', 'before_schema', 'package')),
+  kind TEXT NOT NULL CHECK (kind IN ('backup', 'before_restore', 'before_schema', 'package', 'moved')),
   place TEXT NOT NULL,
   station TEXT NOT NULL,
   person_id TEXT REFERENCES person (id),

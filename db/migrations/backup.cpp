@@ -12,6 +12,7 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/record_exchange.h"
 #include "sim/base/contracts.h"
+#include "sim/base/file_io.h"
 
 namespace torsio {
 
@@ -63,7 +64,7 @@ void settleAs(std::uint32_t mark, const fs::path& copy) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
                 copy.string(), Text::tr("Check the disk, and the database itself"));
   }
-  connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  leaveLog(connection);
   connection.executeVerbatim("PRAGMA synchronous = FULL");
   connection.executeVerbatim("PRAGMA application_id = " + std::to_string(mark));
   connection.executeVerbatim("PRAGMA user_version = 1");
@@ -125,6 +126,17 @@ std::vector<std::string> integrityFindings(Connection& connection) {
   return findings;
 }
 
+void leaveLog(Connection& connection) {
+  std::string mode;
+  Statement answer = connection.selectVerbatim("PRAGMA journal_mode = DELETE");
+  while (answer.step()) {
+    mode = answer.text(0);
+  }
+  if (mode != "delete") {
+    refuseUnwritable(connection.location());
+  }
+}
+
 void settleSqlite(const fs::path& copy) {
   settleAs(kRecordMark, copy);
 }
@@ -132,7 +144,7 @@ void settleSqlite(const fs::path& copy) {
 bool foldSqlite(const fs::path& file) {
   try {
     Connection connection = openDatabase(file.string(), OpenMode::kReadWrite, 0);
-    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+    leaveLog(connection);
     return true;
   } catch (const DbError& error) {
     if (error.fault() == DbFault::kBusy) {

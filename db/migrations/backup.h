@@ -51,8 +51,12 @@ void settleSqlite(const std::filesystem::path& copy);
 /// and `ready` are as before.
 std::filesystem::path replaceSqlite(const std::filesystem::path& ready, const std::filesystem::path& target);
 
+/// Folds the write-ahead log of an open file into it and works without one from then on. Throws Error
+/// (kFileUnwritable) when not all of it could be folded: the engine only keeps the log then.
+void leaveLog(Connection& connection);
+
 /// Folds the write-ahead log into the file, so that it can be moved alone. Returns false for a file that is
-/// no database any more. Throws Error (kDatabase) when anybody else has it open.
+/// no database any more, or when the disk is full. Throws Error (kDatabase) when anybody else has it open.
 bool foldSqlite(const std::filesystem::path& file);
 
 /// What the engine finds wrong with the file or its references; empty: nothing.

@@ -47,6 +47,11 @@ fs::path freeName(const fs::path& wanted) {
   return name;
 }
 
+fs::path beyondLinks(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
+}
+
 fs::path numberedName(const fs::path& stem) {
   int number = 1;
   std::error_code ignored;
@@ -56,8 +61,8 @@ fs::path numberedName(const fs::path& stem) {
   return withSuffix(stem, "-" + std::to_string(number));
 }
 
-FileInTheMaking::FileInTheMaking(const fs::path& target)
-    : path_(temporaryBeside(target)), lock_(lockNameOf(path_)) {
+FileInTheMaking::FileInTheMaking(const fs::path& target, std::chrono::milliseconds patience)
+    : path_(temporaryBeside(target)), lock_(lockNameOf(path_), patience) {
   lock_.requireHeld(target);
   removeUnfinished(path_);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -19,6 +20,9 @@ void removeDatabase(const std::filesystem::path& file) noexcept;
 /// the ending `.sqlite`, if there is one).
 [[nodiscard]] std::filesystem::path freeName(const std::filesystem::path& wanted);
 
+/// Returns the file that a link leads to, or `file` itself when it is none.
+[[nodiscard]] std::filesystem::path beyondLinks(const std::filesystem::path& file);
+
 /// Returns the first of "<stem>-1", "<stem>-2" ... that nothing has.
 [[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);
 
@@ -28,8 +32,8 @@ void removeDatabase(const std::filesystem::path& file) noexcept;
 class FileInTheMaking {
  public:
   /// Removes leftovers of that name. Throws Error (kFileUnwritable) when another program is making `target`
-  /// now, or its folder cannot be written.
-  explicit FileInTheMaking(const std::filesystem::path& target);
+  /// for longer than `patience`, or its folder cannot be written.
+  explicit FileInTheMaking(const std::filesystem::path& target, std::chrono::milliseconds patience = {});
   FileInTheMaking(const FileInTheMaking&) = delete;
   FileInTheMaking& operator=(const FileInTheMaking&) = delete;
   ~FileInTheMaking();

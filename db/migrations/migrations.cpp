@@ -2,11 +2,14 @@
 #include "db/migrations/migrations.h"
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
+#include <system_error>
 
 #include <QDir>
 #include <QFile>
 
+#include "db/connection/database_file.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
 #include "db/migrations/file_in_the_making.h"
@@ -16,6 +19,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
+#include "sim/base/file_io.h"
 
 // Outside any namespace, as Qt demands: a static library's resources register only when asked.
 static void registerMigrationFiles() {
@@ -24,7 +28,13 @@ static void registerMigrationFiles() {
 
 namespace torsio {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+constexpr const char* kInMemory = ":memory:";
+// A second program that starts meanwhile waits for the first one's record.
+constexpr auto kMakingPatience = std::chrono::seconds(30);
 
 // Held while a step runs, so that a second station waits instead of running it too ("TORM" in ASCII, and the
 // schema: records beside this one in the database do not wait). A copy of a record holds it to its end.
@@ -127,6 +137,27 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
   transaction.commit();
 }
 
+/// Makes the file of a new record. It gets its name when its tables are in it: whoever is killed meanwhile
+/// leaves no file that looks like a record and is none.
+void makeRecord(const fs::path& file, const std::vector<Migration>& migrations,
+                const MigrationOptions& options) {
+  requireUsableFile(file, OpenMode::kCreate);
+  const FileInTheMaking making(file, kMakingPatience);
+  std::error_code failed;
+  if (fs::exists(file, failed)) {  // another program was faster
+    return;
+  }
+  {
+    Connection fresh = openDatabase(making.path().string(), OpenMode::kCreate);
+    migrate(fresh, migrations, options);
+    leaveLog(fresh);  // so that the file can be moved alone
+  }
+  fs::rename(making.path(), file, failed);
+  if (failed) {
+    refuseUnwritable(file);
+  }
+}
+
 [[noreturn]] void newerSchema(const SchemaState& state, const std::string& where) {
   throw Error(ErrorCode::kNewerSchema,
               Text::tr("was written by a newer version of Torsio (schema %1, this program knows %2)",
@@ -211,9 +242,9 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
     return report;
   }
   if (connection.engine() == Engine::kSqlite && state.version > 0 && options.backup &&
-      connection.location() != ":memory:") {
-    const std::filesystem::path file = connection.location();
-    std::filesystem::path copy = file;
+      connection.location() != kInMemory) {
+    const fs::path file = connection.location();
+    fs::path copy = file;
     copy += ".schema-" + std::to_string(state.version) + ".sqlite";
     copy = freeName(copy);  // an older copy may be all that is left of what it holds
     backupSqlite(connection, copy);
@@ -228,19 +259,23 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
 }
 
 Connection openRecord(const std::string& locator, OpenMode mode, const MigrationOptions& options) {
+  const std::vector<Migration> migrations = embeddedMigrations();
   if (const Locator parsed = parseLocator(locator);
       parsed.engine == Engine::kSqlite && mode != OpenMode::kReadOnly) {
     recoverRecord(parsed.file);
+    std::error_code ignored;
+    if (mode == OpenMode::kCreate && parsed.file != kInMemory && !fs::exists(parsed.file, ignored)) {
+      makeRecord(parsed.file, migrations, options);
+    }
   }
   Connection connection = openDatabase(locator, mode);
-  const std::vector<Migration> migrations = embeddedMigrations();
   if (mode != OpenMode::kReadOnly) {
     const MigrationReport report = migrate(connection, migrations, options);
     sealChanges(connection);
     if (report.backup) {
       CopyRegister(connection)
           .add({.kind = CopyKind::kBeforeSchema,
-                .place = std::filesystem::absolute(*report.backup).string(),
+                .place = fs::absolute(*report.backup).string(),
                 .station = options.station,
                 .madeUtc_us = options.now_us != 0 ? options.now_us : utcNow_us()});
     }

@@ -2,6 +2,7 @@
 #include "sim/base/file_lock.h"
 
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #ifndef _WIN32
@@ -19,7 +20,14 @@ namespace torsio {
 
 namespace fs = std::filesystem;
 
-FileLock::FileLock(fs::path file) : file_(std::move(file)), state_(take()) {}
+FileLock::FileLock(fs::path file, std::chrono::milliseconds patience)
+    : file_(std::move(file)), state_(take()) {
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  for (const auto begun = std::chrono::steady_clock::now();
+       state_ == State::kOthers && std::chrono::steady_clock::now() - begun < patience; state_ = take()) {
+    std::this_thread::sleep_for(kPause);
+  }
+}
 
 #ifdef _WIN32
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace torsio {
@@ -9,8 +10,8 @@ namespace torsio {
 /// system gives it up when its program is killed; what is left of the file keeps nobody out.
 class FileLock {
  public:
-  /// Takes the lock unless somebody holds it. Does not wait.
-  explicit FileLock(std::filesystem::path file);
+  /// Takes the lock unless somebody holds it for longer than `patience`.
+  explicit FileLock(std::filesystem::path file, std::chrono::milliseconds patience = {});
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
   ~FileLock();

@@ -78,8 +78,9 @@ void HeadNotice::retranslate() {
   hash_->setAccessibleName(tr("Hash of the newest entry: %1").arg(hash));
   if (!head_.trouble.str().empty()) {
     where_->setText(tr("The head was not kept. %1").arg(toQString(head_.trouble)));
-  } else if (head_.witnessed) {
-    where_->setText(tr("It was added to the witness file of this station."));
+  } else if (!head_.witness.empty()) {
+    where_->setText(
+        tr("It was added to the witness file of this station: %1").arg(toQString(head_.witness.string())));
   } else {
     where_->setText(
         tr("This station keeps no heads. Copy it or write it down, away from the record: with it "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/main_window.h"
 
+#include <iostream>
 #include <utility>
 
 #include <QApplication>
@@ -305,6 +306,14 @@ std::optional<LeftHead> MainWindow::forgetActor() {
   }
 }
 
+bool MainWindow::staysSilent(const LeftHead& head) {
+  if (!head.witness.empty()) {
+    std::cerr << "torsio: the head of the audit trail was added to " << head.witness.string() << ": "
+              << head.line << "\n";
+  }
+  return head.trouble.empty() || qGuiApp->isSavingSession();  // a computer that goes off waits for nobody
+}
+
 void MainWindow::tellHead(const std::optional<LeftHead>& head) {
   if (!head) {
     return;
@@ -377,7 +386,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   preferences_.setLayout(QStringLiteral("window"), saveGeometry());
   leaveDesk();
-  forgetActor();
+  if (const std::optional<LeftHead> head = forgetActor(); head && !staysSilent(*head)) {
+    enterSignIn();
+    signIn_->say(tr("Close the window once more, when you have read this"), true);
+    tellHead(head);
+    event->ignore();
+    return;
+  }
   if (line_) {
     line_->leave();
   }

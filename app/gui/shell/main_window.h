@@ -114,6 +114,8 @@ class MainWindow : public QWidget {
   /// line where it cannot be read, and then why.
   std::optional<LeftHead> forgetActor();
   void tellHead(const std::optional<LeftHead>& head);
+  /// Whether the window may close on it. Says on standard error where the head was kept.
+  [[nodiscard]] static bool staysSilent(const LeftHead& head);
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);

@@ -19,6 +19,7 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/record_privacy.h"
 #include "app/recording/station_start.h"
@@ -89,8 +90,12 @@ void MainWindow::settle() {
       [this, begins, key = key(),
        folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
         sweepLeftovers(key.locator);
-        const std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
+        std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
         SessionContext own(key);
+        if (begins) {
+          const std::vector<Text> copies = closeKnownCopies(own.connectionWithoutRight());
+          closed.insert(closed.end(), copies.begin(), copies.end());
+        }
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept, closed] {
           kept_ = kept;

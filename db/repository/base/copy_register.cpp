@@ -24,15 +24,17 @@ RecordCopy copyOf(RowReader& row) {
 
 }  // namespace
 
-void CopyRegister::add(const RecordCopy& copy) {
+std::string CopyRegister::add(const RecordCopy& copy) {
   Transaction transaction(connection_);
+  std::string id = SystemIdSource().newUuid();
   connection_.execute(
       "UPDATE record_copy SET gone_utc_us = ? WHERE place = ? AND station = ? AND gone_utc_us IS NULL",
       {copy.madeUtc_us, copy.place, copy.station});
-  connection_.execute(insertInto("record_copy", "id, kind, place, station, person_id, made_utc_us"),
-                      {SystemIdSource().newUuid(), storedText(copy.kind), copy.place, copy.station,
-                       textOrNull(copy.personId), copy.madeUtc_us});
+  connection_.execute(
+      insertInto("record_copy", "id, kind, place, station, person_id, made_utc_us"),
+      {id, storedText(copy.kind), copy.place, copy.station, textOrNull(copy.personId), copy.madeUtc_us});
   transaction.commit();
+  return id;
 }
 
 std::vector<RecordCopy> CopyRegister::all() const {

@@ -16,8 +16,9 @@ class CopyRegister {
  public:
   explicit CopyRegister(Connection& connection) : connection_(connection) {}
 
-  /// Gives it an id. A copy at the place of an older one of the same station takes its place here too.
-  void add(const RecordCopy& copy);
+  /// Gives it an id, and returns that. A copy at the place of an older one of the same station takes its
+  /// place here too.
+  std::string add(const RecordCopy& copy);
   /// Those not known to be gone, newest first.
   [[nodiscard]] std::vector<RecordCopy> all() const;
   /// Of these, the ones that hold this person: made since the person was entered.

@@ -1,160 +1,207 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every care command may be killed at any instant: the record stays whole, what it writes is whole or not
-// there, and the same command does its work afterwards. TORSIO_KILL_INSTANTS says at how many instants.
-#include <chrono>
-#include <cstdlib>
+// Every care command may be killed at any instant, and the disk may be full from any on: the record stays
+// whole, what is written is whole or not there, and the same command does its work afterwards.
+// TORSIO_KILL_INSTANTS and TORSIO_FULL_DISK_INSTANTS say at how many instants; a command has some hundreds.
+#include "tests/app/care/killed_care.h"
+
 #include <fstream>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/maintenance/anchor.h"
-#include "assessment/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/people/access_repository.h"
-#include "db/repository/system/audit_verification.h"
 #include "db/repository/system/demonstration_data.h"
-#include "db/repository/system/setting_repository.h"
-#include "sim/base/digest.h"
-#include "tests/app/care/killed_program.h"
-#include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::killInstants;
-using test::ProgramRun;
-using test::runAndKill;
-using test::runProgram;
 
-constexpr int kInstants = 10;
-
-std::string personIn(Connection& connection) {
-  Statement row = connection.prepare("SELECT min(id) FROM person");
-  row.execute();
-  return row.step() ? row.text(0) : "";
-}
-
-bool isSound(Connection& connection) {
-  return integrityFindings(connection).empty() && verifyAuditTrail(connection).empty();
-}
-
-/// A record in a file, and on the other engine a schema of its own to copy into.
-class KilledCare : public DatabaseTest {
+class KilledCare : public CutOffCare {
  protected:
+  /// What does not depend on the engine is done once.
   void SetUp() override {
-    DatabaseTest::SetUp();
-    if (IsSkipped()) {
-      return;
+    if (onPostgresql() && !aboutServers()) {
+      GTEST_SKIP() << "what it writes does not depend on the engine";
     }
-    folder_ =
-        emptyFolder(std::string("killed-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-                    (onPostgresql() ? "-server" : ""));
-    makeRecord("record.sqlite", "real");
+    CutOffCare::SetUp();
   }
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  void makeRecord(const std::string& name, const std::string& prefix) const {
-    Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
-    const FullRecord rows(connection, prefix, false);
+  static bool aboutServers() {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    return name.find("Move") != std::string::npos || name.find("Server") != std::string::npos;
   }
-  static std::string lineOf(const std::vector<std::string>& arguments) {
-    std::string line;
-    for (const std::string& argument : arguments) {
-      line += " '" + argument + "'";
-    }
-    return line;
+  static void put(const std::string& from, const std::string& to) {
+    removeDatabase(to);
+    fs::copy_file(from, to);
   }
-  [[nodiscard]] ProgramRun run(const std::vector<std::string>& arguments,
-                               const char* program = TORSIO_PROGRAM) const {
-    return runProgram(program, lineOf(arguments), folder_);
-  }
-  /// Kills the command at instants over the time that it takes; `before` and `after` each of them. Then it
-  /// must do its work, with the code 0.
-  void killEverywhere(const std::vector<std::string>& arguments, const std::function<void()>& before,
-                      const std::function<void()>& after, const char* program = TORSIO_PROGRAM,
-                      int usually = kInstants) const {
-    before();
-    const auto begin = std::chrono::steady_clock::now();
-    const ProgramRun first = run(arguments, program);
-    ASSERT_EQ(first.code, 0) << first.err;
-    const auto whole =
-        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
-    after();
-    const int kills = killInstants(usually);
-    for (int i = 0; i < kills && !HasFailure(); ++i) {
-      before();
-      ASSERT_TRUE(runAndKill(arguments, whole * (i + 1) / kills, program));
-      after();
-      expectWholeRecord();
-    }
-    before();
-    const ProgramRun last = run(arguments, program);
-    EXPECT_EQ(last.code, 0) << "after the kills: " << last.err;
-    after();
-  }
-  void emptySchema(const std::string& address) const {
-    Connection server = open();
-    const std::string schema = parseLocator(address).schema;
-    server.executeVerbatim("SET client_min_messages = warning");
-    server.executeVerbatim("DROP SCHEMA " + schema + " CASCADE");
-    server.executeVerbatim("CREATE SCHEMA " + schema);
-  }
-  /// The address of the server as it may stand on a command line; the password goes to a file of its own.
-  [[nodiscard]] std::string addressWithoutPassword() const {
-    Locator server = parseLocator(locator());
-    std::ofstream(file("pgpass")) << server.host << ":" << server.port << ":*:" << server.user << ":"
-                                  << server.password << "\n";
-    fs::permissions(file("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
-    setenv("PGPASSFILE", file("pgpass").c_str(), 1);
-    server.password.clear();
-    return addressOf(server);
-  }
-  void expectWholeRecord() const {
-    Connection record = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
-    EXPECT_TRUE(isSound(record));
-    EXPECT_TRUE(personIn(record).starts_with("real"));
-  }
-  /// What a killed program leaves is swept by the next one.
-  void expectNothingHalf() const {
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      EXPECT_EQ(entry.path().filename().string().find(".part"), std::string::npos) << entry.path();
-    }
+  void backUpOther() const {
+    makeRecord("other.sqlite", "other");
+    ASSERT_EQ(
+        run({"db", "backup", "--as-system", file("old.backup"), "--database", file("other.sqlite")}).code, 0);
   }
 
-  fs::path folder_;
+  [[nodiscard]] CutOff backup() const {
+    return {
+        .arguments = {"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
+        .before = [this] { fs::remove(file("b.backup")); },
+        .after =
+            [this] {
+              if (fs::exists(file("b.backup"))) {
+                EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
+              }
+              expectWholeRecord();
+            },
+        .done = [this] { return fs::exists(file("b.backup")); }};
+  }
+  [[nodiscard]] CutOff replacingBackup() const {
+    return {.arguments = {"db", "backup", "--as-system", "--replace", file("b.backup"), "--database",
+                          file("record.sqlite")},
+            .before =
+                [this] {
+                  fs::copy_file(file("old.backup"), file("b.backup"), fs::copy_options::overwrite_existing);
+                },
+            .after =
+                [this] {
+                  EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
+                  Connection backup = openDatabase(file("b.backup"), OpenMode::kReadOnly);
+                  const std::string person = personIn(backup);
+                  EXPECT_TRUE(person.starts_with("real") || person.starts_with("other")) << person;
+                  expectWholeRecord();
+                }};
+  }
+  /// Copies before a restore that hold the record as it was.
+  [[nodiscard]] int originalsBeside() const {
+    int originals = 0;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename().string();
+      if (name.find("care-before-restore") == 0 && name.ends_with(".sqlite")) {
+        Connection kept = openDatabase(entry.path().string(), OpenMode::kReadOnly);
+        originals += personIn(kept).starts_with("real") ? 1 : 0;
+      }
+    }
+    return originals;
+  }
+  [[nodiscard]] CutOff restore() const {
+    return {
+        .arguments = {"db", "restore", "--as-system", file("old.backup"), "--database", file("care.sqlite")},
+        .before =
+            [this] {
+              for (const auto& entry : fs::directory_iterator(folder_)) {
+                if (entry.path().filename().string().find("care") == 0) {
+                  fs::remove(entry.path());
+                }
+              }
+              fs::copy_file(file("record.sqlite"), file("care.sqlite"));
+            },
+        .after =
+            [this] {
+              Connection record = openRecord(file("care.sqlite"), OpenMode::kReadWrite);
+              EXPECT_TRUE(isSound(record));
+              const std::string person = personIn(record);
+              EXPECT_TRUE(person.starts_with("real") || person.starts_with("other")) << person;
+              EXPECT_TRUE(person.starts_with("real") || originalsBeside() > 0) << "the original is gone";
+            }};
+  }
+  [[nodiscard]] std::string moveTarget() const {
+    return onPostgresql() ? addressWithoutPassword() : file("moved.sqlite");
+  }
+  [[nodiscard]] CutOff move(const std::string& target) const {
+    return {.arguments = {"db", "copy", "--as-system", file("record.sqlite"), target},
+            .before =
+                [this, target] {
+                  if (onPostgresql()) {
+                    emptySchema(target);
+                  } else {
+                    removeDatabase(target);
+                  }
+                },
+            .after =
+                [this, target] {
+                  expectWholeRecord();
+                  if (const std::string person = personAt(target); !person.empty()) {
+                    EXPECT_TRUE(person.starts_with("real")) << person;
+                    Connection moved = openDatabase(target, OpenMode::kReadWrite);
+                    EXPECT_TRUE(isSound(moved)) << "rows of a record that is not whole";
+                  }
+                },
+            .done = [this, target] { return !personAt(target).empty(); }};
+  }
+  /// Empty: nothing was moved there. On an SQLite target there is no file then.
+  [[nodiscard]] std::string personAt(const std::string& target) const {
+    if (!onPostgresql() && !fs::exists(target)) {
+      return {};
+    }
+    Connection moved = openDatabase(target, OpenMode::kReadWrite);
+    try {
+      return personIn(moved);
+    } catch (const DbError&) {
+      EXPECT_TRUE(onPostgresql()) << "a file without a record";
+      return {};
+    }
+  }
+  [[nodiscard]] CutOff firstRecord() const {
+    return {.arguments = {"record", "--duration", "1", "--database", file("fresh.sqlite")},
+            .before = [this] { removeDatabase(file("fresh.sqlite")); },
+            .after =
+                [this] {
+                  if (fs::exists(file("fresh.sqlite"))) {
+                    Connection fresh = openDatabase(file("fresh.sqlite"), OpenMode::kReadOnly);
+                    EXPECT_EQ(checkSchema(fresh, embeddedMigrations()).version, 1);
+                  }
+                }};
+  }
+  [[nodiscard]] CutOff firstKey() const {
+    return {.arguments = {"audit", "key", file("key")},
+            .before = [this] { fs::remove(file("key")); },
+            .after =
+                [this] {
+                  if (fs::exists(file("key"))) {
+                    EXPECT_EQ(publicAnchorKey(file("key")).size(), 64U);
+                  }
+                },
+            .done = [this] { return fs::exists(file("key")); }};
+  }
+  [[nodiscard]] CutOff head() const {
+    return {.arguments = {"audit", "head", "--key", file("key"), "--witness", file("heads"), "--database",
+                          file("record.sqlite")},
+            .after = [this] {
+              if (fs::exists(file("heads"))) {
+                EXPECT_TRUE(compareWithHeads(file("record.sqlite"), headsOf(file("heads")), {}).empty());
+              }
+            }};
+  }
+  /// The next key in place of the first; the witness has one head of that.
+  [[nodiscard]] CutOff replacedKey() const {
+    return {.arguments = {"audit", "key", file("next"), "--replaces", file("key"), "--witness", file("heads"),
+                          "--database", file("record.sqlite")},
+            .before =
+                [this] {
+                  fs::remove(file("next"));
+                  fs::copy_file(file("first-heads"), file("heads"), fs::copy_options::overwrite_existing);
+                },
+            .after =
+                [this] {
+                  const std::vector<std::string> lines = headsOf(file("heads"));
+                  EXPECT_TRUE(
+                      compareWithHeads(file("record.sqlite"), lines, publicAnchorKey(file("key"))).empty());
+                  EXPECT_LE(lines.size(), 2U);
+                }};
+  }
 };
 
 TEST_F(KilledCare, ABackupIsWholeOrNotThere) {
-  if (onPostgresql()) {
-    GTEST_SKIP() << "a server is backed up by its own tools";
-  }
-  killEverywhere(
-      {"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
-      [this] { fs::remove(file("b.backup")); },
-      [this] {
-        if (fs::exists(file("b.backup"))) {
-          EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
-        }
-      });
+  killEverywhere(backup());
+  fillDiskEverywhere(backup());
   expectNothingHalf();
 }
 
 TEST_F(KilledCare, ALockThatNamesNobodyIsNoObstacle) {
-  if (onPostgresql()) {
-    GTEST_SKIP() << "a server is backed up by its own tools";
-  }
   std::ofstream(file("b.backup.part.lock")).close();
   std::ofstream(file("b.backup.part-journal")) << "half";
   EXPECT_EQ(run({"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")}).code,
@@ -164,211 +211,102 @@ TEST_F(KilledCare, ALockThatNamesNobodyIsNoObstacle) {
 }
 
 TEST_F(KilledCare, ABackupThatIsReplacedIsTheOldOneOrTheNewOne) {
-  if (onPostgresql()) {
-    GTEST_SKIP() << "a server is backed up by its own tools";
-  }
-  makeRecord("other.sqlite", "other");
-  ASSERT_EQ(run({"db", "backup", "--as-system", file("old.backup"), "--database", file("other.sqlite")}).code,
-            0);
-  killEverywhere(
-      {"db", "backup", "--as-system", "--replace", file("b.backup"), "--database", file("record.sqlite")},
-      [this] { fs::copy_file(file("old.backup"), file("b.backup"), fs::copy_options::overwrite_existing); },
-      [this] {
-        EXPECT_EQ(checkBackup(file("b.backup")).schemaVersion, 1);
-        Connection backup = openDatabase(file("b.backup"), OpenMode::kReadOnly);
-        const std::string person = personIn(backup);
-        EXPECT_TRUE(person.starts_with("real") || person.starts_with("other")) << person;
-      });
+  backUpOther();
+  killEverywhere(replacingBackup());
+  fillDiskEverywhere(replacingBackup());
+  expectNothingHalf();
+}
+
+TEST_F(KilledCare, ARestoreLeavesTheOldRecordOrTheNewOneAndKeepsTheOld) {
+  backUpOther();
+  killEverywhere(restore());
+  fillDiskEverywhere(restore());
   expectNothingHalf();
 }
 
 TEST_F(KilledCare, AMoveToAnotherDatabaseIsWholeOrEmpty) {
-  const std::string target = onPostgresql() ? addressWithoutPassword() : file("moved.sqlite");
-  const auto clear = [this, &target] {
-    if (!onPostgresql()) {
-      for (const char* part : {"", "-wal", "-shm", "-journal"}) {
-        fs::remove(target + part);
-      }
-      return;
-    }
-    emptySchema(target);
-  };
-  killEverywhere({"db", "copy", "--as-system", file("record.sqlite"), target}, clear, [this, &target] {
-    if (!onPostgresql() && !fs::exists(target)) {
-      return;
-    }
-    Connection moved = openDatabase(target, OpenMode::kReadWrite);
-    std::string person;
-    try {
-      person = personIn(moved);
-    } catch (const DbError&) {
-      EXPECT_TRUE(onPostgresql()) << "a file without a record";
-      return;  // killed before the schema was made
-    }
-    EXPECT_TRUE(person.empty() || person.starts_with("real")) << person;
-    EXPECT_TRUE(person.empty() || isSound(moved)) << "rows of a record that is not whole";
-  });
+  const std::string target = moveTarget();
+  killEverywhere(move(target));
+  if (!onPostgresql()) {
+    fillDiskEverywhere(move(target));
+  }
   expectNothingHalf();
 }
 
-/// What only the window does, on a record of which everything is asked: on either engine, with an
-/// administrator.
-class KilledWindow : public KilledCare {
- protected:
-  static constexpr const char* kPassword = "four walls and a lamp";
-
-  void SetUp() override {
-    if (onPostgresql() && std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
-      GTEST_SKIP() << "makes a schema anew each time; TORSIO_KILL_INSTANTS says how often";
-    }
-    KilledCare::SetUp();
-    if (!IsSkipped() && !onPostgresql()) {
-      Connection made = openRecord(file("template.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
-      fill(made);
-    }
-  }
-  static void fill(Connection& connection) {
-    const FullRecord real(connection, "real", false);
-    const FullRecord simulated(connection, "demo", true);
-    connection.execute("INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)",
-                       {real.traineeId, "Li Na"});
-    SettingRepository(connection).set("two_people", "no", 1);
-    AccessRepository access(connection, PasswordCost::kTest);
-    access.addUser({.id = "u-office", .login = "office", .roles = {"administrator"}}, kPassword);
-    access.setPassword("u-office", access.sealPassword("office", kPassword), false);
-  }
-  [[nodiscard]] std::string target() const { return onPostgresql() ? locator() : file("care.sqlite"); }
-  /// The record as it was.
-  void makeAnew() const {
-    if (!onPostgresql()) {
-      removeDatabase(file("care.sqlite"));
-      fs::copy_file(file("template.sqlite"), file("care.sqlite"));
-      return;
-    }
-    emptySchema(locator());
-    Connection connection = openWithSchema();
-    fill(connection);
-  }
-  [[nodiscard]] std::vector<std::string> act(const std::string& name,
-                                             const std::vector<std::string>& rest = {}) const {
-    std::vector<std::string> words{name, target(), "office", kPassword};
-    words.insert(words.end(), rest.begin(), rest.end());
-    return words;
-  }
-  void killActEverywhere(
-      const std::vector<std::string>& words, const std::function<void(Connection&)>& after,
-      const std::function<void()>& before = [] {}) const {
-    killEverywhere(
-        words,
-        [&] {
-          makeAnew();
-          before();
-        },
-        [&] {
-          Connection record = openRecord(target(), OpenMode::kReadWrite);
-          if (onPostgresql()) {  // what the killed program had sent comes to its end first
-            const Transaction waits(record);
-            record.executeVerbatim("LOCK TABLE person IN ACCESS EXCLUSIVE MODE");
-          }
-          EXPECT_TRUE(isSound(record));
-          after(record);
-        },
-        TORSIO_WINDOW_ACT, 3);
-  }
-};
-
-TEST_F(KilledWindow, APersonIsErasedWholeOrNot) {
-  const std::string person = "real trainee";
-  killActEverywhere(act("erase", {person}), [&person](Connection& record) {
-    const auto number = [&](const std::string& sql) { return numberFrom(record, sql + "'" + person + "'"); };
-    const std::int64_t erased = number("SELECT count(*) FROM person WHERE state = 'erased' AND id = ");
-    EXPECT_EQ(number("SELECT count(*) FROM person WHERE id = "), 1);
-    EXPECT_EQ(number("SELECT count(*) FROM person_identity WHERE person_id = "), 1 - erased);
-    EXPECT_EQ(number("SELECT count(*) FROM erasure WHERE person_id = "), erased);
-    EXPECT_EQ(number("SELECT count(*) FROM audit_entry WHERE action = 'person.erase' AND object_id = "),
-              erased);
-  });
-}
-
-TEST_F(KilledWindow, TheDemonstrationIsRemovedWholeOrNot) {
-  std::int64_t real = 0;
-  killActEverywhere(act("remove-demonstration"), [&real](Connection& record) {
-    const auto people = [&](const char* which) {
-      return numberFrom(record, std::string("SELECT count(*) FROM person WHERE demonstration = ") + which);
-    };
-    const std::int64_t removed =
-        numberFrom(record, "SELECT count(*) FROM audit_entry WHERE action = 'demonstration.remove'");
-    EXPECT_EQ(people("TRUE") == 0, removed == 1);
-    real = real == 0 ? people("FALSE") : real;
-    EXPECT_EQ(people("FALSE"), real);
-  });
-}
-
-TEST_F(KilledWindow, APackageIsWholeOrNotThere) {
-  if (onPostgresql()) {
-    GTEST_SKIP() << "what it writes does not depend on the engine";
-  }
-  const fs::path package = folder_ / "package";
-  killActEverywhere(
-      act("package", {"real trainee", package.string()}),
-      [&package](Connection& record) {
-        if (!fs::exists(package)) {
-          return;
-        }
-        for (const auto& one : nlohmann::json::parse(readFile(package / "manifest.json")).at("files")) {
-          Digest digest;
-          digest.update(std::string_view(readFile(package / one.at("file").get<std::string>())));
-          EXPECT_EQ(digest.hex(), one.at("blake2b_256")) << one;
-        }
-        EXPECT_EQ(numberFrom(record, "SELECT count(*) FROM record_copy WHERE kind = 'package' AND place = '" +
-                                         package.string() + "'"),
-                  1);
-      },
-      [&package] { fs::remove_all(package); });
+TEST_F(KilledCare, ANewRecordIsThereWithItsTablesOrNotAtAll) {
+  killEverywhere(firstRecord());
+  fillDiskEverywhere(firstRecord());
   expectNothingHalf();
 }
 
 TEST_F(KilledCare, AKeyIsWholeOrNotThereAndAWitnessKeepsWholeLines) {
-  if (onPostgresql()) {
-    GTEST_SKIP() << "what it writes does not depend on the engine";
-  }
-  killEverywhere(
-      {"audit", "key", file("key")}, [this] { fs::remove(file("key")); },
-      [this] {
-        if (fs::exists(file("key"))) {
-          EXPECT_EQ(publicAnchorKey(file("key")).size(), 64U);
-        }
-      },
-      TORSIO_PROGRAM, 3);
-  killEverywhere(
-      {"audit", "head", "--key", file("key"), "--witness", file("heads"), "--database",
-       file("record.sqlite")},
-      [] {},
-      [this] {
-        if (fs::exists(file("heads"))) {
-          EXPECT_TRUE(compareWithHeads(file("record.sqlite"), headsOf(file("heads")), {}).empty());
-        }
-      },
-      TORSIO_PROGRAM, 3);
+  killEverywhere(firstKey());
+  fillDiskEverywhere(firstKey());
+  killEverywhere(head());
+  fillDiskEverywhere(head());
   expectNothingHalf();
 }
 
+TEST_F(KilledCare, AKeyThatWasCutOffWhileItTookThePlaceOfAnotherIsTakenUpAgain) {
+  ASSERT_EQ(run({"audit", "key", file("key")}).code, 0);
+  ASSERT_EQ(run({"audit", "head", "--key", file("key"), "--witness", file("first-heads"), "--database",
+                 file("record.sqlite")})
+                .code,
+            0);
+  killEverywhere(replacedKey());
+  fillDiskEverywhere(replacedKey());
+  expectNothingHalf();
+
+  EXPECT_EQ(headsOf(file("heads")).size(), 2U);
+  EXPECT_EQ(run(replacedKey().arguments).code, 0) << "what is done is done";
+  EXPECT_EQ(headsOf(file("heads")).size(), 2U);
+  EXPECT_TRUE(
+      compareWithHeads(file("record.sqlite"), headsOf(file("heads")), publicAnchorKey(file("next"))).empty());
+  fs::copy_file(file("key"), file("other"));
+  EXPECT_EQ(
+      run({"audit", "key", file("other"), "--replaces", file("next"), "--database", file("record.sqlite")})
+          .code,
+      static_cast<int>(ErrorCode::kFileUnwritable))
+      << "a key that took nobody's place is not another's successor";
+}
+
 TEST_F(KilledCare, ADemonstrationTakesThePlaceOfAnOlderOneWholeOrNot) {
-  if (onPostgresql() || std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
+  if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
     GTEST_SKIP() << "takes minutes; TORSIO_KILL_INSTANTS says how many";
   }
   const fs::path out = folder_ / "demonstration";
   ASSERT_EQ(run({"demo", "--out", out.string(), "--shorten", "600", "--seed", "7"}).code, 0);
   killEverywhere(
-      {"demo", "--out", out.string(), "--shorten", "600", "--seed", "8"}, [] {},
-      [&out] {
-        Connection record = openRecord((out / "torsio.sqlite").string(), OpenMode::kReadWrite);
-        EXPECT_TRUE(isSound(record));
-        EXPECT_TRUE(holdsOnlySimulated(record));
-      });
+      {.arguments = {"demo", "--out", out.string(), "--shorten", "600", "--seed", "8"}, .after = [&out] {
+         Connection record = openRecord((out / "torsio.sqlite").string(), OpenMode::kReadWrite);
+         EXPECT_TRUE(isSound(record));
+         EXPECT_TRUE(holdsOnlySimulated(record));
+       }});
   for (const auto& entry : fs::directory_iterator(out)) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
   }
+}
+
+TEST_F(KilledCare, AWorkbookIsWholeOrNotThere) {
+  if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
+    GTEST_SKIP() << "needs a demonstration; TORSIO_KILL_INSTANTS says at how many instants";
+  }
+  const std::string out = file("demonstration");
+  ASSERT_EQ(run({"demo", "--out", out, "--shorten", "600", "--seed", "7"}).code, 0);
+  const auto whole = [this] {
+    const std::string book = file("book.xlsx");
+    if (fs::exists(book)) {
+      const std::string bytes = readFile(book);
+      EXPECT_NE(bytes.find("PK\x05\x06"), std::string::npos) << "no end of the archive";
+    }
+  };
+  const CutOff cut{
+      .arguments = {"export", "workbook", "--out", file("book.xlsx"), "--database", out + "/torsio.sqlite"},
+      .before = [this] { fs::remove(file("book.xlsx")); },
+      .after = whole};
+  killEverywhere(cut);
+  fillDiskEverywhere(cut);
+  expectNothingHalf();
 }
 
 TEST_F(KilledCare, TheRolesOfAServerAreWrittenWholeOrNot) {
@@ -382,11 +320,11 @@ TEST_F(KilledCare, TheRolesOfAServerAreWrittenWholeOrNot) {
   const std::string schema = parseLocator(locator()).schema;
   const std::string role = "station_" + schema.substr(schema.size() - 8);
   killEverywhere(
-      {"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role}, [] {},
-      [this] {
-        Connection record = openRecord(locator(), OpenMode::kReadWrite);
-        EXPECT_TRUE(isSound(record));
-      });
+      {.arguments = {"db", "prepare-server", "--as-system", addressWithoutPassword(), "--station-role", role},
+       .after = [this] {
+         Connection record = openRecord(locator(), OpenMode::kReadWrite);
+         EXPECT_TRUE(isSound(record));
+       }});
   Connection connection = open();
   connection.executeVerbatim("DROP OWNED BY " + role);
   connection.executeVerbatim("DROP ROLE " + role);

@@ -1,57 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
+#include <fstream>
 #include <spawn.h>
 #include <string>
 #include <sys/wait.h>
-#include <thread>
 #include <vector>
 
 extern char** environ;
 
 namespace torsio::test {
 
-/// At how many instants a program is killed; TORSIO_KILL_INSTANTS changes it.
-inline int killInstants(int usually) {
-  const char* wanted = std::getenv("TORSIO_KILL_INSTANTS");
-  return wanted == nullptr ? usually : std::atoi(wanted);
+/// At how many instants a program is cut off; the variable changes it: TORSIO_KILL_INSTANTS,
+/// TORSIO_FULL_DISK_INSTANTS.
+inline long instantsOf(const char* variable, long usually) {
+  const char* wanted = std::getenv(variable);
+  return wanted == nullptr ? usually : std::atol(wanted);
 }
 
-/// Starts the built program, or another one, with its output thrown away. Below 0: it could not be started.
-inline pid_t startSilent(const std::vector<std::string>& arguments, const char* program = TORSIO_PROGRAM) {
+/// Starts the built program, or another one, with its standard output thrown away, and with further variables
+/// of the environment. `errors`: where its standard error goes. Below 0: it could not be started.
+inline pid_t startSilent(const std::vector<std::string>& arguments, const char* program = TORSIO_PROGRAM,
+                         const std::vector<std::string>& variables = {},
+                         const std::string& errors = "/dev/null") {
   std::vector<char*> words{const_cast<char*>(program)};
   for (const std::string& argument : arguments) {
     words.push_back(const_cast<char*>(argument.c_str()));
   }
   words.push_back(nullptr);
+  std::vector<char*> environment;
+  for (const std::string& variable : variables) {
+    environment.push_back(const_cast<char*>(variable.c_str()));
+  }
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    environment.push_back(*variable);
+  }
+  environment.push_back(nullptr);
   posix_spawn_file_actions_t silent{};
   posix_spawn_file_actions_init(&silent);
   posix_spawn_file_actions_addopen(&silent, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&silent, 2, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&silent, 2, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   pid_t child = -1;
-  if (posix_spawn(&child, program, &silent, nullptr, words.data(), environ) != 0) {
+  if (posix_spawn(&child, program, &silent, nullptr, words.data(), environment.data()) != 0) {
     child = -1;
   }
   posix_spawn_file_actions_destroy(&silent);
   return child;
 }
 
-/// Starts the program and kills it after so long. False: it could not be started.
-inline bool runAndKill(const std::vector<std::string>& arguments, std::chrono::microseconds after,
-                       const char* program = TORSIO_PROGRAM) {
-  const pid_t child = startSilent(arguments, program);
-  if (child < 0) {
-    return false;
-  }
-  std::this_thread::sleep_for(after);
-  kill(child, SIGKILL);
+/// How a program ended that tests/support/faults was laid before.
+struct FaultyRun {
+  int code = -1;  ///< exit code; below 0: it was killed, or could not be started
+  bool killed = false;
+};
+
+/// Runs a program with one variable of tests/support/faults/fault_points.cpp set.
+inline FaultyRun runWithFault(const std::vector<std::string>& arguments, const std::string& fault,
+                              const char* program = TORSIO_PROGRAM, const std::string& errors = "/dev/null") {
+  const pid_t child = startSilent(arguments, program, {"LD_PRELOAD=" TORSIO_FAULT_POINTS, fault}, errors);
   int status = 0;
-  waitpid(child, &status, 0);
-  return true;
+  if (child < 0 || waitpid(child, &status, 0) != child) {
+    return {};
+  }
+  const bool exited = WIFEXITED(status);
+  return {.code = exited ? WEXITSTATUS(status) : -1,
+          .killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL};
+}
+
+/// Lets a program do its work, and counts its instants: calls that change a disk or talk to a server. `code`:
+/// how it ended.
+inline long countInstants(const std::vector<std::string>& arguments, const std::filesystem::path& scratch,
+                          int& code, const char* program = TORSIO_PROGRAM) {
+  const std::string file = (scratch / ".instants").string();
+  code = runWithFault(arguments, "TORSIO_FAULT_COUNT=" + file, program).code;
+  long count = 0;
+  std::ifstream(file) >> count;
+  std::filesystem::remove(file);
+  return count;
 }
 
 }  // namespace torsio::test

@@ -120,6 +120,53 @@ TEST(PrivateFiles, RecordsThatOthersCouldReadAreClosedAndNamed) {
   EXPECT_TRUE(closeRecordFiles((folder / "torsio.sqlite").string(), folder / "unstored").empty());
 }
 
+TEST(PrivateFiles, ACareCommandClosesARecordAndItsCopiesThatOthersCouldRead) {
+  const fs::path folder = emptyFolder("closed");
+  const std::string record = (folder / "record.sqlite").string();
+  const std::string database = " --database " + record;
+  ASSERT_EQ(runTorsio("record --duration 1" + database, folder).code, 0);
+  ASSERT_EQ(runTorsio("db backup --as-system " + (folder / "first.backup").string() + database, folder).code,
+            0);
+  const auto open = [](const fs::path& file) {
+    fs::permissions(file, fs::perms::group_read | fs::perms::others_read, fs::perm_options::add);
+  };
+  open(record);
+  open(folder / "first.backup");
+
+  EXPECT_EQ(runTorsio("db check" + database, folder).code, 0);
+  EXPECT_FALSE(isPrivate(record)) << "a check leaves the file as it is";
+  const test::ProgramRun backup =
+      runTorsio("db backup --as-system " + (folder / "second.backup").string() + database, folder);
+
+  EXPECT_EQ(backup.code, 0) << backup.err;
+  EXPECT_TRUE(isPrivate(record));
+  EXPECT_TRUE(isPrivate(folder / "first.backup"));
+  for (const char* name : {"record.sqlite", "first.backup"}) {
+    EXPECT_NE(backup.err.find("could read " + (folder / name).string() + ";"), std::string::npos)
+        << backup.err;
+  }
+  open(record);
+  const test::ProgramRun again = runTorsio("record --duration 1" + database, folder);
+  EXPECT_TRUE(isPrivate(record));
+  EXPECT_NE(again.err.find("now only yours can"), std::string::npos) << again.err;
+}
+
+TEST(PrivateFiles, TorsiosOwnFolderIsClosedAndOneThatSomebodyChoseIsLeft) {
+  const fs::path home = emptyFolder("own-folder");
+  const fs::path own = home / "torsio";
+  fs::create_directories(own);
+  fs::permissions(own, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
+  const std::string database = " --database " + (own / "torsio.sqlite").string();
+  const auto record = [&](const std::string& data) {
+    return runTorsio("record --duration 1" + database, home, "XDG_DATA_HOME=" + data).code;
+  };
+
+  EXPECT_EQ(record((home / "elsewhere").string()), 0);
+  EXPECT_FALSE(isPrivate(own));
+  EXPECT_EQ(record(home.string()), 0);
+  EXPECT_TRUE(isPrivate(own));
+}
+
 /// An administrator at a record with real and simulated rows in every table.
 class ErasedBytes : public ::testing::Test {
  protected:

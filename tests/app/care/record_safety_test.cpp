@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Torsio never destroys a record: what the command line is told to write, and where a program may be killed.
-#include <chrono>
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <sys/stat.h>
 #include <vector>
 
@@ -14,7 +15,6 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/record_exchange.h"
 #include "sim/base/error.h"
-#include "tests/app/care/killed_program.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
@@ -24,9 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::emptyFolder;
-using test::killInstants;
 using test::ProgramRun;
-using test::runAndKill;
 using test::runTorsio;
 
 constexpr const char* kShort = " --shorten 600 --seed 7";
@@ -209,14 +207,101 @@ TEST_F(RecordSafety, LookingWhereARecordCouldBeWritesNothing) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-TEST_F(RecordSafety, ACheckOfAPipeEnds) {
-  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+/// What lies at a path where somebody expects a record, and the code that says so.
+struct NoRecord {
+  const char* what;
+  std::function<void(const std::string& path)> make;
+  ErrorCode code;
+};
 
-  for (const char* command : {"db check --database ", "audit verify --database ", "db verify "}) {
-    const int status = std::system(
-        ("timeout 20 " TORSIO_PROGRAM " " + (command + file("pipe")) + " >/dev/null 2>&1").c_str());
-    EXPECT_EQ(WEXITSTATUS(status), codeOf(ErrorCode::kFileUnreadable)) << command;
+TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
+  makeRecord("sound.sqlite");
+  {
+    Connection connection = openDatabase(file("sound.sqlite"), OpenMode::kReadWrite);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
   }
+  const auto write = [](const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+  };
+  const auto changed = [this](const std::string& path, const std::string& sql) {
+    fs::copy_file(file("sound.sqlite"), path);
+    Connection connection = openDatabase(path, OpenMode::kReadWrite);
+    connection.executeVerbatim(sql);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  };
+  const std::string newer =
+      "INSERT INTO schema_migration SELECT 99, 'later', '', checksum, 99, software_version, applied_utc_us"
+      " FROM schema_migration";
+  const std::vector<NoRecord> all{
+      {"nothing", [](const std::string&) {}, ErrorCode::kFileMissing},
+      {"a pipe", [](const std::string& path) { mkfifo(path.c_str(), 0600); }, ErrorCode::kFileUnreadable},
+      {"a folder", [](const std::string& path) { fs::create_directory(path); }, ErrorCode::kFileUnreadable},
+      {"an empty file", [&](const std::string& path) { write(path, ""); }, ErrorCode::kFileUnreadable},
+      {"a text", [&](const std::string& path) { write(path, std::string(9'000, 'x')); },
+       ErrorCode::kFileUnreadable},
+      {"a link to nothing", [](const std::string& path) { fs::create_symlink(path + ".gone", path); },
+       ErrorCode::kFileMissing},
+      {"the first half",
+       [this](const std::string& path) {
+         fs::copy_file(file("sound.sqlite"), path);
+         fs::resize_file(path, fs::file_size(path) / 2);
+       },
+       ErrorCode::kVerifyFailed},
+      {"the first 100 bytes",
+       [this](const std::string& path) {
+         fs::copy_file(file("sound.sqlite"), path);
+         fs::resize_file(path, 100);
+       },
+       ErrorCode::kVerifyFailed},
+      {"a database of another program",
+       [](const std::string& path) {
+         Connection other = openDatabase(path, OpenMode::kCreate);
+         other.executeVerbatim("CREATE TABLE notes (text TEXT)");
+         other.executeVerbatim("PRAGMA journal_mode = DELETE");
+       },
+       ErrorCode::kFileUnreadable},
+      {"a record of a newer version", [&](const std::string& path) { changed(path, newer); },
+       ErrorCode::kNewerSchema},
+  };
+  for (const NoRecord& one : all) {
+    const std::string path = file("looked-at");
+    fs::remove_all(path);
+    one.make(path);
+    const std::vector<std::string> before = besides("");
+    for (const char* command : {"db check --database ", "audit verify --database ", "db verify "}) {
+      const ProgramRun run = runTorsio(command + path, folder_, "timeout 20");
+      EXPECT_EQ(run.code, codeOf(one.code)) << command << one.what << ": " << run.out << run.err;
+      EXPECT_TRUE(run.err.starts_with("torsio: ")) << command << one.what << ": " << run.err;
+      EXPECT_EQ(besides(""), before) << command << one.what;
+    }
+  }
+}
+
+TEST_F(RecordSafety, LinksLeadToTheRecordAndHideNone) {
+  fs::create_directories(folder_ / "disk");
+  makeRecord("disk/record.sqlite");
+  makeRecord("b.sqlite", "b");
+  ASSERT_EQ(run("db backup --as-system " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
+  fs::create_symlink(file("disk/record.sqlite"), file("link.sqlite"));
+  const std::string database = " --database " + file("link.sqlite");
+
+  EXPECT_EQ(run("db check" + database).code, 0);
+  fs::create_symlink(file("disk/record.sqlite"), file("link.backup"));
+  EXPECT_EQ(run("db backup --as-system --replace " + file("link.backup") + database).code,
+            codeOf(ErrorCode::kFileUnwritable))
+      << "the record itself, by another name";
+  EXPECT_EQ(run("audit head --witness " + file("link.backup") + database).code,
+            codeOf(ErrorCode::kFileUnwritable));
+  ASSERT_EQ(run("db restore --as-system " + file("b.backup") + database).code, 0);
+  EXPECT_TRUE(fs::is_symlink(file("link.sqlite")));
+  EXPECT_EQ(personIn("disk/record.sqlite").substr(0, 2), "b ");
+  EXPECT_EQ(personIn("link.sqlite").substr(0, 2), "b ");
+
+  fs::rename(file("disk"), file("unplugged"));
+  EXPECT_EQ(refusalFrom([this] { (void)lookAtRecord(file("link.sqlite")); }).code, ErrorCode::kFileMissing)
+      << "a first-run wizard in its place";
+  EXPECT_EQ(run("record --duration 1" + database).code, codeOf(ErrorCode::kFileMissing));
+  EXPECT_TRUE(fs::is_symlink(file("link.sqlite")));
 }
 
 TEST_F(RecordSafety, DamagedPagesAreAFailedCheck) {
@@ -303,34 +388,6 @@ TEST_F(RecordSafety, ARecordThatLostItsNameGetsItBackAtTheNextStart) {
 
   EXPECT_EQ(personIn("record.sqlite").substr(0, 4), "real");
   EXPECT_FALSE(fs::exists(file("record.sqlite.restoring")));
-}
-
-TEST_F(RecordSafety, ARestoreThatIsKilledAtAnyInstantLeavesAWholeRecord) {
-  makeRecord("record.sqlite", "original");
-  makeRecord("b.sqlite", "b");
-  ASSERT_EQ(run("db backup --as-system " + file("b.backup") + " --database " + file("b.sqlite")).code, 0);
-  const int kills = killInstants(12);
-  const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(run("db restore --as-system " + file("b.backup") + " --database " + file("timed.sqlite")).code,
-            0);
-  const auto whole = std::chrono::steady_clock::now() - begin;
-
-  for (int i = 0; i < kills; ++i) {
-    ASSERT_TRUE(
-        runAndKill({"db", "restore", "--as-system", file("b.backup"), "--database", file("record.sqlite")},
-                   std::chrono::duration_cast<std::chrono::microseconds>(whole) * (i + 1) / kills));
-    const std::string person = personIn("record.sqlite", OpenMode::kReadWrite);  // as the next start does
-    EXPECT_TRUE(person.starts_with("original") || person.starts_with("b")) << person;
-  }
-
-  int originals = personIn("record.sqlite").starts_with("original") ? 1 : 0;
-  for (const std::string& name : besides("record.sqlite")) {
-    if (name.find("before-restore-") != std::string::npos && !name.ends_with("-shm") &&
-        !name.ends_with("-wal")) {
-      originals += personIn(name).starts_with("original") ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(originals, 1) << "the record that was there first is still there";
 }
 
 }  // namespace

@@ -64,6 +64,11 @@ class SignedCare : public ::testing::Test {
   [[nodiscard]] ProgramRun run(const std::string& arguments) const {
     return runTorsio(arguments + " --database " + file("record.sqlite"), folder_);
   }
+  /// On a machine whose clock is ahead.
+  [[nodiscard]] ProgramRun runAhead(long seconds, const std::string& arguments) const {
+    return runTorsio(arguments + " --database " + file("record.sqlite"), folder_,
+                     "LD_PRELOAD=" TORSIO_FAULT_POINTS " TORSIO_FAULT_CLOCK_S=" + std::to_string(seconds));
+  }
   [[nodiscard]] std::string as(const std::string& login, const std::string& password = "password") const {
     return " --as " + login + " --password-fd 3 3<" + file(password);
   }
@@ -98,6 +103,50 @@ TEST_F(SignedCare, NobodyBacksUpUnnamed) {
   EXPECT_EQ(newestActorOf("database.backup"), "system:" + std::to_string(geteuid()));
 }
 
+TEST_F(SignedCare, APasswordThatCannotBeReadOrIsAnotherOneOpensNothing) {
+  std::ofstream(file("empty")).close();
+  std::ofstream(file("blank")) << "\n" << kPassword << "\n";
+  std::ofstream(file("longer")) << kPassword << " \n";
+  std::ofstream(file("nul")) << kPassword << '\0' << "\n";
+  std::ofstream(file("endless")) << std::string(100'000, 'a');
+  std::ofstream(file("windows")) << kPassword << "\r\n";
+  const std::string backup = "db backup " + file("b.sqlite") + " --as office --password-fd ";
+  constexpr int kUsage = static_cast<int>(ErrorCode::kUsage);
+
+  for (const char* descriptor : {"9", "0", "65000", "-1", "abc", "3 3<.", "3 3>sink"}) {
+    EXPECT_EQ(run(backup + descriptor).code, kUsage) << descriptor;
+  }
+  for (const char* name : {"empty", "blank"}) {
+    EXPECT_EQ(run(backup + "3 3<" + file(name)).code, kUsage) << name;
+  }
+  for (const char* name : {"longer", "nul", "endless"}) {
+    EXPECT_EQ(run(backup + "3 3<" + file(name)).code, kPermission) << name;
+  }
+  EXPECT_EQ(run("db backup " + file("b.sqlite") + " --as ''").code, kPermission) << "nobody is nobody";
+  EXPECT_FALSE(fs::exists(file("b.sqlite")));
+  EXPECT_EQ(runAhead(61, backup + "3 3<" + file("windows")).code, 0)
+      << "the end of a line is no part of a password";
+}
+
+TEST_F(SignedCare, AClockThatRan400DaysAheadLocksNobodyAndLosesNothing) {
+  constexpr long kAhead_s = 400L * 86'400;
+  const std::string head = "audit head --key " + file("key") + " --witness " + file("heads");
+  ASSERT_EQ(runTorsio("audit key " + file("key"), folder_).code, 0);
+  for (int failure = 0; failure < 5; ++failure) {
+    EXPECT_EQ(runAhead(kAhead_s, "db backup " + file("b.sqlite") + as("office", "wrong")).code, kPermission);
+  }
+  ASSERT_EQ(runAhead(kAhead_s, "db backup --as-system " + file("later.sqlite")).code, 0);
+  ASSERT_EQ(runAhead(kAhead_s, head).code, 0);
+
+  const std::string backup = "db backup --replace " + file("now.sqlite") + as("office");
+  EXPECT_EQ(run(backup).code, kPermission) << "the wait begins anew";
+  EXPECT_EQ(runAhead(61, backup).code, 0) << "and is a minute at most";
+  EXPECT_EQ(run(head).code, 0);
+  EXPECT_EQ(run("audit verify --key " + file("key") + " --witness " + file("heads")).code, 0);
+  EXPECT_EQ(run("db check").code, 0);
+  EXPECT_NE(run("db copies").out.find(file("later.sqlite")), std::string::npos);
+}
+
 TEST_F(SignedCare, LookingNeedsNobody) {
   EXPECT_EQ(run("db check").code, 0);
   EXPECT_EQ(run("audit verify").code, 0);
@@ -124,6 +173,19 @@ TEST_F(SignedCare, ARestoreErasesAgainWhoWasErasedSinceAndTellsOfItself) {
   EXPECT_EQ(numberFrom(connection,
                        "SELECT count(*) FROM person_identity WHERE person_id = '" + person_.text() + "'"),
             0);
+  EXPECT_EQ(run("audit verify").code, 0);
+}
+
+TEST_F(SignedCare, ARestoredRecordKnowsTheCopiesThatWereMadeAfterIt) {
+  ASSERT_EQ(run("db backup --as-system " + file("first.backup")).code, 0);
+  ASSERT_EQ(run("db backup --as-system " + file("second.backup")).code, 0);
+
+  ASSERT_EQ(run("db restore --as-system " + file("first.backup")).code, 0);
+
+  const std::string listed = run("db copies").out;
+  for (const char* name : {"first.backup", "second.backup", "record-before-restore-"}) {
+    EXPECT_NE(listed.find(file(name)), std::string::npos) << name << " is not in\n" << listed;
+  }
   EXPECT_EQ(run("audit verify").code, 0);
 }
 
@@ -208,7 +270,9 @@ TEST_F(SignedCare, ThePasswordOfWhoeverSignsInIsInNoListOfProcesses) {
 TEST_F(SignedCare, APasswordInAnAddressIsRefusedAndNotRepeated) {
   for (const char* command :
        {"db check --database", "audit verify --database", "db backup --as-system b.sqlite --database",
-        "db copy --as-system record.sqlite", "db prepare-server --as-system", "metrics t --database"}) {
+        "db copy --as-system record.sqlite", "db prepare-server --as-system", "metrics t --database",
+        "competence show --login office --database", "export workbook --out b.xlsx --database",
+        "dataset export --out d --title T --licence MIT --database", "report trace a --database"}) {
     const ProgramRun refused =
         runTorsio(std::string(command) + " postgresql://torsio:hidden-word@127.0.0.1:1/none", folder_);
     EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kUsage)) << command;

@@ -33,9 +33,9 @@ int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
   try {
     torsio::act({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
+  } catch (const torsio::Error& error) {
+    std::cerr << "torsio: " << error.what() << "\n";
+    return static_cast<int>(error.code());
   }
   return 0;
 }

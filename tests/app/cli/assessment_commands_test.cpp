@@ -426,7 +426,7 @@ TEST_F(AssessmentCommands, CompetencePlansTheLimitAndPrintsBothErrorRates) {
   EXPECT_FALSE(old["false_fail_kept"].get<bool>());
   const ProgramRun nobody =
       runTorsio("competence show --login admin --database " + (folder_ / "none.sqlite").string(), folder_);
-  EXPECT_EQ(nobody.code, static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(nobody.code, static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_FALSE(fs::exists(folder_ / "none.sqlite"));
 }
 

@@ -148,6 +148,26 @@ TEST_F(HeadsPages, AnAdministratorWhoLeavesTakesTheHeadAlong) {
   EXPECT_EQ(child<QLabel>(notice, "headHash").text().size(), 64 + 1);
 }
 
+TEST_F(HeadsPages, AWindowThatClosesSaysWhereTheHeadIsAndStaysOpenWhenItIsNowhere) {
+  fs::create_directory(in("disk"));
+  page().keepIn(in("disk/heads"));
+  fs::rename(in("disk"), in("unplugged"));
+
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+  EXPECT_TRUE(says(QStringLiteral("The head was not kept")));
+  EXPECT_TRUE(says(QStringLiteral("Close the window once more")));
+  EXPECT_EQ(headsOf(in("unplugged/heads")).size(), 1U);
+  fs::rename(in("unplugged"), in("disk"));
+
+  signIn();
+  ::testing::internal::CaptureStderr();
+  EXPECT_TRUE(window_->close());
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_EQ(headsOf(in("disk/heads")).size(), 2U);
+  EXPECT_NE(said.find(in("disk/heads").string()), std::string::npos) << said;
+}
+
 TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
   HeadsPage& heads = page();
   QString head = child<QPlainTextEdit>(heads, "head").toPlainText();

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The same for what only the window does, on a record of either engine.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "assessment/people/account.h"
+#include "db/connection/connection.h"
+#include "db/migrations/file_in_the_making.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/file_io.h"
+#include "tests/app/care/killed_care.h"
+#include "tests/db/full_record.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A record of which everything is asked, with an administrator.
+class KilledWindow : public CutOffCare {
+ protected:
+  static constexpr const char* kPassword = "four walls and a lamp";
+  static constexpr const char* kPerson = "real trainee";
+
+  void SetUp() override {
+    if (onPostgresql() && std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
+      GTEST_SKIP() << "makes a schema anew each time; TORSIO_KILL_INSTANTS says how often";
+    }
+    CutOffCare::SetUp();
+    if (!IsSkipped() && !onPostgresql()) {
+      Connection made = openRecord(file("template.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
+      fill(made);
+    }
+  }
+  static void fill(Connection& connection) {
+    const FullRecord real(connection, "real", false);
+    const FullRecord simulated(connection, "demo", true);
+    connection.execute("INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)",
+                       {real.traineeId, "Li Na"});
+    SettingRepository(connection).set("two_people", "no", 1);
+    AccessRepository access(connection, PasswordCost::kTest);
+    access.addUser({.id = "u-office", .login = "office", .roles = {"administrator"}}, kPassword);
+    access.setPassword("u-office", access.sealPassword("office", kPassword), false);
+  }
+  [[nodiscard]] std::string target() const { return onPostgresql() ? locator() : file("care.sqlite"); }
+  [[nodiscard]] std::int64_t ask(const std::string& sql) const {
+    Connection record = openDatabase(target(), OpenMode::kReadWrite);
+    return numberFrom(record, sql);
+  }
+  /// The record as it was, unless it is so still, as `done` tells of a server.
+  void makeAnew(const std::function<bool()>& done) const {
+    if (!onPostgresql()) {
+      removeDatabase(file("care.sqlite"));
+      fs::copy_file(file("template.sqlite"), file("care.sqlite"));
+      return;
+    }
+    if (made_ && !done()) {
+      return;
+    }
+    emptySchema(locator());
+    Connection connection = openWithSchema();
+    fill(connection);
+    made_ = true;
+  }
+  /// An act of window_act, which `done` tells of, and what holds in the record after it.
+  [[nodiscard]] CutOff act(
+      const std::vector<std::string>& words, const std::function<bool()>& done,
+      const std::function<void(Connection&)>& after, const std::function<void()>& before = [] {}) const {
+    std::vector<std::string> arguments{words.at(0), target(), "office", kPassword};
+    arguments.insert(arguments.end(), words.begin() + 1, words.end());
+    return {.arguments = arguments,
+            .before =
+                [this, done, before] {
+                  makeAnew(done);
+                  before();
+                },
+            .after =
+                [this, after] {
+                  Connection record = openRecord(target(), OpenMode::kReadWrite);
+                  if (onPostgresql()) {  // what the killed program had sent comes to its end first
+                    const Transaction waits(record);
+                    record.executeVerbatim("LOCK TABLE person IN ACCESS EXCLUSIVE MODE");
+                  }
+                  EXPECT_TRUE(isSound(record));
+                  after(record);
+                },
+            .done = done,
+            .program = TORSIO_WINDOW_ACT};
+  }
+  void cutOff(const CutOff& cut) const {
+    killEverywhere(cut);
+    if (!onPostgresql()) {
+      fillDiskEverywhere(cut);
+    }
+  }
+
+ private:
+  mutable bool made_ = false;
+};
+
+TEST_F(KilledWindow, APersonIsErasedWholeOrNot) {
+  const auto number = [](Connection& record, const std::string& sql) {
+    return numberFrom(record, sql + "'" + kPerson + "'");
+  };
+  cutOff(act(
+      {"erase", kPerson},
+      [this] {
+        return ask("SELECT count(*) FROM person WHERE state = 'erased' AND id = 'real trainee'") > 0;
+      },
+      [&number](Connection& record) {
+        const std::int64_t erased =
+            number(record, "SELECT count(*) FROM person WHERE state = 'erased' AND id = ");
+        EXPECT_EQ(number(record, "SELECT count(*) FROM person WHERE id = "), 1);
+        EXPECT_EQ(number(record, "SELECT count(*) FROM person_identity WHERE person_id = "), 1 - erased);
+        EXPECT_EQ(number(record, "SELECT count(*) FROM erasure WHERE person_id = "), erased);
+        EXPECT_EQ(
+            number(record, "SELECT count(*) FROM audit_entry WHERE action = 'person.erase' AND object_id = "),
+            erased);
+      }));
+}
+
+TEST_F(KilledWindow, TheDemonstrationIsRemovedWholeOrNot) {
+  const auto people = [](Connection& record, const char* which) {
+    return numberFrom(record, std::string("SELECT count(*) FROM person WHERE demonstration = ") + which);
+  };
+  std::int64_t real = 0;
+  cutOff(act(
+      {"remove-demonstration"},
+      [this] { return ask("SELECT count(*) FROM person WHERE demonstration = TRUE") == 0; },
+      [&](Connection& record) {
+        const std::int64_t removed =
+            numberFrom(record, "SELECT count(*) FROM audit_entry WHERE action = 'demonstration.remove'");
+        EXPECT_EQ(people(record, "TRUE") == 0, removed == 1);
+        real = real == 0 ? people(record, "FALSE") : real;
+        EXPECT_EQ(people(record, "FALSE"), real);
+      }));
+}
+
+TEST_F(KilledWindow, APackageIsWholeOrNotThere) {
+  if (onPostgresql()) {
+    GTEST_SKIP() << "what it writes does not depend on the engine";
+  }
+  const fs::path package = folder_ / "package";
+  cutOff(act(
+      {"package", kPerson, package.string()}, [&package] { return fs::exists(package); },
+      [&package](Connection& record) {
+        if (!fs::exists(package)) {
+          return;
+        }
+        for (const auto& one : nlohmann::json::parse(readFile(package / "manifest.json")).at("files")) {
+          Digest digest;
+          digest.update(std::string_view(readFile(package / one.at("file").get<std::string>())));
+          EXPECT_EQ(digest.hex(), one.at("blake2b_256")) << one;
+        }
+        EXPECT_EQ(numberFrom(record, "SELECT count(*) FROM record_copy WHERE kind = 'package' AND place = '" +
+                                         package.string() + "'"),
+                  1);
+      },
+      [&package] { fs::remove_all(package); }));
+  expectNothingHalf();
+}
+
+}  // namespace
+}  // namespace torsio
