@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests between groups that use more than one occasion: analysis of covariance, mixed model, analysis of
 // variance.
+#include <algorithm>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,17 @@ using Json = nlohmann::ordered_json;
 void addLeftOut(const std::vector<std::string>& subjects, Json& out) {
   out["left_out"] = subjects.size();
   out["left_out_subjects"] = subjects;
+}
+
+/// Names the groups that are not among those compared.
+Json leftOutGroups(const Study& study, const std::vector<std::size_t>& compared) {
+  Json left = Json::array();
+  for (std::size_t g = 0; g < study.groups.size(); ++g) {
+    if (std::find(compared.begin(), compared.end(), g) == compared.end()) {
+      left.push_back(study.groups[g]);
+    }
+  }
+  return left;
 }
 
 Json fTestJson(const Outcome<FTest>& outcome) {
@@ -69,8 +81,9 @@ Json slopesJson(const Study& study, const CompleteCases& cases) {
       [&](const SeparateSlopes& result) {
         Json out{{"slopes", Json::array()}, {"baselines", result.baselines}, {"pairs", Json::array()}};
         for (std::size_t g = 0; g < result.slopes.size(); ++g) {
-          out["slopes"].push_back(
-              {{"group", study.groups[g]}, {"slope", result.slopes[g]}, {"error", result.slopeErrors[g]}});
+          out["slopes"].push_back({{"group", study.groups[result.groups[g]]},
+                                   {"slope", result.slopes[g]},
+                                   {"error", result.slopeErrors[g]}});
         }
         for (const SlopesPair& pair : result.pairs) {
           Json entry{{"at", Json::array()}};
@@ -127,6 +140,7 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
   out["df_method"] = "Satterthwaite";
   out["subjects"] = result.trainees;
   out["marks"] = result.marks;
+  out["left_out_groups"] = leftOutGroups(study, result.groups);
   out["variances"] = {{"subjects", result.varianceTrainees},
                       {"raters", result.varianceRaters},
                       {"residual", result.varianceResidual}};
@@ -134,7 +148,7 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
   out["slope"] = estimateJson(result.slope);
   out["adjusted_means"] = Json::array();
   for (std::size_t g = 0; g < result.adjusted.size(); ++g) {
-    Json entry{{"group", study.groups[g]}};
+    Json entry{{"group", study.groups[result.groups[g]]}};
     entry.update(estimateJson(result.adjusted[g]));
     out["adjusted_means"].push_back(std::move(entry));
   }
@@ -197,11 +211,12 @@ Json ancovaJson(const Study& study, const CovarianceRequest& request) {
     out["covariate"] = request.covariate;
     out["outcome"] = request.outcome;
     addLeftOut(left, out);
+    out["left_out_groups"] = leftOutGroups(study, result.groups);
     out["slope"] = result.slope;
     out["slope_error"] = result.slopeError;
     out["adjusted_means"] = Json::array();
     for (std::size_t g = 0; g < result.adjusted.size(); ++g) {
-      out["adjusted_means"].push_back({{"group", study.groups[g]},
+      out["adjusted_means"].push_back({{"group", study.groups[result.groups[g]]},
                                        {"mean", result.adjusted[g].mean},
                                        {"interval", intervalJson(result.adjusted[g].interval)}});
     }
@@ -251,8 +266,12 @@ Json mixedModelJson(const Study& study, const CovarianceRequest& request) {
 Json mixedAnovaJson(const Study& study) {
   std::vector<NumberTable> tables;
   std::vector<std::string> left;
+  std::vector<std::size_t> compared;
   for (std::size_t g = 0; g < study.groups.size(); ++g) {
     const CompleteSubjects complete = completeSubjects(study, g, study.occasions);
+    if (!complete.scores.empty()) {
+      compared.push_back(g);
+    }
     left.insert(left.end(), complete.leftOut.begin(), complete.leftOut.end());
     tables.emplace_back(complete.scores);
   }
@@ -266,6 +285,7 @@ Json mixedAnovaJson(const Study& study) {
                          {"mauchly_w", result.sphericity.mauchlyW},
                          {"mauchly_p", result.sphericity.mauchlyP}};
     addLeftOut(left, out);
+    out["left_out_groups"] = leftOutGroups(study, compared);
     return out;
   });
 }

@@ -99,6 +99,12 @@ class Comparison {
       : names_(names), groups_(groups), request_(request) {}
 
   void addTo(Json& out) const {
+    out["left_out_groups"] = Json::array();
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (groups_[g].empty()) {
+        out["left_out_groups"].push_back(names_[g]);
+      }
+    }
     out["welch_t"] = pairs([this](const Pair& p) {
       const Outcome<TTest> test = welchT(p.x, p.y);
       Json entry = tTestJson(test, p);

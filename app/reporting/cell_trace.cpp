@@ -159,6 +159,7 @@ class Tracer {
     } else if (row.section == "evaluation" && row.statistic != "mark") {
       addAll(step, [&, is = same("evaluation", "mark")](const Row& other) {
         return is(other) && other.model == row.model && (row.item == "all" || other.item == row.item) &&
+               (row.group.empty() || other.group == row.group) &&
                (row.index.empty() || other.index == row.index);
       });
     } else if (row.section == "trial" && row.statistic != "trial") {

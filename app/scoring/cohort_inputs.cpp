@@ -33,6 +33,8 @@ namespace torsio {
 
 namespace {
 
+constexpr const char* kChiefClass = "chief";
+
 /// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
 /// here.
 CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId,
@@ -223,6 +225,18 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Occasio
   }
 }
 
+/// The class of Fig. 18: the chief physicians; where no class is called so, the one that counts most.
+std::size_t chiefClassOf(const EvaluationInstrument& instrument) {
+  std::size_t most = 0;
+  for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
+    if (instrument.classes[c].id == kChiefClass) {
+      return c;
+    }
+    most = instrument.classes[c].weight_milli > instrument.classes[most].weight_milli ? c : most;
+  }
+  return most;
+}
+
 }  // namespace
 
 CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
@@ -257,17 +271,16 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.instrument = campaign.campaign.instrument;
   if (!campaign.classesMissing.empty()) {
     inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
-                                   campaign.classesMissing};
+                                   campaign.classesMissing, campaign.unscored};
   }
-  if (!campaign.models.empty()) {  // without an evaluation there is no instrument either
-    for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings)) {
-      inputs.ratings.push_back(std::move(ratings));
-    }
+  if (!campaign.ratings.empty()) {  // without an evaluation there is no instrument either
+    inputs.ratings = groupRatings(inputs.instrument, campaign.ratings);
+    inputs.chiefClass = chiefClassOf(inputs.instrument);
   }
   inputs.evaluations = campaign.models;
   const auto positionOf = [&](const std::string& code) {
-    return std::find_if(campaign.models.begin(), campaign.models.end(),
-                        [&](const ModelEvaluation& m) { return m.model == code; });
+    return std::find_if(campaign.campaign.models.begin(), campaign.campaign.models.end(),
+                        [&](const CampaignModel& m) { return m.code == code; });
   };
   std::stable_sort(inputs.ratings.begin(), inputs.ratings.end(),
                    [&](const ModelRatings& a, const ModelRatings& b) {

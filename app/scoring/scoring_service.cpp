@@ -74,33 +74,33 @@ struct ReadCampaign {
   Digest inputs;
 };
 
-/// The weighted classes of which nobody scored some index of some model.
-std::vector<std::string> classesMissing(const Campaign& campaign,
-                                        const std::vector<EvaluationRating>& ratings) {
+/// What nobody of a weighted class scored, model by model.
+std::vector<UnscoredIndices> unscoredIndices(const Campaign& campaign,
+                                             const std::vector<EvaluationRating>& ratings) {
   using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
   std::set<Place> scored;
   for (const EvaluationRating& rating : ratings) {
     scored.insert({rating.model, rating.raterClass, rating.index});
   }
-  std::vector<std::string> missing;
+  std::vector<UnscoredIndices> unscored;
   const EvaluationInstrument& instrument = campaign.instrument;
   for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
     if (instrument.classes[c].weight_milli == 0) {
       continue;
     }
-    const auto lacks = [&](const CampaignModel& model) {
+    for (const CampaignModel& model : campaign.models) {
+      UnscoredIndices of{instrument.classes[c].name, model.code, {}};
       for (std::size_t j = 0; j < instrument.indices.size(); ++j) {
         if (!scored.contains({model.code, c, j})) {
-          return true;
+          of.indices.push_back(instrument.indices[j].name);
         }
       }
-      return false;
-    };
-    if (std::any_of(campaign.models.begin(), campaign.models.end(), lacks)) {
-      missing.push_back(instrument.classes[c].name);
+      if (!of.indices.empty()) {
+        unscored.push_back(std::move(of));
+      }
     }
   }
-  return missing;
+  return unscored;
 }
 
 ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaignId) {
@@ -110,7 +110,7 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
     throw Error(ErrorCode::kBadData, Text::tr("no evaluation campaign has this id"), campaignId,
                 Text::tr("List the campaigns first"));
   }
-  ReadCampaign read{{*campaign, {}, {}, {}}, {}};
+  ReadCampaign read{{*campaign, {}, {}, {}, {}}, {}};
   for (const EvaluationMark& mark : repository.marks(campaignId)) {
     EvaluationRating rating;
     rating.model = mark.modelCode;
@@ -124,7 +124,12 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
     read.inputs.update(mark.score_steps);
     read.result.ratings.push_back(std::move(rating));
   }
-  read.result.classesMissing = classesMissing(*campaign, read.result.ratings);
+  read.result.unscored = unscoredIndices(*campaign, read.result.ratings);
+  for (const UnscoredIndices& of : read.result.unscored) {  // one class after the other
+    if (read.result.classesMissing.empty() || read.result.classesMissing.back() != of.raterClass) {
+      read.result.classesMissing.push_back(of.raterClass);
+    }
+  }
   return read;
 }
 

@@ -29,6 +29,7 @@ struct CampaignResult {
   std::vector<EvaluationRating> ratings;    ///< the newest version of each mark, models by their code
   std::vector<ModelEvaluation> models;      ///< in the campaign's order; empty: not finished
   std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
+  std::vector<UnscoredIndices> unscored;    ///< what these have not scored
 };
 
 /// Reads and evaluates the marks of a campaign without storing anything, for previews and reports. While a

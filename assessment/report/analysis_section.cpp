@@ -59,21 +59,25 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
 }
 
 std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis& study) {
-  if (study.wholeGains.empty()) {
+  if (!study.gains) {
     return std::nullopt;
   }
-  const Groups& gains = study.wholeGains.front();
-  const Outcome<KruskalWallis> got = kruskalWallis(gains);
-  if (!got) {
-    return std::nullopt;
-  }
+  const Outcome<KruskalWallis>& got = study.gains->between;
   ReportTable table =
       itemOf<ReportTable>(in, "table-gains", Text::tr("Gain from before to the end, by ranks"),
                           Text::tr("Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney"));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference of mean ranks"), Text::tr("z (Dunn)"),
                    Text::tr("p (Holm)"),   Text::tr("P(first > second)"),        Text::tr("p (exact)")};
-  for (const DunnPair& pair : got->pairs) {
-    const Outcome<MannWhitney> exact = mannWhitney(gains[pair.first], gains[pair.second]);
+  for (const std::vector<double>& group : study.gains->gains) {
+    table.provenance.n += std::ssize(group);
+  }
+  if (!got) {
+    table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
+    return table;
+  }
+  for (std::size_t i = 0; i < got->pairs.size(); ++i) {
+    const DunnPair& pair = got->pairs[i];
+    const Outcome<MannWhitney>& exact = study.gains->pairs[i];
     table.rows.push_back({pairName(in, pair.first, pair.second), formatFixed(-pair.difference, 2),
                           formatFixed(-pair.z, 2), formatP(pair.pHolm),
                           exact ? Text(formatFixed(exact->superiority, 2)) : notDefined(exact.reason()),
@@ -83,14 +87,39 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
       Text::tr("Kruskal-Wallis H = %1, %2, epsilon squared %3.", formatFixed(got->h, 2), equalsP(got->p),
                formatFixed(got->epsilonSquared, kDecimals)),
       Text::tr("A second look beside the primary comparison. Gains are ranked as whole numbers, of the "
-               "trainees with a score at both occasions.")};
-  for (const std::vector<double>& group : gains) {
-    table.provenance.n += std::ssize(group);
-  }
+               "trainees with a score at both occasions. p (Holm) is Dunn's; p (exact) is of this pair "
+               "alone.")};
   return table;
 }
 
 std::optional<ReportTable> modelsTable(const CohortInputs& in) {
+  const std::optional<ModelOrder> order = modelOrder(in);
+  if (!order) {
+    return std::nullopt;
+  }
+  const Outcome<Friedman>& got = order->test;
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-friedman", Text::tr("Order of the models over all raters"),
+                          Text::tr("Friedman on the raters' own comprehensive scores"));
+  table.columns = {Text::tr("Model"), Text::tr("Mean rank (1 is lowest)")};
+  table.provenance.formulaVersion = kEvaluationFormulaVersion;
+  table.provenance.n = order->raters * std::ssize(in.evaluations);
+  if (!got) {
+    table.rows.push_back({notDefined(got.reason()), ""});
+    return table;
+  }
+  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
+    table.rows.push_back({in.evaluations[k].model, formatFixed(order->meanRanks[k], 2)});
+  }
+  table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
+                          formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),
+                          formatFixed(got->kendallW, kDecimals), order->raters)};
+  return table;
+}
+
+}  // namespace
+
+std::optional<ModelOrder> modelOrder(const CohortInputs& in) {
   if (in.evaluations.size() < 2) {
     return std::nullopt;
   }
@@ -108,30 +137,16 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
       rows.push_back(scores);
     }
   }
-  if (rows.size() < 2) {
-    return std::nullopt;
+  ModelOrder out;
+  out.raters = std::ssize(rows);
+  out.test = friedman(NumberTable(rows));
+  if (out.test) {
+    for (const double sum : out.test->rankSums) {
+      out.meanRanks.push_back(sum / static_cast<double>(rows.size()));
+    }
   }
-  const Outcome<Friedman> got = friedman(NumberTable(rows));
-  if (!got) {
-    return std::nullopt;
-  }
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-friedman", Text::tr("Order of the models over all raters"),
-                          Text::tr("Friedman on the raters' own comprehensive scores"));
-  table.columns = {Text::tr("Model"), Text::tr("Mean rank (1 is lowest)")};
-  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
-    table.rows.push_back(
-        {in.evaluations[k].model, formatFixed(got->rankSums[k] / static_cast<double>(rows.size()), 2)});
-  }
-  table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
-                          formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),
-                          formatFixed(got->kendallW, kDecimals), rows.size())};
-  table.provenance.formulaVersion = kEvaluationFormulaVersion;
-  table.provenance.n = std::ssize(rows) * std::ssize(in.evaluations);
-  return table;
+  return out;
 }
-
-}  // namespace
 
 ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;

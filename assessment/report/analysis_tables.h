@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,19 @@ namespace torsio {
 [[nodiscard]] std::vector<ReportFigure> residualFigures(const CohortInputs& inputs,
                                                         const StudyAnalysis& study);
 
+/// How the raters order the models: Friedman's test of their own comprehensive scores.
+struct ModelOrder {
+  std::int64_t raters = 0;  ///< with a score for every model
+  Outcome<Friedman> test = Outcome<Friedman>::undefined(Text::tr("not computed"));
+  std::vector<double> meanRanks;  ///< by model; empty where the test is not defined
+};
+/// Returns the order of the models; empty with fewer than two of them.
+[[nodiscard]] std::optional<ModelOrder> modelOrder(const CohortInputs& inputs);
+
+/// Names the groups of which nobody has a score at both ends, "Group 3 (n = 0)"; none: all are compared.
+[[nodiscard]] std::vector<Text> groupsNotCompared(const CohortInputs& inputs, const StudyAnalysis& study);
+/// Says which raters scored some groups only; empty: nobody did.
+[[nodiscard]] std::vector<Text> raterGroupSentences(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Says which analysis was planned, which one is primary here, and who is left out of what.
 [[nodiscard]] std::vector<Text> plannedAndUsed(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Returns whose marks are missing; empty: nobody's.

@@ -12,6 +12,7 @@
 #include "assessment/report/analysis_tables.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
+#include "assessment/report/record_sentences.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/study_analysis.h"
@@ -63,7 +64,7 @@ Text peopleOf(const CohortInputs& in) {
 Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
   const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
   if (pairs.empty()) {
-    return study.ancova
+    return in.groups.size() < 2
                ? Text::tr("Answer: none. There is only one group.")
                : Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
   }
@@ -94,9 +95,22 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
 }
 
 /// What the answer rests on where that is not what was planned.
-std::vector<Text> reservationsOf(const StudyAnalysis& study) {
+std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
-  if (study.mixed) {
+  if (in.freeze && !in.freeze->unchanged) {
+    out.push_back(
+        Text::tr("The record has changed since it was frozen as \"%1\": what stands here is computed "
+                 "from the record as it is now, not from what was frozen.",
+                 in.freeze->name));
+  }
+  if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
+    out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  }
+  if (study.mixed && study.endMissing == 0) {
+    out.push_back(Text::tr(
+        "Not every trainee was marked by the same raters at the end, so the answer is that of the linear "
+        "mixed model, which allows for it; the planned analysis stands beside it."));
+  } else if (study.mixed) {
     out.push_back(Text::tr(
         "%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark "
         "that was given; the planned analysis stands beside it.",
@@ -212,7 +226,8 @@ ReportTable standardTable(const CohortInputs& in) {
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
         "Able: at every exercise that was tried, by the designs of the section Competence. An inadequate "
-        "trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.",
+        "trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases, within "
+        "the attempts named there.",
         formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
   }
   return table;
@@ -240,18 +255,12 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   section.title = Text::tr("At a glance");
   section.onFirstPage = true;
   section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
-  for (Text& reservation : reservationsOf(study)) {
+  for (Text& reservation : reservationsOf(in, study)) {
     section.paragraphs.push_back(std::move(reservation));
   }
-  std::size_t largest = 0;
-  for (const GroupSummary& summary : in.summaries) {
-    largest = std::max(largest, static_cast<std::size_t>(summary.trainees));
-  }
   section.paragraphs.push_back(
-      Text::tr("What this does not show: with at most %1 {trainee|trainees} a group only large differences "
-               "can be found, and a difference that was not shown is no evidence of equality. Marks on a "
-               "training arm say nothing about patients.",
-               largest));
+      Text::tr("What this does not show: %1 Marks on a training arm say nothing about patients.",
+               detectableSentence(in)));
   if (std::optional<ReportFigure> figure = answerFigure(in, study)) {
     section.figures.push_back(std::move(*figure));
   }

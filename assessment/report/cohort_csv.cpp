@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/report/cohort_csv.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -30,7 +31,65 @@ void addStatistics(CsvRows& rows, const ScoreStatistics& s) {
   rows.add("se_df", s.standardErrorDf, s.n);
 }
 
+void addMarks(const CohortInputs& in, const ModelRatings& ratings, CsvRows& rows) {
+  for (const RaterSheet& sheet : ratings.sheets) {
+    for (std::size_t j = 0; j < sheet.steps.size(); ++j) {
+      rows.place.item = sheet.rater;
+      rows.place.group = in.instrument.classes[sheet.raterClass].id;
+      rows.place.index = in.instrument.indices[j].id;
+      std::optional<double> mark;
+      if (sheet.steps[j]) {
+        mark = pointsFromSteps(*sheet.steps[j], in.instrument.scale);
+      }
+      rows.add("mark", mark, mark ? 1 : 0);
+    }
+  }
+}
+
+/// How the raters order the models.
+void addModelOrder(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  const std::optional<ModelOrder> order = modelOrder(in);
+  if (!order) {
+    return;
+  }
+  CsvRows rows(out);
+  rows.place.section = "evaluation";
+  rows.place.item = "all";
+  rows.place.flags = csvFlags(commonFlags(in), {});
+  const Outcome<Friedman>& test = order->test;
+  const std::int64_t n = order->raters;
+  rows.add("models_friedman_chi_squared", test ? std::optional(test->chiSquared) : std::nullopt, n);
+  rows.add("models_friedman_p", test ? std::optional(test->p) : std::nullopt, n);
+  rows.add("models_kendall_w", test ? std::optional(test->kendallW) : std::nullopt, n);
+  for (std::size_t k = 0; k < order->meanRanks.size(); ++k) {
+    rows.place.model = in.evaluations[k].model;
+    rows.add("mean_rank", order->meanRanks[k], n);
+  }
+}
+
+/// What is there while a class of raters has not scored everything.
+void addUnfinishedEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  CsvRows rows(out);
+  rows.place.section = "evaluation";
+  rows.place.flags = csvFlags(commonFlags(in), {"unfinished"});
+  for (const ModelRatings& ratings : in.ratings) {
+    rows.place.model = ratings.model;
+    addMarks(in, ratings, rows);
+  }
+  rows.place.item = "all";
+  rows.place.index.clear();
+  for (const ClassScore& of : classScores(in)) {
+    rows.place.model = of.model;
+    rows.place.group = in.instrument.classes[of.raterClass].id;
+    rows.add(kClassScoreStatistic, of.score, of.raters);
+  }
+}
+
 void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  if (in.unfinishedEvaluation) {
+    addUnfinishedEvaluation(in, out);
+    return;
+  }
   const std::vector<Text> common = commonFlags(in);
   for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
     const ModelEvaluation& model = in.evaluations[k];
@@ -52,19 +111,15 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
       rows.place.flags = csvFlags(common, {});
       rows.add("composite", composite.score, composite.score ? 1 : 0);
     }
-    for (const RaterSheet& sheet : in.ratings[k].sheets) {
-      for (std::size_t j = 0; j < sheet.steps.size(); ++j) {
-        rows.place.item = sheet.rater;
-        rows.place.group = in.instrument.classes[sheet.raterClass].id;
-        rows.place.index = in.instrument.indices[j].id;
-        std::optional<double> mark;
-        if (sheet.steps[j]) {
-          mark = pointsFromSteps(*sheet.steps[j], in.instrument.scale);
-        }
-        rows.add("mark", mark, mark ? 1 : 0);
-      }
-    }
+    addMarks(in, in.ratings[k], rows);
   }
+  addModelOrder(in, out);
+}
+
+std::int64_t marksAt(const CohortInputs& in, std::size_t group, std::size_t occasion) {
+  return std::count_if(in.trainingMarks.begin(), in.trainingMarks.end(), [&](const TrainingMark& mark) {
+    return mark.group == group && mark.occasion == occasion;
+  });
 }
 
 void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
@@ -83,6 +138,15 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.add("variance_of_scores_divisor_n_minus_1", s.sampleVarianceOfScores, s.trainees);
     rows.add("variance_of_all_marks_divisor_n", s.varianceOfMarks, s.marks);
     rows.add("mean_between_rater_variance_divisor_n_minus_1", s.meanBetweenRaterVariance, s.marks);
+  }
+  const std::vector<std::vector<std::int64_t>> missing = missingByGroup(in);
+  for (std::size_t g = 0; g < missing.size() && !in.trainingMarks.empty(); ++g) {
+    for (std::size_t t = 0; t < missing[g].size(); ++t) {
+      rows.place.item = "all";
+      rows.place.group = in.groups[g].name.str();
+      rows.place.occasion = in.occasions[t].str();
+      rows.add("marks_missing_at_occasion", static_cast<double>(missing[g][t]), marksAt(in, g, t));
+    }
   }
   for (const TraineeScore& score : in.scores) {
     rows.place.item = score.trainee;
@@ -200,12 +264,21 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   if (aggregated) {
     in = withoutSmallGroups(in, left);
   }
+  std::optional<StudyAnalysis> study;
+  if (!in.trainingMarks.empty()) {
+    study = analyseStudy(in);
+  }
+  return csvRowsOf(inputs, in, study);
+}
+
+std::vector<CohortCsvRow> csvRowsOf(const CohortInputs& inputs, const CohortInputs& in,
+                                    const std::optional<StudyAnalysis>& study) {
   std::vector<CohortCsvRow> rows;
   addEvaluation(in, rows);
   addTraining(in, rows);
   addCriteriaRows(in, rows);
-  if (!in.trainingMarks.empty()) {
-    addStudyRows(in, analyseStudy(in), rows);
+  if (study) {
+    addStudyRows(in, *study, rows);
   }
   addTrials(in, rows);
   addCompetence(in, rows);
@@ -237,7 +310,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
       return row.statistic == "mark" || row.statistic == "rater_mark" || row.statistic == "criterion_mark";
     });
   }
-  if (aggregated) {
+  if (inputs.identity == ReportIdentity::kAggregated) {
     std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
   }
   return rows;

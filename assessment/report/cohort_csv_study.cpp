@@ -2,6 +2,8 @@
 // Rows of cohort.csv about raters and about groups: what the report's tables and figures of the training
 // study show.
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "assessment/report/csv_rows.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/statistics/descriptive.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
@@ -29,6 +32,74 @@ void addCoefficients(CsvRows& rows, const Outcome<IccResult>& icc, std::int64_t 
   rows.add("sem_of_mean", icc->semMean, n);
 }
 
+/// Agreement of the pairs of raters in whole points.
+void addPoints(CsvRows& rows, const PointAgreement& points) {
+  const std::vector<double>& kappas = points.kappas;
+  const bool known = !kappas.empty();
+  rows.add("rater_pairs", static_cast<double>(points.pairs), points.shared);
+  rows.add("kappa_quadratic_median", known ? std::optional(medianOf(kappas)) : std::nullopt, points.shared);
+  rows.add("kappa_quadratic_lowest",
+           known ? std::optional(*std::min_element(kappas.begin(), kappas.end())) : std::nullopt,
+           points.shared);
+  rows.add("kappa_quadratic_highest",
+           known ? std::optional(*std::max_element(kappas.begin(), kappas.end())) : std::nullopt,
+           points.shared);
+  const auto share = [&](std::int64_t part) {
+    return points.shared > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(points.shared))
+                             : std::nullopt;
+  };
+  rows.add("share_same_point", share(points.same), points.shared);
+  rows.add("share_within_one_point", share(points.withinOne), points.shared);
+}
+
+/// How many raters are needed: components of variance, and what each number of raters would give.
+void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  const RatersNeeded& needed = study.needed;
+  if (!needed.components) {
+    return;
+  }
+  CsvRows rows(out);
+  rows.place.section = "agreement";
+  rows.place.item = "all";
+  rows.place.occasion = in.occasions.back().str();
+  rows.place.flags = csvFlags(commonFlags(in), {"complete cases"});
+  rows.add("variance_of_trainees", needed.components->at("p").variance, needed.marks);
+  rows.add("variance_of_raters", needed.components->at("r").variance, needed.marks);
+  rows.add("variance_of_rest", needed.components->at("pr").variance, needed.marks);
+  rows.add("raters_needed", needed.fewest ? std::optional(static_cast<double>(*needed.fewest)) : std::nullopt,
+           needed.marks);
+  for (const auto& [raters, planned] : needed.planned) {
+    rows.place.index = "raters " + std::to_string(raters);
+    rows.add("dependability", planned ? std::optional(planned->dependability) : std::nullopt, needed.marks);
+    rows.add("generalizability", planned ? std::optional(planned->generalizability) : std::nullopt,
+             needed.marks);
+    rows.add("standard_error_of_mean_mark",
+             planned ? std::optional(std::sqrt(planned->absoluteError)) : std::nullopt, needed.marks);
+  }
+}
+
+/// The raters on one scale.
+void addRasch(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  if (!study.rasch) {
+    return;
+  }
+  CsvRows rows(out);
+  rows.place.section = "agreement";
+  rows.place.occasion = in.occasions.back().str();
+  rows.place.flags = csvFlags(commonFlags(in), {});
+  for (std::size_t r = 0; r < study.raters.size(); ++r) {
+    const RaschRater& rater = study.rasch->raters[r];
+    rows.place.item = study.raters[r];
+    const auto& marks = study.occasions.back().marks;
+    const std::int64_t n =
+        std::count_if(marks.begin(), marks.end(), [r](const auto& row) { return row[r].has_value(); });
+    rows.add("rasch_severity", rater.severity, n);
+    rows.add("rasch_error", rater.error, n);
+    rows.add("rasch_infit", rater.infit, n);
+    rows.add("rasch_outfit", rater.outfit, n);
+  }
+}
+
 /// Agreement at each occasion: of everybody, of every mark where some are missing, and within each group.
 void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
   CsvRows rows(out);
@@ -39,6 +110,7 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vecto
     rows.place.occasion = in.occasions[t].str();
     rows.place.flags = csvFlags(commonFlags(in), missingFlag(at.missing > 0));
     addCoefficients(rows, at.icc, at.n);
+    addPoints(rows, at.points);
     rows.add("krippendorff_alpha_interval", at.alpha ? std::optional<double>(at.alpha->alpha) : std::nullopt,
              at.n);
     if (at.missing > 0 && at.reliability) {
@@ -90,12 +162,88 @@ CsvRows comparisonRows(const CohortInputs& in, const std::vector<std::string>& f
   return rows;
 }
 
+void addEffect(CsvRows& rows, const std::string& name, const AnovaEffect& effect, std::int64_t n) {
+  rows.add(name + "_f", effect.f, n);
+  rows.add(name + "_p", effect.p, n);
+  if (effect.pGreenhouseGeisser) {
+    rows.add(name + "_p_greenhouse_geisser", *effect.pGreenhouseGeisser, n);
+  }
+  rows.add(name + "_generalised_eta_squared", effect.generalizedEtaSquared, n);
+}
+
+/// The course of the groups over the occasions, of the trainees with a score at each.
+void addCourse(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  if (!study.course) {
+    return;
+  }
+  std::int64_t n = 0;
+  for (const NumberTable& group : study.courses) {
+    n += static_cast<std::int64_t>(group.rows());
+  }
+  CsvRows rows = comparisonRows(
+      in,
+      study.leftOutOfCourse.empty() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"},
+      out);
+  if (study.course->interaction) {
+    addEffect(rows, "mixed_interaction", *study.course->interaction, n);
+  }
+  if (study.course->group) {
+    addEffect(rows, "mixed_group", *study.course->group, n);
+  }
+  addEffect(rows, "mixed_time", study.course->time, n);
+  rows.add("greenhouse_geisser_epsilon", study.course->sphericity.greenhouseGeisser, n);
+}
+
+/// What the groups gained: each by itself, and one against the other by ranks.
+void addGainRows(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  if (!study.gains) {
+    return;
+  }
+  CsvRows rows = comparisonRows(in, {}, out);
+  for (std::size_t g = 0; g < study.gains->within.size(); ++g) {
+    const GroupGain& gain = study.gains->within[g];
+    rows.place.group = in.groups[g].name.str();
+    rows.add("median_gain", gain.median ? std::optional(gain.median->estimate) : std::nullopt, gain.n);
+    if (gain.median) {
+      rows.addBounds("median_gain", gain.median->bca, gain.n);
+    }
+    rows.add("gain_signed_rank_v", gain.ranks ? std::optional(gain.ranks->v) : std::nullopt, gain.n);
+    rows.add("gain_signed_rank_p", gain.ranks ? std::optional(gain.ranks->pTwoSided) : std::nullopt, gain.n);
+    rows.add("occasions_friedman_p", gain.occasions ? std::optional(gain.occasions->p) : std::nullopt,
+             static_cast<std::int64_t>(study.courses[g].rows()));
+  }
+  rows.place.group.clear();
+  const Outcome<KruskalWallis>& between = study.gains->between;
+  if (!between) {
+    return;
+  }
+  std::int64_t n = 0;
+  for (const std::vector<double>& group : study.gains->gains) {
+    n += std::ssize(group);
+  }
+  rows.add("gain_kruskal_wallis_h", between->h, n);
+  rows.add("gain_kruskal_wallis_p", between->p, n);
+  rows.add("gain_epsilon_squared", between->epsilonSquared, n);
+  for (std::size_t i = 0; i < between->pairs.size(); ++i) {
+    const DunnPair& pair = between->pairs[i];
+    const Outcome<MannWhitney>& ranks = study.gains->pairs[i];
+    const std::int64_t two =
+        std::ssize(study.gains->gains[pair.first]) + std::ssize(study.gains->gains[pair.second]);
+    rows.place.group = pairName(in, pair.first, pair.second).str();
+    rows.add("gain_difference_of_mean_ranks", -pair.difference, two);
+    rows.add("gain_dunn_z", -pair.z, two);
+    rows.add("gain_dunn_p_holm", pair.pHolm, two);
+    rows.add("gain_superiority", ranks ? std::optional(ranks->superiority) : std::nullopt, two);
+    rows.add("gain_mann_whitney_p_exact", ranks ? ranks->pExact : std::nullopt, two);
+  }
+}
+
 void addSlopes(const CohortInputs& in, const StudyAnalysis& study, std::int64_t n, CsvRows& rows) {
   if (!study.slopes) {
     return;
   }
   for (std::size_t g = 0; g < study.slopes->slopes.size(); ++g) {
-    rows.place.group = in.groups[g].name.str();
+    rows.place.group = in.groups[study.slopes->groups[g]].name.str();
     rows.add("separate_slope", study.slopes->slopes[g], n);
   }
   for (const SlopesPair& pair : study.slopes->pairs) {
@@ -165,7 +313,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
     rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
   }
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
-    rows.place.group = in.groups[g].name.str();
+    rows.place.group = in.groups[study.ancova->groups[g]].name.str();
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
   const Groups& after = study.ends.after;
@@ -181,10 +329,6 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
     }
   }
   rows.place.group.clear();
-  if (study.course && study.course->interaction) {
-    rows.add("mixed_interaction_f", study.course->interaction->f, n);
-    rows.add("mixed_interaction_p", study.course->interaction->p, n);
-  }
   addSlopes(in, study, n, rows);
   addResiduals(in, study, rows);
 }
@@ -257,9 +401,15 @@ void CsvRows::add(const std::string& statistic, const std::optional<double>& val
 void addStudyRows(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
   addAgreement(in, study, out);
   addRaters(in, study, out);
+  if (study.raters.size() >= 2) {
+    addRatersNeeded(in, study, out);
+    addRasch(in, study, out);
+  }
   if (study.occasions.size() >= 2) {
     addComparison(in, study, out);
+    addCourse(in, study, out);
     addMixedModel(in, study, out);
+    addGainRows(in, study, out);
   }
 }
 

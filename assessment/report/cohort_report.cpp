@@ -8,6 +8,7 @@
 
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/report/csv_rows.h"
 #include "assessment/report/foreign_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
@@ -26,7 +27,7 @@ void checkInputs(const CohortInputs& in) {
     throw Error(ErrorCode::kBadData, what, Text::tr("cohort report"),
                 Text::tr("Check the data that the report is made from."));
   };
-  if (in.ratings.size() != in.evaluations.size()) {
+  if (in.ratings.size() != in.evaluations.size() && !(in.unfinishedEvaluation && in.evaluations.empty())) {
     refuse(Text::tr("ratings and evaluations name different models"));
   }
   for (const ModelEvaluation& model : in.evaluations) {
@@ -125,6 +126,10 @@ ReportTable groupsTable(const CohortInputs& in) {
         Text::tr("No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand "
                  "after the draw: a difference need not be due to chance.",
                  in.allocation.movedByHand)};
+  } else if (in.allocation.replayDiffers) {
+    table.notes = {
+        Text::tr("No test of baseline differences is shown. The draw could not be repeated from its seed: a "
+                 "difference need not be due to chance.")};
   } else {
     table.notes = {Text::tr(
         "No test of baseline differences is shown: allocation was drawn, so any difference is due to "
@@ -392,7 +397,9 @@ void addCover(const CohortInputs& in, ReportModel& report) {
         {Text::tr("Frozen"), Text::tr("%1 by %2", formatUtc(in.freeze->frozenUtc_us), in.freeze->frozenBy)},
         {Text::tr("Content hash"), in.freeze->contentHash.substr(0, 32)},
         {Text::tr("Since then"),
-         in.freeze->unchanged ? Text::tr("unchanged") : Text::tr("the record has changed; see Provenance")}};
+         in.freeze->unchanged ? Text::tr("unchanged")
+                              : Text::tr("the record has changed, and the numbers are those of today; see "
+                                         "Provenance")}};
   } else {
     report.facts = {{Text::tr("Data"), Text::tr("as they were when this report was made; not frozen")}};
   }
@@ -414,12 +421,10 @@ void addCover(const CohortInputs& in, ReportModel& report) {
   }
 }
 
-ReportModel reportOf(const CohortInputs& in) {
+ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>& study) {
   ReportModel report;
   addCover(in, report);
-  std::optional<StudyAnalysis> study;
-  if (!in.trainingMarks.empty()) {
-    study = analyseStudy(in);
+  if (study) {
     report.sections.push_back(boardSection(in, *study));
   }
   if (!in.simulated.empty()) {
@@ -476,9 +481,9 @@ ReportModel reportOf(const CohortInputs& in) {
 }
 
 /// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
-void addReference(const CohortInputs& inputs, ReportModel& report) {
+void addReference(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows, ReportModel& report) {
   Digest digest;
-  digest.update(cohortCsvText(cohortCsvRows(inputs)));
+  digest.update(cohortCsvText(rows));
   report.numbersHash = digest.hex();
   report.auditHead = inputs.auditHead;
   report.number = "R-" + std::to_string(inputs.auditEntries) + "-" + report.numbersHash.substr(0, 8);
@@ -496,7 +501,11 @@ ReportModel cohortReport(const CohortInputs& inputs) {
   if (aggregated) {
     in = withoutSmallGroups(in, left);
   }
-  ReportModel report = reportOf(in);
+  std::optional<StudyAnalysis> study;
+  if (!in.trainingMarks.empty()) {
+    study = analyseStudy(in);
+  }
+  ReportModel report = reportOf(in, study);
   if (aggregated) {
     removeIndividuals(report);
     left.push_back(Text::tr(
@@ -511,7 +520,7 @@ ReportModel cohortReport(const CohortInputs& inputs) {
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
-  addReference(inputs, report);
+  addReference(inputs, csvRowsOf(inputs, in, study), report);
   return report;
 }
 

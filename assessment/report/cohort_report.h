@@ -190,10 +190,18 @@ struct CriterionMark {
   std::optional<double> points{};  ///< empty: not assessable
 };
 
+/// Indices of a model that nobody of a class of raters scored.
+struct UnscoredIndices {
+  std::string raterClass{};            ///< name
+  std::string model{};                 ///< code
+  std::vector<std::string> indices{};  ///< names
+};
+
 /// An evaluation that cannot be computed yet.
 struct UnfinishedEvaluation {
   std::int64_t marks = 0;                   ///< so far
   std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
+  std::vector<UnscoredIndices> unscored{};  ///< by these classes, in the order of classes and models
 };
 
 /// Everything a cohort report is made from.
@@ -222,9 +230,9 @@ struct CohortInputs {
 
   EvaluationInstrument instrument;
   EvaluationPolicy evaluationPolicy;
-  std::vector<ModelRatings> ratings;                         ///< in the order of the models in the report
-  std::vector<ModelEvaluation> evaluations;                  ///< same order
-  std::size_t chiefClass = 2;                                ///< the class of Fig. 18
+  std::vector<ModelRatings> ratings;         ///< in the order of the models in the report
+  std::vector<ModelEvaluation> evaluations;  ///< same order; none while the evaluation is unfinished
+  std::size_t chiefClass = 2;                ///< the class of Fig. 18
   std::optional<UnfinishedEvaluation> unfinishedEvaluation;  ///< in place of the two
 
   ScoreScale trainingScale{10, 100, 10};

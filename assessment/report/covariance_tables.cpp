@@ -149,13 +149,13 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
   }
   std::vector<Text> means;
   for (std::size_t i = 0; i < got->adjusted.size(); ++i) {
-    means.push_back(Text::verbatim("%1 %2", in.groups[i].name,
+    means.push_back(Text::verbatim("%1 %2", in.groups[got->groups[i]].name,
                                    withInterval(got->adjusted[i].mean, got->adjusted[i].interval)));
   }
   table.notes = {
-      Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means: %5.", formatFixed(got->group.df1, 0),
-               formatFixed(got->group.df2, 0), formatFixed(got->group.f, 2), equalsP(got->group.p),
-               listed(means)),
+      Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.",
+               formatFixed(got->group.df1, 0), formatFixed(got->group.df2, 0), formatFixed(got->group.f, 2),
+               equalsP(got->group.p), listed(means)),
       slopesText(study),
       Text::tr("Intervals of all pairs together are widened after Bonferroni: all of them hold at once with "
                "95 % or more. They are wider than Holm's p values ask for.")};
@@ -182,7 +182,8 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
   }
   std::vector<Text> slopes;
   for (std::size_t g = 0; g < study.slopes->slopes.size(); ++g) {
-    slopes.push_back(Text::verbatim("%1 %2", in.groups[g].name, formatFixed(study.slopes->slopes[g], 3)));
+    slopes.push_back(Text::verbatim("%1 %2", in.groups[study.slopes->groups[g]].name,
+                                    formatFixed(study.slopes->slopes[g], 3)));
   }
   table.notes = {
       Text::tr("Slopes: %1. Stated scores before: the mean of all and one standard deviation to "
@@ -262,7 +263,7 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   normal.xLabel = Text::tr("normal quantile times standard deviation (points)");
   normal.yLabel = Text::tr("residual (points)");
   std::vector<double> all;
-  for (std::size_t g = 0; g < model.residuals.size(); ++g) {
+  for (const std::size_t g : model.groups) {
     FigureSeries series;
     series.name = in.groups[g].name;
     series.x = model.fitted[g];

@@ -37,6 +37,10 @@ class CsvRows {
   std::vector<CohortCsvRow>& out_;
 };
 
+/// Lists all numbers: `shown` is what of `inputs` may be seen, `study` its analysis, empty without marks.
+[[nodiscard]] std::vector<CohortCsvRow> csvRowsOf(const CohortInputs& inputs, const CohortInputs& shown,
+                                                  const std::optional<StudyAnalysis>& study);
+
 /// Adds the criteria: every scoring sheet that was used with its anchors, what each group and trainee got for
 /// each criterion, and every mark of it (criteria_section.cpp).
 void addCriteriaRows(const CohortInputs& inputs, std::vector<CohortCsvRow>& out);

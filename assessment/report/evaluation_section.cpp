@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/number_format.h"
@@ -34,6 +36,11 @@ std::vector<Text> mergedFlags(const CohortInputs& in) {
   return flags;
 }
 
+/// Marks that a model lacks; each rater was to score every model.
+std::int64_t missingOf(const CohortInputs& in, const ModelRatings& model) {
+  return std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices) - givenMarks(model);
+}
+
 Provenance provenance(const CohortInputs& in, const Text& formula) {
   Provenance out;
   out.formula = formula;
@@ -42,8 +49,8 @@ Provenance provenance(const CohortInputs& in, const Text& formula) {
     for (const ScoreStatistics& index : model.indices) {
       out.n += index.n;
     }
-    out.missing += model.missing;
   }
+  out.missing = missingEvaluationMarks(in);
   out.flags = mergedFlags(in);
   return out;
 }
@@ -285,7 +292,11 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
   for (const ScoreStatistics& s : model.indices) {
     table.provenance.n += s.n;
   }
-  table.provenance.missing = model.missing;
+  for (const ModelRatings& ratings : in.ratings) {
+    if (ratings.model == model.model) {
+      table.provenance.missing = missingOf(in, ratings);
+    }
+  }
   return table;
 }
 
@@ -295,32 +306,25 @@ ReportSection evaluationSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Evaluation of the models");
   if (in.unfinishedEvaluation) {
-    const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
-    section.paragraphs = {
-        Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
-                 "every class of raters that has a weight has scored every index of every model.",
-                 in.unfinishedEvaluation->marks),
-        Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
-    return section;
+    return unfinishedSection(in);
   }
   std::vector<Text> classes;
   for (const RaterClass& raterClass : in.instrument.classes) {
-    std::int64_t n = 0;
-    if (!in.ratings.empty()) {
-      for (const RaterSheet& sheet : in.ratings.front().sheets) {
-        n += in.instrument.classes[sheet.raterClass].id == raterClass.id ? 1 : 0;
+    std::set<std::string> raters;
+    for (const ModelRatings& model : in.ratings) {
+      for (const RaterSheet& sheet : model.sheets) {
+        if (in.instrument.classes[sheet.raterClass].id == raterClass.id) {
+          raters.insert(sheet.rater);
+        }
       }
     }
     classes.push_back(
-        Text::tr("%1 %2 (weight %3)", n, Text(raterClass.name),
+        Text::tr("%1 %2 (weight %3)", raters.size(), Text(raterClass.name),
                  formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
   }
   const std::string lo = formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0);
   const std::string hi = formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0);
-  std::int64_t missing = 0;
-  for (const ModelEvaluation& model : in.evaluations) {
-    missing += model.missing;
-  }
+  const std::int64_t missing = missingEvaluationMarks(in);
   section.paragraphs.push_back(
       missing == 0
           ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What missing marks do to the comparison of groups: who is left out, the mixed model, and bounds.
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "assessment/report/analysis_tables.h"
 #include "assessment/report/number_format.h"
@@ -56,11 +60,62 @@ std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study
 
 }  // namespace
 
+std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis& study) {
+  std::vector<Text> out;
+  for (const std::size_t g : groupsWithoutEnds(study)) {
+    out.push_back(Text::tr("%1 (n = %2)", in.groups[g].name, 0));
+  }
+  return out;
+}
+
+std::vector<Text> raterGroupSentences(const CohortInputs& in, const StudyAnalysis& study) {
+  std::map<std::string, std::set<std::size_t>> groupsOf;  // of the last occasion, by rater
+  std::set<std::size_t> marked;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    if (mark.occasion + 1 == in.occasions.size()) {
+      groupsOf[mark.rater].insert(mark.group);
+      marked.insert(mark.group);
+    }
+  }
+  std::vector<Text> codes;
+  for (const auto& [rater, groups] : groupsOf) {
+    if (groups.size() < marked.size()) {
+      codes.emplace_back(rater);
+    }
+  }
+  if (codes.empty()) {
+    return {};
+  }
+  const Text who =
+      in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes);
+  return {study.mixed
+              ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
+                         "covariance what such a rater is stricter or more lenient by counts as a difference "
+                         "between the groups; the linear mixed model allows for it.",
+                         in.occasions.back(), who)
+              : Text::tr("Raters who scored trainees of some groups only %1: %2. What such a rater is "
+                         "stricter or more lenient by counts as a difference between the groups.",
+                         in.occasions.back(), who)};
+}
+
 std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study) {
   if (study.occasions.size() < 2) {
     return {};
   }
   std::vector<Text> out = otherRaters(in, study);
+  for (Text& sentence : raterGroupSentences(in, study)) {
+    out.push_back(std::move(sentence));
+  }
+  if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
+    out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  }
+  if (!study.ancova && !study.mixed) {
+    out.push_back(
+        Text::tr("Planned: the analysis of covariance of the score at the end on the score before. "
+                 "It is not defined (%1): the groups are not compared.",
+                 study.ancova.reason()));
+    return out;
+  }
   if (study.asPlanned()) {
     out.insert(
         out.begin(),
@@ -73,10 +128,13 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
                        "occasion."));
     return out;
   }
-  const Text missing = Text::tr(
-      "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last occasion are} "
-      "missing",
-      study.endMissing, study.endMarks + study.endMissing);
+  const Text missing =
+      study.endMissing > 0
+          ? Text::tr(
+                "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last "
+                "occasion are} missing",
+                study.endMissing, study.endMarks + study.endMissing)
+          : Text::tr("Not every trainee was marked by the same raters at the end");
   out.push_back(
       study.mixed
           ? Text::tr(
@@ -85,11 +143,6 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
                 "that was given. The planned analysis stands beside it, of the %2 trainees with a score "
                 "at both occasions.",
                 missing, comparedTrainees(study))
-      : !study.ancova
-          ? Text::tr("Planned: the analysis of covariance of the score at the end on the score before. %1. "
-                     "Neither it nor the linear mixed model that would take every mark is defined (%2): "
-                     "the groups are not compared.",
-                     missing, study.ancova.reason())
           : Text::tr(
                 "Planned: the analysis of covariance of the score at the end on the score before. %1. The "
                 "linear mixed model that would take every mark is not defined (%2), so the planned "
@@ -97,6 +150,9 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
                 missing, study.mixed.reason(), comparedTrainees(study)));
   if (const std::vector<Text> codes = leftOutCodes(study); !codes.empty()) {
     out.push_back(Text::tr("Left out of both, without any mark at one of the two: %1.", whoText(in, codes)));
+  }
+  if (study.endMissing == 0) {
+    return out;
   }
   out.push_back(Text::tr(
       "Both take it that whether a mark is missing does not depend on what it would have been, once "
@@ -106,7 +162,7 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
 }
 
 std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnalysis& study) {
-  if (study.asPlanned()) {
+  if (study.missing.empty()) {
     return std::nullopt;
   }
   ReportTable table = itemOf<ReportTable>(in, "table-missing", Text::tr("Trainees of whom marks are missing"),
@@ -152,16 +208,16 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   }
   std::vector<Text> means;
   for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
-    means.push_back(Text::verbatim("%1 %2", in.groups[g].name,
+    means.push_back(Text::verbatim("%1 %2", in.groups[model.groups[g]].name,
                                    withInterval(model.adjusted[g].value, model.adjusted[g].interval)));
   }
   table.notes = {
       Text::tr("Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); "
                "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
                model.marks, model.trainees),
-      Text::tr("Adjusted means: %1.", listed(means)),
-      Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before: "
-               "%4.",
+      Text::tr("Adjusted means [95 %]: %1.", listed(means)),
+      Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before "
+               "[95 %]: %4.",
                formatFixed(model.varianceTrainees, 3), formatFixed(model.varianceRaters, 3),
                formatFixed(model.varianceResidual, 3),
                withInterval(model.slope.value, model.slope.interval))};
@@ -183,8 +239,8 @@ std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalys
   ReportTable table =
       itemOf<ReportTable>(in, "table-bounds", Text::tr("What the missing marks could do at worst"),
                           Text::tr("analysis of covariance, missing marks at the ends of the scale"));
-  table.columns = {Text::tr("Comparison"), Text::tr("Worst for the first group [95 %]"),
-                   Text::tr("Best for the first group [95 %]"), Text::tr("Direction")};
+  table.columns = {Text::tr("Comparison"), Text::tr("Worst for the first group [95 %, not adjusted]"),
+                   Text::tr("Best for the first group [95 %, not adjusted]"), Text::tr("Direction")};
   const auto shown = [](const Outcome<AdjustedDifference>& of) {
     return of ? Text(withInterval(of->difference, of->interval)) : notDefined(of.reason());
   };

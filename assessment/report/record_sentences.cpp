@@ -2,10 +2,12 @@
 #include "assessment/report/record_sentences.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
 #include "assessment/statistics/power.h"
 #include "sim/base/text_list.h"
 
@@ -43,16 +45,6 @@ Text waysSentence(const MarkWays& ways) {
       all, ways.blinded, ways.live, ways.entered);
 }
 
-std::set<std::string> modelRaters(const CohortInputs& in) {
-  std::set<std::string> raters;
-  for (const ModelRatings& model : in.ratings) {
-    for (const RaterSheet& sheet : model.sheets) {
-      raters.insert(sheet.rater);
-    }
-  }
-  return raters;
-}
-
 }  // namespace
 
 std::vector<Text> blindingSentences(const CohortInputs& in) {
@@ -68,7 +60,7 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
                           ? Text::tr("All models (%1) stood before their raters under hidden labels.", models)
                           : Text::tr("%1 of %2 {model|models} stood before their raters under hidden labels.",
                                      in.modelsHidden, models));
-  const std::set<std::string> raters = modelRaters(in);
+  const std::set<std::string> raters = evaluationRaters(in);
   const auto both = std::count_if(in.trainees.begin(), in.trainees.end(), [&](const CohortTrainee& trainee) {
     return raters.contains(trainee.code);
   });
@@ -81,7 +73,10 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
   return sentences;
 }
 
-Text powerSentence(const CohortInputs& in) {
+namespace {
+
+/// Trainees of each group with a score at the end; without any score those who were allocated.
+std::vector<std::size_t> groupSizes(const CohortInputs& in) {
   std::vector<std::set<std::string>> members(in.groups.size());
   for (const TraineeScore& score : in.scores) {
     if (score.occasion + 1 == in.occasions.size()) {
@@ -93,27 +88,60 @@ Text powerSentence(const CohortInputs& in) {
       members[trainee.group].insert(trainee.code);
     }
   }
-  if (members.size() < 2) {
+  std::vector<std::size_t> sizes;
+  for (const auto& group : members) {
+    sizes.push_back(group.size());
+  }
+  return sizes;
+}
+
+/// The smallest group with a spread, where there are two of them.
+std::optional<std::size_t> smallestCompared(const std::vector<std::size_t>& sizes) {
+  std::vector<std::size_t> compared;
+  for (const std::size_t size : sizes) {
+    if (size > 1) {
+      compared.push_back(size);
+    }
+  }
+  return compared.size() < 2 ? std::nullopt
+                             : std::optional(*std::min_element(compared.begin(), compared.end()));
+}
+
+}  // namespace
+
+Text powerSentence(const CohortInputs& in) {
+  const std::vector<std::size_t> groups = groupSizes(in);
+  if (groups.size() < 2) {
     return {};
   }
   std::vector<Text> sizes;
-  std::size_t smallest = members.front().size();
-  for (const auto& group : members) {
-    sizes.emplace_back(std::to_string(group.size()));
-    smallest = std::min(smallest, group.size());
+  for (const std::size_t size : groups) {
+    sizes.emplace_back(std::to_string(size));
   }
-  if (smallest < 2) {
-    return Text::tr("The groups have %1 trainees: with fewer than two in a group nothing can be compared.",
+  const std::optional<std::size_t> smallest = smallestCompared(groups);
+  if (!smallest) {
+    return Text::tr("The groups have %1 trainees: without two groups of two or more no power can be stated.",
                     listed(sizes));
   }
-  const auto n = static_cast<double>(smallest);
+  const auto n = static_cast<double>(*smallest);
   return Text::tr(
       "The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a "
       "difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that "
       "is "
       "not significant is no evidence of equality.",
-      listed(sizes), smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
+      listed(sizes), *smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
       formatFixed(detectableTwoSampleT(n, kUsualPower), 2));
+}
+
+Text detectableSentence(const CohortInputs& in) {
+  const std::optional<std::size_t> smallest = smallestCompared(groupSizes(in));
+  if (!smallest) {
+    return Text::tr("a difference that was not shown is no evidence of equality.");
+  }
+  return Text::tr(
+      "two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test "
+      "at 5 %) and miss smaller ones more often; a difference that was not shown is no evidence of equality.",
+      *smallest, formatFixed(detectableTwoSampleT(static_cast<double>(*smallest), kUsualPower), 2));
 }
 
 Text commitmentSentence(const CohortAllocation& drawn) {
@@ -149,6 +177,9 @@ Text replaySentence(const CohortAllocation& drawn) {
 bool allMarksGiven(const CohortInputs& in) {
   std::set<std::string> trainees;
   std::set<std::string> raters;
+  for (const CohortTrainee& trainee : in.trainees) {
+    trainees.insert(trainee.code);
+  }
   for (const TrainingMark& mark : in.trainingMarks) {
     trainees.insert(mark.trainee);
     raters.insert(mark.rater);

@@ -12,6 +12,8 @@ namespace torsio {
 [[nodiscard]] std::vector<Text> blindingSentences(const CohortInputs& inputs);
 /// What groups of the size at hand can detect. Empty with fewer than two groups.
 [[nodiscard]] Text powerSentence(const CohortInputs& inputs);
+/// The same in a clause for the first page, with its full stop.
+[[nodiscard]] Text detectableSentence(const CohortInputs& inputs);
 /// When the seed was committed to, against enrolment and allocation.
 [[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);
 /// Whether the draw was repeated from its seed, and with what result.
@@ -19,7 +21,7 @@ namespace torsio {
 /// How many of the marks that could be there are there.
 [[nodiscard]] Text marksSentence(const CohortInputs& inputs);
 
-/// Whether every trainee with a mark has one of every rater at every occasion.
+/// Whether every trainee has a mark of every rater at every occasion.
 [[nodiscard]] bool allMarksGiven(const CohortInputs& inputs);
 
 }  // namespace torsio

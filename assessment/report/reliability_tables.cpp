@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What more raters would give, how strict each one is on one scale, and what each group gained by itself.
-#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
-#include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/generalizability.h"
-#include "assessment/statistics/quantiles.h"
-#include "assessment/statistics/rank_tests.h"
-#include "assessment/statistics/rasch.h"
-#include "assessment/statistics/resampling.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr int kReliabilityDecimals = 3;
-constexpr double kWantedDependability = 0.8;
-constexpr int kMostRaters = 100;
 
-/// The fewest raters whose mean is dependable enough; empty: more than kMostRaters.
-std::optional<int> ratersNeeded(const GStudy& found) {
-  for (int raters = 1; raters <= kMostRaters; ++raters) {
-    const Outcome<DStudy> study = dStudyPR(found, raters);
-    if (study && study->dependability >= kWantedDependability) {
-      return raters;
-    }
-  }
-  return std::nullopt;
-}
-
-Text neededSentence(const GStudy& found) {
-  const std::optional<int> needed = ratersNeeded(found);
-  return needed
-             ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of 0.80 or more.",
-                        *needed)
-             : Text::tr("Not even %1 raters would give a dependability of 0.80.", kMostRaters);
+Text neededSentence(const RatersNeeded& found) {
+  return found.fewest
+             ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.",
+                        *found.fewest, formatFixed(kWantedDependability, 2))
+             : Text::tr("Not even %1 raters would give a dependability of %2.", kMostRaters,
+                        formatFixed(kWantedDependability, 2));
 }
 
 ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study) {
@@ -47,18 +26,14 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
   table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"),
                    Text::tr("Generalizability (order)"),
                    Text::tr("Standard error of the mean mark (points)")};
-  const OccasionMarks& last = study.occasions.back();
-  const NumberTable marks = completeMarks(last);
-  const Outcome<GStudy> found = gStudyPR(marks);
-  table.provenance.n = static_cast<std::int64_t>(marks.rows() * marks.columns());
-  table.provenance.missing = last.missing;
-  if (!found) {
-    table.rows.push_back({notDefined(found.reason()), "", "", ""});
+  const RatersNeeded& found = study.needed;
+  table.provenance.n = found.marks;
+  table.provenance.missing = study.occasions.back().missing;
+  if (!found.components) {
+    table.rows.push_back({notDefined(found.components.reason()), "", "", ""});
     return table;
   }
-  std::set<std::size_t> sizes{1, 2, 3, 5, 10, last.present.size()};
-  for (const std::size_t raters : sizes) {
-    const Outcome<DStudy> planned = dStudyPR(*found, static_cast<double>(raters));
+  for (const auto& [raters, planned] : found.planned) {
     if (!planned) {
       table.rows.push_back({std::to_string(raters), notDefined(planned.reason()), "", ""});
       continue;
@@ -67,35 +42,16 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
                           formatFixed(planned->generalizability, kReliabilityDecimals),
                           formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals)});
   }
-  table.notes = {neededSentence(*found),
+  const GStudy& components = *found.components;
+  table.notes = {neededSentence(found),
                  Text::tr("Components of variance: trainees %1, raters %2, rest %3.",
-                          formatFixed(found->at("p").variance, kReliabilityDecimals),
-                          formatFixed(found->at("r").variance, kReliabilityDecimals),
-                          formatFixed(found->at("pr").variance, kReliabilityDecimals))};
+                          formatFixed(components.at("p").variance, kReliabilityDecimals),
+                          formatFixed(components.at("r").variance, kReliabilityDecimals),
+                          formatFixed(components.at("pr").variance, kReliabilityDecimals))};
+  if (components.negativeComponent) {
+    table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
+  }
   return table;
-}
-
-/// Marks of the last occasion as categories without gaps: the marks that occur, in their order.
-CategoryRatings categoriesOf(const StudyAnalysis& study, int& highest) {
-  std::set<double> used;
-  for (const auto& row : study.occasions.back().marks) {
-    for (const std::optional<double>& mark : row) {
-      if (mark) {
-        used.insert(*mark);
-      }
-    }
-  }
-  highest = static_cast<int>(used.size()) - 1;
-  CategoryRatings ratings;
-  for (const auto& row : study.occasions.back().marks) {
-    ratings.emplace_back();
-    for (const std::optional<double>& mark : row) {
-      ratings.back().push_back(
-          mark ? std::optional(static_cast<int>(std::distance(used.begin(), used.find(*mark))))
-               : std::nullopt);
-    }
-  }
-  return ratings;
 }
 
 ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
@@ -106,23 +62,18 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
                    Text::tr("Infit"), Text::tr("Outfit")};
   table.provenance.n = study.occasions.back().n;
   table.provenance.missing = study.occasions.back().missing;
-  int highest = 0;
-  const CategoryRatings ratings = categoriesOf(study, highest);
-  if (highest < 1) {
-    const Text reason = Text::tr("every rating is the same");
-    table.rows.push_back({notDefined(reason), "", "", "", ""});
-    return table;
-  }
-  const Outcome<RaschResult> found = manyFacetRasch(ratings, highest);
+  const Outcome<RaschResult>& found = study.rasch;
   if (!found) {
     table.rows.push_back({notDefined(found.reason()), "", "", "", ""});
     return table;
   }
-  const auto shown = [](const std::optional<double>& value) {
-    return value ? Text(formatFixed(*value, 2)) : Text::tr("only extreme marks");
-  };
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     const RaschRater& rater = found->raters[r];
+    const auto shown = [&](const std::optional<double>& value) {
+      return value                                     ? Text(formatFixed(*value, 2))
+             : rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here")
+                                                       : Text::tr("only extreme marks");
+    };
     table.rows.push_back({study.raters[r], shown(rater.severity), shown(rater.error), shown(rater.infit),
                           shown(rater.outfit)});
   }
@@ -134,22 +85,11 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-/// The median with its interval by resampling trainees.
-Text medianText(const std::vector<double>& gains) {
-  const auto median = [&](std::span<const std::size_t> chosen) {
-    std::vector<double> values;
-    for (const std::size_t i : chosen) {
-      values.push_back(gains[i]);
-    }
-    return medianOf(values);
-  };
-  const Outcome<Bootstrap> found = bootstrap(gains.size(), median);
-  return found ? Text(withInterval(found->estimate, found->bca)) : notDefined(found.reason());
-}
-
-Text friedmanText(const StudyAnalysis& study, std::size_t group) {
-  const Outcome<Friedman> found = friedman(study.courses[group]);
-  return found ? Text(formatP(found->p)) : notDefined(found.reason());
+/// p of the signed ranks; of random changes of sign with how far it may be off.
+Text signedRankP(const SignedRank& ranks) {
+  return ranks.exact ? Text(formatP(ranks.pTwoSided))
+                     : Text::tr("%1, random changes of sign, standard error %2", formatP(ranks.pTwoSided),
+                                formatFixed(ranks.error, 4));
 }
 
 }  // namespace
@@ -162,7 +102,7 @@ std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAn
 }
 
 std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study) {
-  if (study.wholeGains.empty()) {
+  if (!study.gains) {
     return std::nullopt;
   }
   auto table = itemOf<ReportTable>(in, "table-within-groups", Text::tr("What each group gained by itself"),
@@ -171,21 +111,20 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
       Text::tr("Group"),          Text::tr("Trainees"),  Text::tr("Median gain [95 %] (points)"),
       Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const std::vector<double>& before = study.ends.before[g];
-    const std::vector<double>& after = study.ends.after[g];
-    std::vector<double> gains;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      gains.push_back(after[i] - before[i]);
-    }
-    const Outcome<SignedRank> ranks = signedRank(study.wholeGains.front()[g]);
-    table.rows.push_back({in.groups[g].name, std::to_string(gains.size()), medianText(gains),
-                          ranks ? Text(formatFixed(ranks->v, 1)) : notDefined(ranks.reason()),
-                          ranks ? Text(formatP(ranks->pTwoSided)) : Text(""), friedmanText(study, g)});
-    table.provenance.n += std::ssize(gains);
+    const GroupGain& gain = study.gains->within[g];
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(gain.n),
+         gain.median ? Text(withInterval(gain.median->estimate, gain.median->bca))
+                     : notDefined(gain.median.reason()),
+         gain.ranks ? Text(formatFixed(gain.ranks->v, 1)) : notDefined(gain.ranks.reason()),
+         gain.ranks ? signedRankP(*gain.ranks) : Text(""),
+         gain.occasions ? Text(formatP(gain.occasions->p)) : notDefined(gain.occasions.reason())});
+    table.provenance.n += gain.n;
   }
   table.notes = {
       Text::tr("A gain within a group shows no effect of its training: repetition alone may give it. Compare "
-               "the groups.")};
+               "the groups. p values and intervals of this table are not adjusted for the number of "
+               "groups.")};
   return table;
 }
 

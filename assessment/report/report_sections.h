@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "assessment/report/cohort_report.h"
 #include "assessment/report/study_analysis.h"
@@ -13,6 +18,26 @@ namespace torsio {
 [[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
+/// Says of an evaluation that cannot be computed yet what it lacks, and what each class gives by itself.
+[[nodiscard]] ReportSection unfinishedSection(const CohortInputs& inputs);
+/// Returns the raters with a sheet for any model: each was to score all of them.
+[[nodiscard]] std::set<std::string> evaluationRaters(const CohortInputs& inputs);
+/// Counts the marks that a model was given.
+[[nodiscard]] std::int64_t givenMarks(const ModelRatings& model);
+/// Counts the marks of these raters that are missing, over all models.
+[[nodiscard]] std::int64_t missingEvaluationMarks(const CohortInputs& inputs);
+/// A class of raters by itself: Eq. 27 on its means of a model.
+struct ClassScore {
+  std::string model;
+  std::size_t raterClass = 0;
+  std::int64_t raters = 0;
+  std::int64_t marks = 0;
+  std::optional<double> score;  ///< points; empty: an index has no mark of this class
+};
+/// Returns the score of every class for every model.
+[[nodiscard]] std::vector<ClassScore> classScores(const CohortInputs& inputs);
+inline constexpr const char* kClassScoreStatistic = "class_score_eq27";
+
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
 /// The scoring sheets with their anchors, and what was given for each criterion.
 [[nodiscard]] ReportSection criteriaSection(const CohortInputs& inputs);

@@ -46,7 +46,11 @@ std::int64_t ratersPresent(const CohortInputs& in) {
 
 void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
   const std::int64_t present = ratersPresent(out);
-  if (out.evaluations.empty() || out.freeze || present >= out.evaluationRatersAsked) {
+  if (out.freeze || present >= out.evaluationRatersAsked) {
+    return;
+  }
+  if (out.evaluations.empty()) {  // the section says that it is unfinished, and what is missing
+    out.ratings.clear();
     return;
   }
   left.push_back(Text::tr(

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "assessment/report/study_parts.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 
@@ -131,6 +133,21 @@ Ends endsOf(const CohortInputs& in, const StudyAnalysis& study) {
   return out;
 }
 
+/// Whether every trainee with a mark was marked by the same raters.
+bool sameRatersOf(const OccasionMarks& occasion) {
+  std::set<std::vector<bool>> patterns;
+  for (const std::vector<std::optional<double>>& marks : occasion.marks) {
+    std::vector<bool> given;
+    for (const std::optional<double>& mark : marks) {
+      given.push_back(mark.has_value());
+    }
+    if (std::find(given.begin(), given.end(), true) != given.end()) {
+      patterns.insert(std::move(given));
+    }
+  }
+  return patterns.size() <= 1;
+}
+
 void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
   const Ends ends = endsOf(in, out);
   out.ends = completeCases(ends.trainees, in.groups.size());
@@ -147,12 +164,15 @@ void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
     }
   }
   out.endMarks = out.occasions.front().n + out.occasions.back().n;
+  out.sameRaters = sameRatersOf(out.occasions.back());
   out.ancova = ancova(out.ends.before, out.ends.after);
   if (out.ancova && out.ancova->equalSlopes && out.ancova->equalSlopes->p < kSlopesDiffer) {
     out.slopes = separateSlopes(out.ends.before, out.ends.after, usualBaselines(out.ends.before));
   }
   if (!out.asPlanned()) {
     out.mixed = mixedComparison(ends.trainees, in.groups.size());
+  }
+  if (!out.missing.empty()) {
     out.bounds =
         missingBounds(ends.trainees, in.groups.size(), pointsFromSteps(in.trainingScale.lo, in.trainingScale),
                       pointsFromSteps(in.trainingScale.hi, in.trainingScale));
@@ -242,6 +262,42 @@ std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
   return out;
 }
 
+std::vector<std::vector<std::int64_t>> missingByGroup(const CohortInputs& in) {
+  std::map<std::string, std::vector<MarkedTrainee>> byTrainee;  // one entry an occasion
+  const auto entry = [&](const std::string& code, std::size_t group) -> std::vector<MarkedTrainee>& {
+    return byTrainee.try_emplace(code, in.occasions.size(), MarkedTrainee{group, {}, {}}).first->second;
+  };
+  for (const CohortTrainee& trainee : in.trainees) {
+    entry(trainee.code, trainee.group);
+  }
+  for (const TrainingMark& mark : in.trainingMarks) {
+    entry(mark.trainee, mark.group)[mark.occasion].before.emplace_back(0.0);
+  }
+  std::vector<std::vector<std::int64_t>> out(in.groups.size(),
+                                             std::vector<std::int64_t>(in.occasions.size(), 0));
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    std::vector<MarkedTrainee> all;
+    for (const auto& [code, occasions] : byTrainee) {
+      all.push_back(occasions[t]);
+    }
+    const std::vector<MissingCount> counts = missingMarks(all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      out[all[i].group][t] += static_cast<std::int64_t>(counts[i].before);
+    }
+  }
+  return out;
+}
+
+std::vector<std::size_t> groupsWithoutEnds(const StudyAnalysis& study) {
+  std::vector<std::size_t> out;
+  for (std::size_t g = 0; g < study.ends.after.size(); ++g) {
+    if (study.ends.after[g].empty()) {
+      out.push_back(g);
+    }
+  }
+  return out;
+}
+
 StudyAnalysis analyseStudy(const CohortInputs& in) {
   StudyAnalysis out;
   gatherMarks(in, out);
@@ -256,6 +312,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   if (out.occasions.empty()) {
     return out;
   }
+  addRaterModels(in, out);
   out.againstPanel.assign(
       out.raters.size(), Outcome<BlandAltmanResult>::undefined(Text::tr("too few trainees with every mark")));
   const OccasionMarks& end = out.occasions.back();
@@ -270,15 +327,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   }
   compareEnds(in, out);
   followCourse(in, out);
-  Groups gains;
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const auto exact = exactGains(in.scores, 0, in.occasions.size() - 1, g);
-    if (!exact) {
-      return out;
-    }
-    gains.emplace_back(exact->begin(), exact->end());
-  }
-  out.wholeGains = {std::move(gains)};
+  addGains(in, out);
   return out;
 }
 

@@ -5,15 +5,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/report/cohort_report.h"
 #include "assessment/statistics/ancova.h"
 #include "assessment/statistics/categorical_agreement.h"
+#include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/missing_marks.h"
 #include "assessment/statistics/mixed_anova.h"
 #include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/rasch.h"
 #include "assessment/statistics/reliability.h"
+#include "assessment/statistics/resampling.h"
 
 namespace torsio {
 
@@ -22,6 +26,15 @@ struct GroupAgreement {
   std::size_t group = 0;
   std::int64_t trainees = 0;  ///< with a mark of every rater
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+};
+
+/// What pairs of raters have in common at one occasion where marks are taken in whole points.
+struct PointAgreement {
+  std::size_t pairs = 0;       ///< of the raters present
+  std::vector<double> kappas;  ///< quadratic weights, of the pairs for which it is defined
+  std::int64_t shared = 0;     ///< marks of the same trainee by two raters
+  std::int64_t same = 0;
+  std::int64_t withinOne = 0;
 };
 
 /// The marks of one occasion, trainees x raters in the order of StudyAnalysis; a mark that was not given is
@@ -36,6 +49,33 @@ struct OccasionMarks {
   std::vector<GroupAgreement> groups;
   Outcome<HoledReliability> reliability = Outcome<HoledReliability>::undefined(Text::tr("not computed"));
   Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined(Text::tr("not computed"));
+  PointAgreement points;
+};
+
+/// What another number of raters would give (G- and D-study of the last occasion).
+struct RatersNeeded {
+  std::int64_t marks = 0;  ///< of the trainees whom every rater scored
+  Outcome<GStudy> components = Outcome<GStudy>::undefined(Text::tr("not computed"));
+  std::vector<std::pair<std::size_t, Outcome<DStudy>>> planned;  ///< by number of raters, ascending
+  std::optional<std::size_t> fewest;  ///< whose mean has a dependability of kWantedDependability or more
+};
+inline constexpr double kWantedDependability = 0.8;
+inline constexpr std::size_t kMostRaters = 100;  ///< that are tried
+
+/// What one group gained by itself from the first occasion to the last.
+struct GroupGain {
+  std::int64_t n = 0;  ///< trainees with a score at both
+  Outcome<Bootstrap> median = Outcome<Bootstrap>::undefined(Text::tr("not computed"));
+  Outcome<SignedRank> ranks = Outcome<SignedRank>::undefined(Text::tr("not computed"));
+  Outcome<Friedman> occasions = Outcome<Friedman>::undefined(Text::tr("not computed"));  ///< all of them
+};
+
+/// Gains by group, as whole numbers, and what their ranks say.
+struct GainAnalysis {
+  Groups gains;
+  std::vector<GroupGain> within;  ///< by group
+  Outcome<KruskalWallis> between = Outcome<KruskalWallis>::undefined(Text::tr("not computed"));
+  std::vector<Outcome<MannWhitney>> pairs;  ///< in the order of between->pairs
 };
 
 /// A trainee of whom marks or scores are missing at the first or the last occasion.
@@ -89,11 +129,20 @@ struct StudyAnalysis {
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
   std::vector<NumberTable> courses;          ///< by group: trainees with a score at each occasion x occasions
   std::vector<std::string> leftOutOfCourse;  ///< codes of those without a score at some occasion
-  std::vector<Groups> wholeGains;  ///< one entry: exact gains by group; none when they cannot be formed
+  std::optional<GainAnalysis> gains;         ///< empty: there are too many different numbers of marks
+  RatersNeeded needed;
+  Outcome<RaschResult> rasch = Outcome<RaschResult>::undefined(Text::tr("not computed"));  ///< last occasion
+  bool sameRaters = true;  ///< at the last occasion every trainee with a mark has one of each rater present
 
-  /// Whether the planned analysis, of covariance, has every mark it was planned with.
-  [[nodiscard]] bool asPlanned() const noexcept { return missing.empty(); }
+  /// Whether the planned analysis, of covariance, has every mark it was planned with, of the same raters.
+  [[nodiscard]] bool asPlanned() const noexcept { return missing.empty() && sameRaters; }
 };
+
+/// Counts the marks short of the number that most trainees have at an occasion: groups x occasions.
+[[nodiscard]] std::vector<std::vector<std::int64_t>> missingByGroup(const CohortInputs& inputs);
+
+/// Returns the groups of which nobody has a score at both ends, by number.
+[[nodiscard]] std::vector<std::size_t> groupsWithoutEnds(const StudyAnalysis& study);
 
 /// Returns the marks of the trainees whom every rater who is present scored, trainees x such raters;
 /// `groupOf` and `only`: those of one group.

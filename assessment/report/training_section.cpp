@@ -8,7 +8,9 @@
 #include "assessment/report/number_format.h"
 #include "assessment/report/record_sentences.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/study_analysis.h"
 #include "assessment/statistics/distributions.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -216,6 +218,23 @@ ReportTable summaryTable(const CohortInputs& in) {
   table.notes = {Text::tr(
       "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
   table.provenance = provenance(in, Text::tr("group summaries"), n);
+  table.provenance.missing = 0;
+  std::vector<Text> where;
+  const std::vector<std::vector<std::int64_t>> missing = missingByGroup(in);
+  for (std::size_t g = 0; g < missing.size(); ++g) {
+    for (std::size_t t = 0; t < missing[g].size(); ++t) {
+      table.provenance.missing += missing[g][t];
+      if (missing[g][t] > 0) {
+        where.push_back(Text::verbatim("%1, %2: %3", in.groups[g].name, in.occasions[t], missing[g][t]));
+      }
+    }
+  }
+  if (!where.empty()) {
+    table.notes.push_back(
+        Text::tr("Marks missing, short of the number that most trainees have at that "
+                 "occasion: %1.",
+                 listed(where, Text::tr("%1; %2"))));
+  }
   return table;
 }
 

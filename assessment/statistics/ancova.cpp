@@ -59,11 +59,8 @@ std::optional<Text> notComparable(const Groups& before, const Groups& after) {
       return reason;
     }
   }
-  if (before.size() < 2) {
-    return Text::tr("there are fewer than two groups");
-  }
-  if (std::any_of(before.begin(), before.end(), [](const auto& group) { return group.empty(); })) {
-    return Text::tr("a group is empty");
+  if (presentGroups(before).numbers.size() < 2) {
+    return Text::tr("fewer than two groups have scores at both occasions");
   }
   return std::nullopt;
 }
@@ -124,8 +121,8 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
       const double shift = groups[i].meanX - groups[j].meanX;
       const double error = std::sqrt(out.residualVariance *
                                      (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
-      AdjustedDifference pair =
-          tested(i, j, out.adjusted[i].mean - out.adjusted[j].mean, error, out.residualDf);
+      AdjustedDifference pair = tested(out.groups[i], out.groups[j],
+                                       out.adjusted[i].mean - out.adjusted[j].mean, error, out.residualDf);
       pair.interval = around(pair.difference, t * error);
       pair.simultaneous = around(pair.difference, wide * error);
       p.push_back(pair.p);
@@ -142,15 +139,17 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
 void addResiduals(const Groups& before, const Groups& after, const std::vector<Moments>& groups,
                   Ancova& out) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> ordered;  // residual, group, trainee
-  for (std::size_t g = 0; g < before.size(); ++g) {
-    out.fitted.emplace_back();
-    out.residuals.emplace_back();
+  out.fitted.resize(before.size());
+  out.residuals.resize(before.size());
+  out.quantiles.resize(before.size());
+  for (std::size_t k = 0; k < out.groups.size(); ++k) {
+    const std::size_t g = out.groups[k];
     for (std::size_t i = 0; i < before[g].size(); ++i) {
-      out.fitted[g].push_back(groups[g].meanY + out.slope * (before[g][i] - groups[g].meanX));
+      out.fitted[g].push_back(groups[k].meanY + out.slope * (before[g][i] - groups[k].meanX));
       out.residuals[g].push_back(after[g][i] - out.fitted[g][i]);
       ordered.push_back({out.residuals[g][i], g, i});
     }
-    out.quantiles.emplace_back(before[g].size());
+    out.quantiles[g].resize(before[g].size());
   }
   std::sort(ordered.begin(), ordered.end());
   const double n = static_cast<double>(ordered.size());
@@ -171,7 +170,9 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   Moments within;
   std::vector<double> allX;
   std::vector<double> allY;
-  for (std::size_t g = 0; g < before.size(); ++g) {
+  Ancova out;
+  out.groups = presentGroups(before).numbers;
+  for (const std::size_t g : out.groups) {
     groups.push_back(momentsOf(before[g], after[g]));
     within.xx += groups.back().xx;
     within.xy += groups.back().xy;
@@ -181,13 +182,15 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   }
   const Moments total = momentsOf(allX, allY);
   const double k = static_cast<double>(groups.size());
-  Ancova out;
   out.residualDf = total.n - k - 1.0;
   if (out.residualDf <= 0.0) {
     return Outcome<Ancova>::undefined(Text::tr("there are too few trainees"));
   }
   if (within.xx == 0.0) {
     return Outcome<Ancova>::undefined(Text::tr("the scores before do not vary within groups"));
+  }
+  if (within.yy == 0.0) {
+    return Outcome<Ancova>::undefined(Text::tr("the scores after do not vary within groups"));
   }
   out.slope = within.xy / within.xx;
   const double residual = within.yy - out.slope * within.xy;
@@ -281,7 +284,8 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
   double residual = 0.0;
   double squares = 0.0;
   double total = 0.0;
-  for (std::size_t g = 0; g < before.size(); ++g) {
+  out.groups = presentGroups(before).numbers;
+  for (const std::size_t g : out.groups) {
     const Moments m = momentsOf(before[g], after[g]);
     if (m.xx == 0.0) {
       return Undefined::undefined(Text::tr("the scores before do not vary in one group"));
@@ -311,10 +315,10 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const double origin = 0.5 * (groups[i].meanX + groups[j].meanX);
       const TwoLines lines = twoLines(groups[i], groups[j], out.residualVariance, origin);
-      SlopesPair pair{i, j, {}, regionOf(lines, t, origin)};
+      SlopesPair pair{out.groups[i], out.groups[j], {}, regionOf(lines, t, origin)};
       for (const double x : baselines) {
-        AdjustedDifference at =
-            tested(i, j, lines.at(x - origin), std::sqrt(lines.variance(x - origin)), out.residualDf);
+        AdjustedDifference at = tested(pair.first, pair.second, lines.at(x - origin),
+                                       std::sqrt(lines.variance(x - origin)), out.residualDf);
         at.interval = around(at.difference, t * at.error);
         at.simultaneous = around(at.difference, wide * at.error);
         p.push_back(at.p);

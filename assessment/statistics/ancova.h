@@ -37,8 +37,9 @@ struct Ancova {
   FTest group;
   double residualVariance = 0.0;
   double residualDf = 0.0;
-  std::vector<AdjustedMean> adjusted;
-  std::vector<AdjustedDifference> pairs;  ///< (0,1), (0,2), ..., (1,2)
+  std::vector<std::size_t> groups;     ///< numbers of those with scores, ascending; the others are left out
+  std::vector<AdjustedMean> adjusted;  ///< of `groups`
+  std::vector<AdjustedDifference> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by their number in all
   Outcome<FTest> equalSlopes = Outcome<FTest>::undefined(Text::tr("not computed"));
   double partialEtaSquared = 0.0;
   Groups fitted;     ///< what the model says for each trainee
@@ -47,8 +48,8 @@ struct Ancova {
 };
 
 /// Compares groups by analysis of covariance. `before[g][i]` and `after[g][i]` belong to the same trainee;
-/// means over raters, never single marks. Undefined for fewer than two groups, an empty group, too few
-/// trainees, or when the scores before do not vary within groups.
+/// means over raters, never single marks. Empty groups are left out. Undefined for fewer than two groups with
+/// scores, too few trainees, or when the scores before, or those after, do not vary within groups.
 [[nodiscard]] Outcome<Ancova> ancova(const Groups& before, const Groups& after,
                                      double confidence = kUsualConfidence);
 
@@ -73,7 +74,8 @@ struct SlopesPair {
 
 /// Analysis of covariance with a slope for each group: what a difference is then depends on the score before.
 struct SeparateSlopes {
-  std::vector<double> slopes;
+  std::vector<std::size_t> groups;  ///< numbers of those with scores, ascending
+  std::vector<double> slopes;       ///< of `groups`
   std::vector<double> slopeErrors;
   double residualVariance = 0.0;
   double residualDf = 0.0;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr Phrase kTooFew = Text::tr("a group has fewer than two values");
 constexpr Phrase kNoSpread = Text::tr("the values do not vary");
+constexpr Phrase kTooFewGroups = Text::tr("fewer than two groups have values");
 
 double countOf(std::span<const double> x) {
   return static_cast<double>(x.size());
@@ -41,6 +42,17 @@ bool everyGroupHas(const Groups& groups, std::size_t n) {
 }
 
 }  // namespace
+
+PresentGroups presentGroups(const Groups& groups) {
+  PresentGroups out;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!groups[g].empty()) {
+      out.values.push_back(groups[g]);
+      out.numbers.push_back(g);
+    }
+  }
+  return out;
+}
 
 Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, double confidence) {
   if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
@@ -131,15 +143,13 @@ Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, d
   return out;
 }
 
-Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
+Outcome<OneWayAnova> oneWayAnova(const Groups& given) {
+  const Groups groups = presentGroups(given).values;
   if (const std::optional<Text> reason = beyondArithmetic(groups)) {
     return Outcome<OneWayAnova>::undefined(*reason);
   }
   if (groups.size() < 2) {
-    return Outcome<OneWayAnova>::undefined(Text::tr("there are fewer than two groups"));
-  }
-  if (!everyGroupHas(groups, 1)) {
-    return Outcome<OneWayAnova>::undefined(Text::tr("a group is empty"));
+    return Outcome<OneWayAnova>::undefined(kTooFewGroups);
   }
   OneWayAnova out;
   std::vector<double> all;
@@ -168,12 +178,13 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
   return out;
 }
 
-Outcome<FTest> welchAnova(const Groups& groups) {
+Outcome<FTest> welchAnova(const Groups& given) {
+  const Groups groups = presentGroups(given).values;
   if (const std::optional<Text> reason = beyondArithmetic(groups)) {
     return Outcome<FTest>::undefined(*reason);
   }
   if (groups.size() < 2) {
-    return Outcome<FTest>::undefined(Text::tr("there are fewer than two groups"));
+    return Outcome<FTest>::undefined(kTooFewGroups);
   }
   if (!everyGroupHas(groups, 2)) {
     return Outcome<FTest>::undefined(kTooFew);
@@ -212,10 +223,7 @@ Outcome<FTest> brownForsythe(const Groups& groups) {
   if (const std::optional<Text> reason = beyondArithmetic(groups)) {
     return Outcome<FTest>::undefined(*reason);
   }
-  if (!everyGroupHas(groups, 1)) {
-    return Outcome<FTest>::undefined(Text::tr("a group is empty"));
-  }
-  Groups distances = groups;
+  Groups distances = presentGroups(groups).values;
   for (std::vector<double>& group : distances) {
     const double median = medianOf(group);
     for (double& x : group) {
@@ -229,12 +237,13 @@ Outcome<FTest> brownForsythe(const Groups& groups) {
   return FTest{anova->f, anova->df1, anova->df2, anova->p};
 }
 
-Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
+Outcome<ChiSquaredTest> bartlett(const Groups& given) {
+  const Groups groups = presentGroups(given).values;
   if (const std::optional<Text> reason = beyondArithmetic(groups)) {
     return Outcome<ChiSquaredTest>::undefined(*reason);
   }
   if (groups.size() < 2) {
-    return Outcome<ChiSquaredTest>::undefined(Text::tr("there are fewer than two groups"));
+    return Outcome<ChiSquaredTest>::undefined(kTooFewGroups);
   }
   if (!everyGroupHas(groups, 2)) {
     return Outcome<ChiSquaredTest>::undefined(kTooFew);
@@ -267,13 +276,15 @@ namespace {
 /// Compares pairs of groups by the studentised range.
 class PairComparer {
  public:
-  PairComparer(const Groups& groups, double confidence)
-      : groups_(groups), confidence_(confidence), range_(std::max(2, static_cast<int>(groups.size()))) {}
+  PairComparer(const PresentGroups& groups, double confidence)
+      : groups_(groups),
+        confidence_(confidence),
+        range_(std::max(2, static_cast<int>(groups.numbers.size()))) {}
 
   [[nodiscard]] PairComparison compared(std::size_t i, std::size_t j, double error, double df);
 
  private:
-  const Groups& groups_;
+  const PresentGroups& groups_;
   double confidence_;
   StudentizedRange range_;
   std::map<double, double> quantiles_;  // by df
@@ -281,9 +292,9 @@ class PairComparer {
 
 PairComparison PairComparer::compared(std::size_t i, std::size_t j, double error, double df) {
   PairComparison pair;
-  pair.first = i;
-  pair.second = j;
-  pair.difference = meanOf(groups_[j]) - meanOf(groups_[i]);
+  pair.first = groups_.numbers[i];
+  pair.second = groups_.numbers[j];
+  pair.difference = meanOf(groups_.values[j]) - meanOf(groups_.values[i]);
   pair.df = df;
   // The studentised range statistic is sqrt(2) times the t statistic.
   const double scale = error / std::sqrt(2.0);
@@ -309,10 +320,12 @@ Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double con
     return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
   }
   std::vector<PairComparison> out;
-  PairComparer pairs(groups, confidence);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      const double error = std::sqrt(anova->msWithin * (1.0 / countOf(groups[i]) + 1.0 / countOf(groups[j])));
+  const PresentGroups present = presentGroups(groups);
+  PairComparer pairs(present, confidence);
+  for (std::size_t i = 0; i < present.values.size(); ++i) {
+    for (std::size_t j = i + 1; j < present.values.size(); ++j) {
+      const double error =
+          std::sqrt(anova->msWithin * (1.0 / countOf(present.values[i]) + 1.0 / countOf(present.values[j])));
       out.push_back(pairs.compared(i, j, error, anova->df2));
     }
   }
@@ -325,10 +338,11 @@ Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, doub
     return Outcome<std::vector<PairComparison>>::undefined(*reason);
   }
   std::vector<PairComparison> out;
-  PairComparer pairs(groups, confidence);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      const Outcome<TTest> test = welchT(groups[i], groups[j]);
+  const PresentGroups present = presentGroups(groups);
+  PairComparer pairs(present, confidence);
+  for (std::size_t i = 0; i < present.values.size(); ++i) {
+    for (std::size_t j = i + 1; j < present.values.size(); ++j) {
+      const Outcome<TTest> test = welchT(present.values[i], present.values[j]);
       if (!test) {
         return Undefined::undefined(test.reason());
       }
@@ -336,7 +350,7 @@ Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, doub
     }
   }
   if (out.empty()) {
-    return Undefined::undefined(Text::tr("there are fewer than two groups"));
+    return Undefined::undefined(kTooFewGroups);
   }
   return out;
 }

@@ -12,6 +12,13 @@ namespace torsio {
 
 using Groups = std::vector<std::vector<double>>;  ///< one list of values a group
 
+/// The groups that have values. Comparisons are made of these; pairs name groups by their number in all.
+struct PresentGroups {
+  Groups values;
+  std::vector<std::size_t> numbers;  ///< in all groups, ascending
+};
+[[nodiscard]] PresentGroups presentGroups(const Groups& groups);
+
 struct TTest {
   double difference = 0.0;  ///< first minus second
   double error = 0.0;
@@ -66,8 +73,8 @@ struct OneWayAnova {
   double omegaSquared = 0.0;
   double epsilonSquared = 0.0;
 };
-/// Compares means with equal variances by analysis of variance. Undefined for fewer than two groups, an
-/// empty group, or no variation within groups.
+/// Compares means with equal variances by analysis of variance; empty groups are left out, here and below.
+/// Undefined for fewer than two groups with values, or no variation within groups.
 [[nodiscard]] Outcome<OneWayAnova> oneWayAnova(const Groups& groups);
 
 struct FTest {

@@ -58,12 +58,16 @@ std::optional<double> filled(const std::vector<std::optional<double>>& marks, st
   return std::isfinite(mean) ? mean : *std::max_element(all.begin(), all.end());
 }
 
-const AdjustedDifference& pairOf(const Ancova& of, std::size_t first, std::size_t second) {
-  const auto found = std::find_if(of.pairs.begin(), of.pairs.end(), [&](const AdjustedDifference& pair) {
-    return pair.first == first && pair.second == second;
-  });
-  TORSIO_EXPECTS(found != of.pairs.end());
-  return *found;
+Outcome<AdjustedDifference> pairOf(const Outcome<Ancova>& of, std::size_t first, std::size_t second) {
+  if (!of) {
+    return Outcome<AdjustedDifference>::undefined(of.reason());
+  }
+  for (const AdjustedDifference& pair : of->pairs) {
+    if (pair.first == first && pair.second == second) {
+      return pair;
+    }
+  }
+  return Outcome<AdjustedDifference>::undefined(Text::tr("a group is empty"));
 }
 
 }  // namespace
@@ -89,15 +93,17 @@ CompleteCases completeCases(const std::vector<MarkedTrainee>& trainees, std::siz
   return out;
 }
 
-Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees, std::size_t groups,
-                                         double confidence) {
-  using Undefined = Outcome<MixedComparison>;
-  if (groups < 2) {
-    return Undefined::undefined(Text::tr("there are fewer than two groups"));
-  }
+namespace {
+
+/// The trainees with a mark at both occasions, and what they were given at the end.
+struct TakingPart {
   std::vector<CrossedMark> marks;
   std::vector<double> before;
   std::vector<std::size_t> group;
+};
+
+TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
+  TakingPart out;
   std::map<std::size_t, std::size_t> numberOf;  // of the raters who gave any of these marks
   for (const MarkedTrainee& trainee : trainees) {
     const std::optional<double> score = meanMark(trainee.before);
@@ -107,37 +113,28 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
     for (std::size_t r = 0; r < trainee.after.size(); ++r) {
       if (trainee.after[r]) {
         const std::size_t rater = numberOf.emplace(r, numberOf.size()).first->second;
-        marks.push_back({before.size(), rater, *trainee.after[r]});
+        out.marks.push_back({out.before.size(), rater, *trainee.after[r]});
       }
     }
-    before.push_back(*score);
-    group.push_back(trainee.group);
+    out.before.push_back(*score);
+    out.group.push_back(trainee.group);
   }
-  if (const std::optional<Text> reason = beyondArithmetic(before)) {
-    return Undefined::undefined(*reason);
+  return out;
+}
+
+/// A mean of each of the groups, and the slope on the score before.
+NumberTable fixedPart(const TakingPart& of, const std::vector<std::size_t>& groups, double middle) {
+  NumberTable fixed(of.before.size(), groups.size() + 1);
+  for (std::size_t i = 0; i < of.before.size(); ++i) {
+    const auto at = std::lower_bound(groups.begin(), groups.end(), of.group[i]);
+    fixed.at(i, static_cast<std::size_t>(at - groups.begin())) = 1.0;
+    fixed.at(i, groups.size()) = of.before[i] - middle;
   }
-  for (std::size_t g = 0; g < groups; ++g) {
-    if (std::find(group.begin(), group.end(), g) == group.end()) {
-      return Undefined::undefined(Text::tr("a group is empty"));
-    }
-  }
-  MixedComparison out;
-  out.trainees = before.size();
-  out.covariateMean = meanOf(before);
-  NumberTable fixed(before.size(), groups + 1);  // a mean of each group, and the slope
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    fixed.at(i, group[i]) = 1.0;
-    fixed.at(i, groups) = before[i] - out.covariateMean;
-  }
-  const Outcome<CrossedModel> model = CrossedModel::fit(marks, fixed);
-  if (!model) {
-    return Undefined::undefined(model.reason());
-  }
-  out.marks = model->marks();
-  out.varianceTrainees = model->varianceTargets();
-  out.varianceRaters = model->varianceRaters();
-  out.varianceResidual = model->varianceResidual();
-  out.criterion = model->criterion();
+  return fixed;
+}
+
+void addContrasts(const CrossedModel& model, double confidence, MixedComparison& out) {
+  const std::size_t groups = out.groups.size();
   const auto weights = [groups](std::size_t plus, std::optional<std::size_t> minus) {
     std::vector<double> of(groups + 1, 0.0);
     of[plus] = 1.0;
@@ -146,19 +143,19 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
     }
     return of;
   };
-  out.slope = model->estimate(weights(groups, std::nullopt), confidence);
+  out.slope = model.estimate(weights(groups, std::nullopt), confidence);
   std::vector<std::vector<double>> contrasts;
   std::vector<double> p;
   const double number = 0.5 * static_cast<double>(groups * (groups - 1));
   for (std::size_t g = 0; g < groups; ++g) {
-    out.adjusted.push_back(model->estimate(weights(g, std::nullopt), confidence));
+    out.adjusted.push_back(model.estimate(weights(g, std::nullopt), confidence));
     if (g > 0) {
       contrasts.push_back(weights(0, g));
     }
     for (std::size_t h = g + 1; h < groups; ++h) {
       const std::vector<double> of = weights(g, h);
-      MixedComparison::Pair pair{g, h, model->estimate(of, confidence), {}, 0.0};
-      pair.simultaneous = model->estimate(of, 1.0 - (1.0 - confidence) / number).interval;
+      MixedComparison::Pair pair{out.groups[g], out.groups[h], model.estimate(of, confidence), {}, 0.0};
+      pair.simultaneous = model.estimate(of, 1.0 - (1.0 - confidence) / number).interval;
       p.push_back(pair.difference.p);
       out.pairs.push_back(pair);
     }
@@ -167,7 +164,40 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     out.pairs[i].pHolm = adjusted[i];
   }
-  out.group = model->test(contrasts);
+  out.group = model.test(contrasts);
+}
+
+}  // namespace
+
+Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees, std::size_t groups,
+                                         double confidence) {
+  using Undefined = Outcome<MixedComparison>;
+  const TakingPart part = takingPart(trainees);
+  if (const std::optional<Text> reason = beyondArithmetic(part.before)) {
+    return Undefined::undefined(*reason);
+  }
+  MixedComparison out;
+  for (std::size_t g = 0; g < groups; ++g) {
+    if (std::find(part.group.begin(), part.group.end(), g) != part.group.end()) {
+      out.groups.push_back(g);
+    }
+  }
+  if (out.groups.size() < 2) {
+    return Undefined::undefined(Text::tr("fewer than two groups have scores at both occasions"));
+  }
+  out.trainees = part.before.size();
+  out.covariateMean = meanOf(part.before);
+  const Outcome<CrossedModel> model =
+      CrossedModel::fit(part.marks, fixedPart(part, out.groups, out.covariateMean));
+  if (!model) {
+    return Undefined::undefined(model.reason());
+  }
+  out.marks = model->marks();
+  out.varianceTrainees = model->varianceTargets();
+  out.varianceRaters = model->varianceRaters();
+  out.varianceResidual = model->varianceResidual();
+  out.criterion = model->criterion();
+  addContrasts(*model, confidence, out);
   return out;
 }
 
@@ -252,12 +282,7 @@ std::vector<MissingBounds> missingBounds(const std::vector<MarkedTrainee>& train
   std::vector<MissingBounds> out;
   for (std::size_t g = 0; g < groups; ++g) {
     for (std::size_t h = g + 1; h < groups; ++h) {
-      const auto bound = [&](std::size_t low, std::size_t high) {
-        const Outcome<Ancova> of = analysed(low, high);
-        return of ? Outcome<AdjustedDifference>(pairOf(*of, g, h))
-                  : Outcome<AdjustedDifference>::undefined(of.reason());
-      };
-      out.push_back({g, h, bound(g, h), bound(h, g)});
+      out.push_back({g, h, pairOf(analysed(g, h), g, h), pairOf(analysed(h, g), g, h)});
     }
   }
   return out;

@@ -40,7 +40,8 @@ struct MixedComparison {
   double criterion = 0.0;  ///< minus twice the restricted log-likelihood
   double covariateMean = 0.0;
   ModelEstimate slope;
-  std::vector<ModelEstimate> adjusted;  ///< mean of each group where the score before is covariateMean
+  std::vector<std::size_t> groups;      ///< numbers of those of which somebody takes part, ascending
+  std::vector<ModelEstimate> adjusted;  ///< mean of each of `groups` where the score before is covariateMean
   struct Pair {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -48,11 +49,11 @@ struct MixedComparison {
     Interval simultaneous;     ///< Bonferroni over the pairs
     double pHolm = 0.0;
   };
-  std::vector<Pair> pairs;  ///< (0,1), (0,2), ..., (1,2)
+  std::vector<Pair> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by their number in all
   Outcome<FTest> group = Outcome<FTest>::undefined(Text::tr("not computed"));
 };
-/// Compares groups. Trainees without a mark at one of the occasions take no part. Undefined for fewer than
-/// two groups, a group of which nobody takes part, and as CrossedModel::fit().
+/// Compares groups. Trainees without a mark at one of the occasions take no part, and groups of which nobody
+/// does are left out. Undefined for fewer than two groups, and as CrossedModel::fit().
 [[nodiscard]] Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees,
                                                        std::size_t groups,
                                                        double confidence = kUsualConfidence);

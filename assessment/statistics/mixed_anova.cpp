@@ -154,20 +154,22 @@ void correct(const Sphericity& sphericity, AnovaEffect& within) {
 
 }  // namespace
 
-Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
+Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& given) {
   using Undefined = Outcome<MixedAnova>;
-  for (const NumberTable& group : groups) {
+  std::vector<NumberTable> groups;
+  for (const NumberTable& group : given) {
     if (const std::optional<Text> reason = beyondArithmetic(group.values())) {
       return Undefined::undefined(*reason);
     }
-  }
-  if (groups.empty() || groups.front().columns() < 2) {
-    return Undefined::undefined(Text::tr("there are fewer than two occasions"));
-  }
-  for (const NumberTable& group : groups) {
-    if (group.rows() < 2) {
-      return Undefined::undefined(Text::tr("a group has fewer than two trainees"));
+    if (group.rows() > 0) {
+      groups.push_back(group);
     }
+  }
+  if (groups.empty()) {
+    return Undefined::undefined(Text::tr("nobody has a score at every occasion"));
+  }
+  if (groups.front().columns() < 2) {
+    return Undefined::undefined(Text::tr("there are fewer than two occasions"));
   }
   const Cells cells = cellsOf(groups);
   const double k = static_cast<double>(groups.size());

@@ -43,9 +43,9 @@ struct MixedAnova {
   Sphericity sphericity;
 };
 
-/// Analyses groups x repeated measures. `groups[g]`: trainees x occasions, complete. One group gives the
-/// repeated-measures analysis. Undefined for fewer than two occasions, a group with fewer than two
-/// trainees, fewer trainees than the covariance needs, or no residual variation.
+/// Analyses groups x repeated measures. `groups[g]`: trainees x occasions, complete; empty groups are left
+/// out. One group gives the repeated-measures analysis. Undefined for fewer than two occasions, fewer
+/// trainees than the covariance needs, or no residual variation.
 [[nodiscard]] Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups);
 
 }  // namespace torsio

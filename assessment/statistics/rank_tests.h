@@ -95,16 +95,16 @@ struct KruskalWallis {
   double tieTerm = 0.0;
   double df = 0.0;
   double p = 0.0;
-  std::vector<double> meanRanks;
-  double epsilonSquared = 0.0;  ///< H / (N - 1)
-  double etaSquaredH = 0.0;     ///< (H - k + 1) / (N - k); some call this epsilon squared
+  std::vector<double> meanRanks;  ///< of the groups with values
+  double epsilonSquared = 0.0;    ///< H / (N - 1)
+  double etaSquaredH = 0.0;       ///< (H - k + 1) / (N - k); some call this epsilon squared
   std::optional<std::int64_t> exactCount;
   std::optional<std::int64_t> exactTotal;
   std::optional<double> pExact;  ///< for at most two million arrangements
   std::vector<DunnPair> pairs;   ///< on the joint ranks
 };
-/// Compares groups by Kruskal and Wallis' test. Undefined for fewer than two groups, an empty group, or
-/// when all values are the same.
+/// Compares groups by Kruskal and Wallis' test; empty groups are left out. Undefined for fewer than two
+/// groups with values, or when all values are the same.
 [[nodiscard]] Outcome<KruskalWallis> kruskalWallis(const Groups& groups);
 
 struct Friedman {

@@ -121,16 +121,14 @@ void addDunn(const Groups& groups, double n, KruskalWallis& out) {
 
 }  // namespace
 
-Outcome<KruskalWallis> kruskalWallis(const Groups& groups) {
+Outcome<KruskalWallis> kruskalWallis(const Groups& given) {
   using Undefined = Outcome<KruskalWallis>;
+  const auto [groups, numbers] = presentGroups(given);
   if (groups.size() < 2) {
-    return Undefined::undefined(Text::tr("there are fewer than two groups"));
+    return Undefined::undefined(Text::tr("fewer than two groups have values"));
   }
   std::vector<double> all;
   for (const std::vector<double>& group : groups) {
-    if (group.empty()) {
-      return Undefined::undefined(Text::tr("a group is empty"));
-    }
     all.insert(all.end(), group.begin(), group.end());
   }
   const DoubledRanks ranks = doubledRanks(all);
@@ -164,6 +162,10 @@ Outcome<KruskalWallis> kruskalWallis(const Groups& groups) {
   out.etaSquaredH = n > k ? (out.h - k + 1.0) / (n - k) : 0.0;
   addExactKruskal(ranks, groups, doubledSums, out);
   addDunn(groups, n, out);
+  for (DunnPair& pair : out.pairs) {
+    pair.first = numbers[pair.first];
+    pair.second = numbers[pair.second];
+  }
   return out;
 }
 

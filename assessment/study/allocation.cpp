@@ -258,6 +258,16 @@ std::size_t Allocator::fromBlocks(const std::string& stratum, std::size_t room) 
   return arm;
 }
 
+std::vector<std::size_t> Allocator::shuffledRest(std::size_t persons) {
+  const std::size_t arms = design_.arms.size();
+  std::vector<std::size_t> labels = equalArms(persons / arms * arms, arms);
+  if (const std::size_t more = persons % arms; more > 0) {
+    std::vector<std::size_t> chosen = shuffled(equalArms(arms, arms));
+    labels.insert(labels.end(), chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(more));
+  }
+  return shuffled(std::move(labels));
+}
+
 std::size_t Allocator::fromStratum(const std::string& stratum) {
   if (design_.stratumTotals.empty()) {
     return fromBlocks(stratum);
@@ -276,8 +286,7 @@ std::size_t Allocator::fromStratum(const std::string& stratum) {
     for (const auto& [name, persons] : design_.stratumTotals) {
       leftovers += persons % block;
     }
-    const std::size_t arms = design_.arms.size();
-    list = shuffled(equalArms(std::max<std::size_t>(1, (leftovers + arms - 1) / arms) * arms, arms));
+    list = shuffledRest(std::max<std::size_t>(1, leftovers));
   }
   const std::size_t arm = list.back();
   list.pop_back();

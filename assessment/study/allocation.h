@@ -121,6 +121,8 @@ class Allocator {
 
   [[nodiscard]] std::uint64_t draw(std::uint64_t n);
   [[nodiscard]] std::vector<std::size_t> shuffled(std::vector<std::size_t> labels);
+  // Labels for `persons` of whom no arm gets two more than another.
+  [[nodiscard]] std::vector<std::size_t> shuffledRest(std::size_t persons);
   // `room`: persons that the block may hold at most; at least the smallest size.
   [[nodiscard]] std::vector<std::size_t> nextBlock(std::size_t room);
   [[nodiscard]] std::size_t fromBlocks(const std::string& stratum, std::size_t room = kNoLimit);

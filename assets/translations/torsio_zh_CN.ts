@@ -6479,10 +6479,6 @@
         <translation>效应</translation>
     </message>
     <message>
-        <source>Effect of the group: F(%1, %2) = %3, %4. Adjusted means: %5.</source>
-        <translation>组别效应：F(%1, %2) = %3，%4。校正均值：%5。</translation>
-    </message>
-    <message>
         <source>Enrol each person once; analyse as allocated.</source>
         <translation>每人只登记一次；按分组结果分析。</translation>
     </message>
@@ -7053,10 +7049,6 @@
     <message>
         <source>The sequence was repeated from the seed and every arm was found the same.</source>
         <translation>已由种子重现分组序列，各组均一致。</translation>
-    </message>
-    <message>
-        <source>The text under Eq. 26 of the paper speaks of the chief physicians&apos; scores, but its sum runs over all raters; all raters are used here, and the chief physicians are shown alone where the figure says so.</source>
-        <translation>论文式 (26) 下的文字指主任医师的评分，但求和遍及全体评分者；此处采用全体评分者，仅在图中注明处单独显示主任医师。</translation>
     </message>
     <message>
         <source>The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.</source>
@@ -7747,10 +7739,6 @@
         <translation>评分方案分裂为互不共享受评者和评分者的部分</translation>
     </message>
     <message>
-        <source>the record has changed; see Provenance</source>
-        <translation>记录已改变；见“数据来源”</translation>
-    </message>
-    <message>
         <source>the scores after follow the scores before exactly</source>
         <translation>训练后得分完全由训练前得分决定</translation>
     </message>
@@ -7821,10 +7809,6 @@
     <message>
         <source>there are fewer than two experts</source>
         <translation>专家少于两名</translation>
-    </message>
-    <message>
-        <source>there are fewer than two groups</source>
-        <translation>少于两组</translation>
     </message>
     <message>
         <source>there are fewer than two occasions</source>
@@ -11087,10 +11071,6 @@
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
     <message>
-        <source>The groups have %1 trainees: with fewer than two in a group nothing can be compared.</source>
-        <translation>各组人数为 %1：一组不足两人时无法比较。</translation>
-    </message>
-    <message>
         <source>The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is not significant is no evidence of equality.</source>
         <translation>各组人数为 %1。两个各 %2 人的组在 5 % 水平的双侧 t 检验中，对 0.8 个标准差的差异的检验效能为 %3；以 0.80 的效能可检出 %4 个标准差的差异。差异不显著并不证明相等。</translation>
     </message>
@@ -11109,10 +11089,6 @@
     <message>
         <source>The sequence was repeated from the seed and was NOT found the same.</source>
         <translation>已由种子重复该序列，结果不一致。</translation>
-    </message>
-    <message>
-        <source>Not even %1 raters would give a dependability of 0.80.</source>
-        <translation>即使 %1 名评分者也达不到 0.80 的可靠性。</translation>
     </message>
     <message>
         <source>How many raters are needed</source>
@@ -11189,10 +11165,6 @@
     <message>
         <source>p (Friedman, all occasions)</source>
         <translation>p（Friedman，全部时点）</translation>
-    </message>
-    <message>
-        <source>A gain within a group shows no effect of its training: repetition alone may give it. Compare the groups.</source>
-        <translation>组内的进步并不表明训练有效：仅靠重复也可能进步。请比较各组。</translation>
     </message>
     <message>
         <source>Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among them, are left out: a single mark could be read from them.</source>
@@ -11361,10 +11333,6 @@
     <message>
         <source>%1 trainees</source>
         <translation>%1 名学员</translation>
-    </message>
-    <message>
-        <source>A second look beside the primary comparison. Gains are ranked as whole numbers, of the trainees with a score at both occasions.</source>
-        <translation>主要比较之外的补充分析。提高值按整数排秩，只含两个评分时点都有得分的学员。</translation>
     </message>
     <message>
         <source>The trainee is the unit of analysis. p values are adjusted by Holm&apos;s method where it is said.</source>
@@ -11571,14 +11539,6 @@
         <translation>线性混合模型，限制性极大似然</translation>
     </message>
     <message>
-        <source>Adjusted means: %1.</source>
-        <translation>校正均值：%1。</translation>
-    </message>
-    <message>
-        <source>Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before: %4.</source>
-        <translation>方差：学员 %1，评分者 %2，残差 %3（分的平方）。对训练前得分的斜率：%4。</translation>
-    </message>
-    <message>
         <source>Effect of the group: F(%1, %2) = %3, %4.</source>
         <translation>组别效应：F(%1, %2) = %3，%4。</translation>
     </message>
@@ -11589,14 +11549,6 @@
     <message>
         <source>analysis of covariance, missing marks at the ends of the scale</source>
         <translation>协方差分析，缺失评分取量表两端</translation>
-    </message>
-    <message>
-        <source>Worst for the first group [95 %]</source>
-        <translation>对第一组最不利 [95 %]</translation>
-    </message>
-    <message>
-        <source>Best for the first group [95 %]</source>
-        <translation>对第一组最有利 [95 %]</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -12073,10 +12025,6 @@
     <message>
         <source>Able on the simulator</source>
         <translation>模拟器上已胜任</translation>
-    </message>
-    <message>
-        <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases.</source>
-        <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
     </message>
     <message>
         <source>Torsio</source>
@@ -12745,10 +12693,6 @@ audit trail %3</source>
         <translation>人员：%1 名学员分为 %2 组，其中 %3 名退出；%4 名医师给出 %5 个分数；报告了 %6 次方案偏离。</translation>
     </message>
     <message>
-        <source>What this does not show: with at most %1 {trainee|trainees} a group only large differences can be found, and a difference that was not shown is no evidence of equality. Marks on a training arm say nothing about patients.</source>
-        <translation>本报告不能说明的：每组最多 %1 名学员，只能发现较大的差异；未显示差异并不证明相同。训练手臂上的分数不能说明患者的情况。</translation>
-    </message>
-    <message>
         <source>a run is in a group that does not exist</source>
         <translation>某次操作所在的组不存在</translation>
     </message>
@@ -12891,10 +12835,6 @@ audit trail %3</source>
     <message>
         <source>%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 to %5; not every physician scored every trainee at every occasion. A trainee&apos;s score is the plain mean of the marks at hand.</source>
         <translation>%1 名医师在 %3 个时点以 %4 到 %5 的量表给出 %2 个评分；并非每名医师在每个时点都给每名学员评了分。学员的得分为现有评分的简单平均。</translation>
-    </message>
-    <message>
-        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of 0.80 or more.</source>
-        <translation>至少 %1 名评分者的平均分，其可靠性才达到 0.80 或以上。</translation>
     </message>
     <message>
         <source>The training study is not shown: %1 of %2 {sheet that raters were asked for is|sheets that raters were asked for are} present. Marks and means appear once all are, or once the data set is frozen.</source>
@@ -13457,10 +13397,6 @@ audit trail %3</source>
         <translation>%2 名学员中有 %1 名拟合出曲线。误差像直线一样下降或根本不下降时不会趋于平稳，因而没有曲线。</translation>
     </message>
     <message>
-        <source>Groups are compared by a linear mixed model, as marks are missing: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The planned analysis of covariance stands beside it.</source>
-        <translation>因有评分缺失，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。计划的协方差分析并列给出。</translation>
-    </message>
-    <message>
         <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit.</source>
         <translation>各组用协方差分析比较：结束得分按训练前得分校正，各组共用一个斜率；以学员为分析单位。</translation>
     </message>
@@ -13475,10 +13411,6 @@ audit trail %3</source>
     <message>
         <source>Planned and used: the analysis of covariance of the score at the end on the score before. Every trainee has the marks that most have at the first and the last occasion.</source>
         <translation>计划并采用：以训练前得分为协变量的结束得分协方差分析。每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
-    </message>
-    <message>
-        <source>Planned: the analysis of covariance of the score at the end on the score before. %1. Neither it nor the linear mixed model that would take every mark is defined (%2): the groups are not compared.</source>
-        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1。它与使用每一个评分的线性混合模型均无法定义（%2）：各组未作比较。</translation>
     </message>
     <message>
         <source>the values do not level off within these attempts</source>
@@ -15143,6 +15075,198 @@ audit trail %3</source>
     <message>
         <source>Check the disk, and whether it is full</source>
         <translation>请检查磁盘，并查看磁盘是否已满</translation>
+    </message>
+    <message>
+        <source>A second look beside the primary comparison. Gains are ranked as whole numbers, of the trainees with a score at both occasions. p (Holm) is Dunn&apos;s; p (exact) is of this pair alone.</source>
+        <translation>主要比较之外的补充分析。提高值按整数排秩，只含两个评分时点都有得分的学员。p（Holm）为 Dunn 检验；p（精确）只针对该对。</translation>
+    </message>
+    <message>
+        <source>The record has changed since it was frozen as &quot;%1&quot;: what stands here is computed from the record as it is now, not from what was frozen.</source>
+        <translation>自冻结为“%1”以来，记录已改变：此处的结果按现在的记录计算，而不是按冻结时的数据。</translation>
+    </message>
+    <message>
+        <source>Not compared, as nobody has a score at both occasions: %1.</source>
+        <translation>以下组无人在两个评分时点都有得分，因此未参与比较：%1。</translation>
+    </message>
+    <message>
+        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the planned analysis stands beside it.</source>
+        <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；计划的分析并列给出。</translation>
+    </message>
+    <message>
+        <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases, within the attempts named there.</source>
+        <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。在该节所列的尝试次数内，能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
+    </message>
+    <message>
+        <source>What this does not show: %1 Marks on a training arm say nothing about patients.</source>
+        <translation>本报告不能说明的：%1训练手臂上的分数不能说明患者的情况。</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown. The draw could not be repeated from its seed: a difference need not be due to chance.</source>
+        <translation>不显示基线差异的检验。抽取结果无法由种子重现：差异不一定出于偶然。</translation>
+    </message>
+    <message>
+        <source>the record has changed, and the numbers are those of today; see Provenance</source>
+        <translation>记录已改变，数值按今天的记录计算；见“数据来源”</translation>
+    </message>
+    <message>
+        <source>Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.</source>
+        <translation>组别效应：F(%1, %2) = %3，%4。校正均值 [95 %]：%5。</translation>
+    </message>
+    <message>
+        <source>A class of weight 0 enters s2 but not M: %1.</source>
+        <translation>权重为 0 的类别计入 s2 而不计入 M：%1。</translation>
+    </message>
+    <message>
+        <source>A class of weight 0 enters neither M nor s2: %1. Its marks are among the raters&apos; own scores and in the order of the models.</source>
+        <translation>权重为 0 的类别既不计入 M 也不计入 s2：%1。其评分仍列在评分者各自的得分和模型排序之中。</translation>
+    </message>
+    <message>
+        <source>The text under Eq. 26 of the paper speaks of the chief physicians&apos; scores, but its sum runs over all raters; so does it here, and the chief physicians are shown alone where the figure says so.</source>
+        <translation>论文式 (26) 下的文字指主任医师的评分，但求和遍及全体评分者；此处也是如此，仅在图中注明处单独显示主任医师。</translation>
+    </message>
+    <message>
+        <source>Groups are not compared: %1.</source>
+        <translation>各组未作比较：%1。</translation>
+    </message>
+    <message>
+        <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The planned analysis of covariance stands beside it.</source>
+        <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。计划的协方差分析并列给出。</translation>
+    </message>
+    <message>
+        <source>marks are missing</source>
+        <translation>有评分缺失</translation>
+    </message>
+    <message>
+        <source>not every trainee was marked by the same raters at the end</source>
+        <translation>结束时并非每名学员都由相同的评分者评分</translation>
+    </message>
+    <message>
+        <source>%1 (n = %2)</source>
+        <translation>%1（n = %2）</translation>
+    </message>
+    <message>
+        <source>Raters who scored trainees of some groups only %1: %2. In the analysis of covariance what such a rater is stricter or more lenient by counts as a difference between the groups; the linear mixed model allows for it.</source>
+        <translation>在“%1”只给部分组的学员评分的评分者：%2。在协方差分析中，这类评分者偏严或偏松的程度会被算作组间差异；线性混合模型考虑了这一点。</translation>
+    </message>
+    <message>
+        <source>Raters who scored trainees of some groups only %1: %2. What such a rater is stricter or more lenient by counts as a difference between the groups.</source>
+        <translation>在“%1”只给部分组的学员评分的评分者：%2。这类评分者偏严或偏松的程度会被算作组间差异。</translation>
+    </message>
+    <message>
+        <source>Planned: the analysis of covariance of the score at the end on the score before. It is not defined (%1): the groups are not compared.</source>
+        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。该分析无法定义（%1）：各组未作比较。</translation>
+    </message>
+    <message>
+        <source>Not every trainee was marked by the same raters at the end</source>
+        <translation>结束时并非每名学员都由相同的评分者评分</translation>
+    </message>
+    <message>
+        <source>Adjusted means [95 %]: %1.</source>
+        <translation>校正均值 [95 %]：%1。</translation>
+    </message>
+    <message>
+        <source>Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before [95 %]: %4.</source>
+        <translation>方差：学员 %1，评分者 %2，残差 %3（分的平方）。对训练前得分的斜率 [95 %]：%4。</translation>
+    </message>
+    <message>
+        <source>Worst for the first group [95 %, not adjusted]</source>
+        <translation>对第一组最不利 [95 %，未校正]</translation>
+    </message>
+    <message>
+        <source>Best for the first group [95 %, not adjusted]</source>
+        <translation>对第一组最有利 [95 %，未校正]</translation>
+    </message>
+    <message>
+        <source>The groups have %1 trainees: without two groups of two or more no power can be stated.</source>
+        <translation>各组人数为 %1：若没有两个至少两人的组，就无法给出检验效能。</translation>
+    </message>
+    <message>
+        <source>a difference that was not shown is no evidence of equality.</source>
+        <translation>未显示差异并不证明相同。</translation>
+    </message>
+    <message>
+        <source>two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test at 5 %) and miss smaller ones more often; a difference that was not shown is no evidence of equality.</source>
+        <translation>两个各 %1 人的组以 0.80 的效能可检出 %2 个标准差的差异（5 % 水平的双侧 t 检验），更小的差异更常被漏掉；未显示差异并不证明相同。</translation>
+    </message>
+    <message>
+        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.</source>
+        <translation>至少 %1 名评分者的平均分，其可靠性才达到 %2 或以上。</translation>
+    </message>
+    <message>
+        <source>Not even %1 raters would give a dependability of %2.</source>
+        <translation>即使 %1 名评分者也达不到 %2 的可靠性。</translation>
+    </message>
+    <message>
+        <source>A negative component counts as 0 in the rows above.</source>
+        <translation>负的方差分量在上面各行中按 0 计算。</translation>
+    </message>
+    <message>
+        <source>no mark here</source>
+        <translation>此处无评分</translation>
+    </message>
+    <message>
+        <source>%1, random changes of sign, standard error %2</source>
+        <translation>%1，随机变号，标准误 %2</translation>
+    </message>
+    <message>
+        <source>A gain within a group shows no effect of its training: repetition alone may give it. Compare the groups. p values and intervals of this table are not adjusted for the number of groups.</source>
+        <translation>组内的进步并不表明训练有效：仅靠重复也可能进步。请比较各组。本表的 p 值和区间未按组数校正。</translation>
+    </message>
+    <message>
+        <source>Marks missing, short of the number that most trainees have at that occasion: %1.</source>
+        <translation>缺失的评分（少于该评分时点多数学员的评分数）：%1。</translation>
+    </message>
+    <message>
+        <source>What no rater of a class has scored</source>
+        <translation>某一类别中无人评分的内容</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Indices without a mark</source>
+        <translation>没有评分的指标</translation>
+    </message>
+    <message>
+        <source>all %1</source>
+        <translation>全部 %1 项</translation>
+    </message>
+    <message>
+        <source>Score of each class of raters by itself</source>
+        <translation>各类评分者单独的得分</translation>
+    </message>
+    <message>
+        <source>Score of the class</source>
+        <translation>该类别的得分</translation>
+    </message>
+    <message>
+        <source>an index has no mark</source>
+        <translation>有指标没有评分</translation>
+    </message>
+    <message>
+        <source>The index weights of Eq. 27 on the plain means of one class. No N is formed while a class that has a weight is missing: the weights of the others would have to be made up.</source>
+        <translation>按式 (27) 的指标权重对一个类别的简单均值加权。有权重的类别缺失时不计算 N：否则就得编造其他类别的权重。</translation>
+    </message>
+    <message>
+        <source>Eq. 27 on the means of one class</source>
+        <translation>对一个类别的均值用式 (27)</translation>
+    </message>
+    <message>
+        <source>fewer than two groups have scores at both occasions</source>
+        <translation>两个评分时点都有得分的组不足两个</translation>
+    </message>
+    <message>
+        <source>the scores after do not vary within groups</source>
+        <translation>训练后得分在组内没有变异</translation>
+    </message>
+    <message>
+        <source>fewer than two groups have values</source>
+        <translation>有数值的组不足两个</translation>
+    </message>
+    <message>
+        <source>nobody has a score at every occasion</source>
+        <translation>无人在每个评分时点都有得分</translation>
     </message>
 </context>
 <context>

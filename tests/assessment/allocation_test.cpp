@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/study/allocation.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -130,6 +131,31 @@ TEST(Allocate, FillsStrataWithBlocksOfSeveralSizesAndLeavesTheArmsEven) {
   }
   strata.blockSizes = {6, 9};  // nine persons could be six and three that fit no block
   EXPECT_THROW((void)allocate(strata, 1, vectors.persons(true, false)), Error);
+}
+
+TEST(Allocate, LeavesNoArmTwoAheadHoweverManyAreLeftOver) {
+  AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
+  strata.factors = {kSex, kExperience};
+  for (const std::vector<std::size_t>& sizes :
+       {std::vector<std::size_t>{3}, std::vector<std::size_t>{3, 6}}) {
+    strata.blockSizes = sizes;
+    for (std::size_t persons = 4; persons <= 31; persons += 3) {
+      for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        std::vector<AllocationPerson> all;
+        for (std::size_t i = 0; i < persons; ++i) {
+          all.push_back({"p" + std::to_string(i), {i % 2, (i * i + i / 3) % 3}});
+        }
+        const Allocation got = allocate(strata, seed, all);
+        std::vector<int> counts(3, 0);
+        for (const AllocationRecord& record : got.records) {
+          ++counts[record.arm];
+        }
+        const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
+        EXPECT_LE(*high - *low, 1) << persons << " persons, seed " << seed;
+        EXPECT_TRUE(replayAllocation(got).sound);
+      }
+    }
+  }
 }
 
 TEST(Allocate, RefusesAnArmThatIsNamedTwice) {

@@ -438,6 +438,50 @@ struct Study {
   }
 };
 
+TEST(GroupTests, LeaveEmptyGroupsOutAndNameTheOthersByTheirNumber) {
+  const Groups two = {{4.1, 5.2, 6.3, 5.5}, {6.0, 7.1, 7.9, 6.4}};
+  const Groups four = {{}, two[0], {}, two[1]};
+  EXPECT_EQ(oneWayAnova(four)->f, oneWayAnova(two)->f);
+  EXPECT_EQ(welchAnova(four)->f, welchAnova(two)->f);
+  EXPECT_EQ(brownForsythe(four)->f, brownForsythe(two)->f);
+  EXPECT_EQ(bartlett(four)->statistic, bartlett(two)->statistic);
+  EXPECT_EQ(kruskalWallis(four)->h, kruskalWallis(two)->h);
+  EXPECT_EQ(kruskalWallis(four)->pExact, kruskalWallis(two)->pExact);
+  EXPECT_EQ(tukeyPairs(four)->at(0).p, tukeyPairs(two)->at(0).p);
+  EXPECT_EQ(gamesHowellPairs(four)->at(0).p, gamesHowellPairs(two)->at(0).p);
+  const Groups before = {{}, {3.0, 4.5, 4.0, 5.0}, {}, {5.0, 5.5, 6.5, 4.9}};
+  const Outcome<Ancova> whole = ancova(before, four);
+  const Outcome<Ancova> alone = ancova({before[1], before[3]}, two);
+  ASSERT_TRUE(whole && alone);
+  EXPECT_EQ(whole->groups, (std::vector<std::size_t>{1, 3}));
+  EXPECT_EQ(whole->pairs.at(0).p, alone->pairs.at(0).p);
+  EXPECT_EQ(whole->residuals.at(3), alone->residuals.at(1));
+  EXPECT_TRUE(whole->residuals.at(0).empty());
+  for (const auto& [first, second] :
+       {std::pair{kruskalWallis(four)->pairs.at(0).first, kruskalWallis(four)->pairs.at(0).second},
+        std::pair{tukeyPairs(four)->at(0).first, tukeyPairs(four)->at(0).second},
+        std::pair{whole->pairs.at(0).first, whole->pairs.at(0).second}}) {
+    EXPECT_EQ(first, 1U);
+    EXPECT_EQ(second, 3U);
+  }
+  EXPECT_FALSE(oneWayAnova({{}, two[0]}));
+  EXPECT_FALSE(kruskalWallis({{}, two[0]}));
+  EXPECT_FALSE(ancova({{}, before[1]}, {{}, two[0]}));
+}
+
+// R: car::Anova(lm(cbind(a, b, c) ~ g), idata, ~t, type = 3) with contr.sum; groups of 1, 5 and 4.
+TEST(MixedAnova, TakesAGroupOfOneTrainee) {
+  const NumberTable one({{3, 5, 6}});
+  const NumberTable five({{1, 3, 2}, {2, 2, 4}, {1, 4, 4}, {3, 3, 6}, {2, 5, 4}});
+  const NumberTable fourth({{4, 4, 5}, {5, 6, 8}, {3, 6, 6}, {4, 7, 7}});
+  const Outcome<MixedAnova> got = mixedAnova({one, five, fourth});
+  ASSERT_TRUE(got) << got.reason().str();
+  EXPECT_NEAR(got->group->f, 8.6789242590559841, 1e-12);
+  EXPECT_NEAR(got->time.f, 11.9646025793469217, 1e-12);
+  EXPECT_NEAR(got->interaction->f, 0.0835543766578249, 1e-12);
+  EXPECT_NEAR(*got->interaction->pGreenhouseGeisser, 0.97025320019158900, 1e-12);
+}
+
 TEST(MixedAnova, NeedsNoMoreTraineesThanContrasts) {
   // Five trainees in two groups, four occasions: three degrees of freedom for three contrasts.
   const Outcome<MixedAnova> got = mixedAnova(

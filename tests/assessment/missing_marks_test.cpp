@@ -78,7 +78,7 @@ TEST(MixedComparison, AMissingMarkTakesNobodyOut) {
 TEST(MixedComparison, SaysWhyItIsNotDefined) {
   std::vector<MarkedTrainee> trainees = study();
   EXPECT_FALSE(mixedComparison({}, 3));
-  EXPECT_FALSE(mixedComparison(trainees, 4));  // nobody in the fourth
+  EXPECT_FALSE(mixedComparison(trainees, 1));
   for (MarkedTrainee& trainee : trainees) {
     trainee.after = {trainee.after[0]};
   }
@@ -102,6 +102,23 @@ TEST(MixedComparison, SaysWhyItIsNotDefined) {
     trainee.after.assign(5, *meanMark(trainee.before));
   }
   EXPECT_FALSE(mixedComparison(trainees, 3));  // no residual
+}
+
+TEST(MixedComparison, LeavesAnEmptyGroupOut) {
+  std::vector<MarkedTrainee> trainees = study();
+  trainees[0].after[0].reset();
+  const Outcome<MixedComparison> three = mixedComparison(trainees, 3);
+  for (MarkedTrainee& trainee : trainees) {
+    trainee.group += trainee.group > 0 ? 1 : 0;  // nobody is in the second of four
+  }
+  const Outcome<MixedComparison> four = mixedComparison(trainees, 4);
+  ASSERT_TRUE(three && four);
+  EXPECT_EQ(four->groups, (std::vector<std::size_t>{0, 2, 3}));
+  ASSERT_EQ(four->pairs.size(), 3U);
+  EXPECT_EQ(four->pairs[2].first, 2U);
+  EXPECT_EQ(four->pairs[2].second, 3U);
+  EXPECT_EQ(four->pairs[2].difference.value, three->pairs[2].difference.value);
+  EXPECT_EQ(four->group->f, three->group->f);
 }
 
 TEST(MixedComparison, IsTheSameFarFromZeroAndInAnotherUnit) {

@@ -7,7 +7,11 @@ source(file.path(folder, "statistics.R"))
 file <- file.path(folder, "cases.tsv")
 cases <- read.delim(file, quote = "", colClasses = "character", na.strings = character(0))
 found <- vapply(seq_len(nrow(cases)), function(i) {
-  tryCatch(as.numeric(suppressWarnings(eval(parse(text = cases$r[i])))),
+  tryCatch({
+             invisible(capture.output(  # some packages talk while they compute
+               value <- as.numeric(suppressMessages(suppressWarnings(eval(parse(text = cases$r[i])))))))
+             value
+           },
            error = function(e) { message(cases$r[i], ": ", conditionMessage(e)); NaN })
 }, 0)
 if ("--write" %in% arguments) {

@@ -51,6 +51,30 @@ TEST_F(MarksCommands, NameWhoseMarksAreMissingAndCompareAllTheSame) {
   EXPECT_EQ(out["welch_t"]["equivalence"]["margin"], 4.0);
 }
 
+TEST_F(MarksCommands, AGroupThatDroppedOutIsNamedAndTheOthersAreCompared) {
+  std::string table = marks();
+  for (const char* subject : {"u1", "u2", "u3"}) {
+    table += std::string(subject) + ",g2,before,r0,12\n";
+  }
+  const json out = answer("compare-groups --lowest 1 --highest 60 " + write("marks.csv", table));
+  const json two = answer("compare-groups " + write("two.csv", marks()));
+  EXPECT_EQ(out["left_out_groups"], json::array({"g2"}));
+  EXPECT_TRUE(two["left_out_groups"].empty());
+  EXPECT_EQ(out["groups"][2]["n"], 0);
+  for (const char* test : {"welch_anova", "anova", "kruskal_wallis", "brown_forsythe"}) {
+    EXPECT_EQ(out[test]["p"], two[test]["p"]) << test;
+  }
+  for (const char* model : {"ancova", "mixed_model", "mixed_anova"}) {
+    EXPECT_EQ(out[model]["left_out_groups"], json::array({"g2"})) << model;
+  }
+  EXPECT_EQ(out["ancova"]["pairs"].size(), 1U);
+  EXPECT_EQ(out["ancova"]["pairs"][0]["p"], two["ancova"]["pairs"][0]["p"]);
+  EXPECT_EQ(out["mixed_model"]["adjusted_means"].size(), 2U);
+  EXPECT_EQ(out["mixed_anova"]["interaction"]["p"], two["mixed_anova"]["interaction"]["p"]);
+  EXPECT_EQ(out["tukey"]["pairs"].size(), 1U);
+  EXPECT_EQ(out["mixed_model"]["bounds"].size(), 3U);
+}
+
 TEST_F(MarksCommands, OfEveryMarkAreComparedAsTheirMeansAre) {
   const json out = answer("compare-groups " + write("marks.csv", marks()));
   EXPECT_NEAR(out["mixed_model"]["pairs"][0]["p"].get<double>(), out["ancova"]["pairs"][0]["p"].get<double>(),

@@ -304,6 +304,25 @@ TEST(ReportInputs, EachSignedMarkNamesItsSignerTheMeaningAndTheTime) {
       << "with the printed name: " << named.signatures[0].signer;
 }
 
+/// Two models and three classes: one of these rater classes has not scored, one has scored the first model.
+void expectClassesByThemselves(const CohortInputs& frozen) {
+  const ReportModel report = cohortReport(frozen);
+  const ReportTable* classes = nullptr;
+  for (const ReportSection& one : report.sections) {
+    for (const ReportTable& table : one.tables) {
+      classes = table.id == "table-evaluation-classes" ? &table : classes;
+    }
+  }
+  ASSERT_NE(classes, nullptr);
+  ASSERT_EQ(classes->rows.size(), 6U);
+  EXPECT_EQ(classes->rows[0].back().str(), "7.0000");  // the intern of PM
+  EXPECT_EQ(classes->rows[1].back().str(), "not defined: an index has no mark");
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(frozen);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
+                          [](const CohortCsvRow& row) { return row.statistic == "class_score_eq27"; }),
+            6);
+}
+
 TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   SmallStudy study;
   SessionContext& session = study.centre.as("administrator");
@@ -346,6 +365,18 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
       });
   ASSERT_NE(section, report.sections.end());
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
+  // The lines that keep it from being computed, by class, model and index.
+  ASSERT_EQ(section->tables.size(), 1U) << "no score before everybody who was asked has given all marks";
+  const std::vector<std::vector<Text>>& lines = section->tables[0].rows;
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], (std::vector<Text>{Text::verbatim("deputy chief physician"), Text::verbatim("PM"),
+                                         Text::verbatim("all 9")}));
+  EXPECT_EQ(lines[2][0].str() + " " + lines[2][1].str(), "chief physician FEM");
+
+  // Frozen without the class: nothing else is lost.
+  study.request.frozenId = freezeData(session, study.request.cohortId, "as it is").id;
+  expectClassesByThemselves(reportInputs(session, study.request, study.digests));
+  study.request.frozenId = FreezeId();
 
   for (const std::string& rater : {plan.raterIds[1], plan.raterIds[2]}) {
     for (const char* model : {"PM", "FEM"}) {

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cohorts that a statistician would try a report with: every sentence true, every number one, every interval
+// with its level, and nothing lost that the data still give.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/cohort_report.h"
+#include "assessment/report/provenance_line.h"
+#include "assessment/report/study_analysis.h"
+#include "assessment/statistics/power.h"
+#include "tests/support/demonstration_cohort.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+CohortInputs scored(CohortInputs in) {
+  in.scores = traineeScores(in.trainingScale, in.trainingMarks);
+  in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
+  return in;
+}
+
+CohortInputs losing(const std::function<bool(const TrainingMark&)>& lost) {
+  CohortInputs in = testing::demonstrationCohort();
+  std::erase_if(in.trainingMarks, lost);
+  return scored(std::move(in));
+}
+
+CohortInputs marking(const std::function<void(TrainingMark&)>& change) {
+  CohortInputs in = testing::demonstrationCohort();
+  for (TrainingMark& mark : in.trainingMarks) {
+    change(mark);
+  }
+  return scored(std::move(in));
+}
+
+CohortInputs thirdArmDropsOut() {
+  return losing([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; });
+}
+
+CohortInputs oneRaterScoresOneArm() {
+  return losing([](const TrainingMark& mark) { return mark.rater == "R110" && mark.group != 0; });
+}
+
+CohortInputs ceilingAtTheEnd() {
+  return marking([](TrainingMark& mark) { mark.steps = mark.occasion == 2 ? 100 : mark.steps; });
+}
+
+CohortInputs twoInAnArm() {
+  const std::set<std::string> kept{"x101", "x102", "y101", "y102", "z101", "z102"};
+  CohortInputs in = losing([&](const TrainingMark& mark) { return !kept.contains(mark.trainee); });
+  std::erase_if(in.trainees, [&](const CohortTrainee& trainee) { return !kept.contains(trainee.code); });
+  std::erase_if(in.criterionMarks, [&](const CriterionMark& mark) { return !kept.contains(mark.trainee); });
+  return in;
+}
+
+/// The first class of raters counts nothing, the last one for it.
+CohortInputs aWeightOfZero() {
+  CohortInputs in = testing::demonstrationCohort();
+  in.instrument.classes[2].weight_milli += in.instrument.classes[0].weight_milli;
+  in.instrument.classes[0].weight_milli = 0;
+  in.evaluations.clear();
+  for (const ModelRatings& model : in.ratings) {
+    in.evaluations.push_back(evaluateModel(in.instrument, model));
+  }
+  return in;
+}
+
+CohortInputs amendedAfterTheFreeze() {
+  CohortInputs in = testing::demonstrationCohort();
+  in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
+  return in;
+}
+
+CohortInputs aClassOfRatersIsMissing();
+
+std::map<std::string, CohortInputs> hostileCohorts() {
+  std::map<std::string, CohortInputs> all;
+  all["one rater gives constant marks"] =
+      marking([](TrainingMark& mark) { mark.steps = mark.rater == "R101" ? 70 : mark.steps; });
+  all["one rater scores one arm only"] = oneRaterScoresOneArm();
+  all["two trainees have the same marks"] = marking([](TrainingMark& mark) {
+    mark.steps = mark.trainee == "x101" || mark.trainee == "y101" ? 50 : mark.steps;
+  });
+  all["all scores at the ceiling"] = marking([](TrainingMark& mark) { mark.steps = 100; });
+  all["all scores at the ceiling at the end"] = ceilingAtTheEnd();
+  all["slopes differ"] = marking([](TrainingMark& mark) {
+    const std::int64_t person = mark.trainee.back() - '0';
+    mark.steps = mark.occasion == 0 ? 20 + 6 * person + (mark.rater.back() - '0')
+                 : mark.group == 0  ? 90 - 7 * person + (mark.rater.back() - '0')
+                                    : 30 + 6 * person + (mark.rater.back() - '0') + person * person % 4;
+  });
+  all["two trainees an arm"] = twoInAnArm();
+  all["one arm drops out after the first occasion"] = thirdArmDropsOut();
+  all["a weight of zero"] = aWeightOfZero();
+  all["a class of raters is missing"] = aClassOfRatersIsMissing();
+  all["marks amended after the freeze"] = amendedAfterTheFreeze();
+  return all;
+}
+
+/// Every sentence and cell of a report, with what heads it.
+struct Said {
+  std::string head;  ///< title of the column, where the text is a cell
+  std::string text;
+};
+
+std::vector<Said> everythingSaid(const ReportModel& report) {
+  std::vector<Said> all;
+  const auto add = [&](const Text& text, const std::string& head = {}) { all.push_back({head, text.str()}); };
+  for (const auto& [label, value] : report.facts) {
+    add(value);
+  }
+  for (const ReportSection& section : report.sections) {
+    for (const Text& paragraph : section.paragraphs) {
+      add(paragraph);
+    }
+    for (const ReportFigure& figure : section.figures) {
+      for (const Text& note : figure.notes) {
+        add(note);
+      }
+      for (const Text& category : figure.categories) {
+        add(category, figure.title.str());
+      }
+      add(provenanceLine(figure.provenance));
+    }
+    for (const ReportTable& table : section.tables) {
+      for (const std::vector<Text>& row : table.rows) {
+        for (std::size_t c = 0; c < row.size(); ++c) {
+          add(row[c], table.columns.at(c).str());
+        }
+      }
+      for (const Text& note : table.notes) {
+        add(note);
+      }
+      add(provenanceLine(table.provenance));
+    }
+  }
+  return all;
+}
+
+bool allFinite(const ReportFigure& figure) {
+  bool finite = true;
+  for (const FigureSeries& series : figure.series) {
+    for (const std::optional<double>& y : series.y) {
+      finite = finite && (!y || std::isfinite(*y));
+    }
+    for (const std::vector<double>* list : {&series.x, &series.low, &series.high}) {
+      finite = finite && std::all_of(list->begin(), list->end(), [](double x) { return std::isfinite(x); });
+    }
+  }
+  return finite;
+}
+
+std::string textOfAll(const CohortInputs& in) {
+  std::string all;
+  for (const Said& one : everythingSaid(cohortReport(in))) {
+    all += one.text + "\n";
+  }
+  return all;
+}
+
+const ReportTable* tableNamed(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections) {
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return &table;
+      }
+    }
+  }
+  return nullptr;
+}
+
+std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic) {
+  std::vector<CohortCsvRow> found = cohortCsvRows(in);
+  std::erase_if(found, [&](const CohortCsvRow& row) { return row.statistic != statistic; });
+  return found;
+}
+
+TEST(HostileCohort, NoNumberIsNoneNoPIsZeroAndEveryIntervalHasItsLevel) {
+  const std::regex noNumber(R"(\b(nan|inf)\b)");
+  const std::regex interval(R"(\[-?[0-9.]+[,;] -?[0-9.]+\])");
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const auto saysLevel = [&](const std::string& text) {
+    return has(text, "95 %") || has(text, "90 %") || has(text, "lowest; highest");
+  };
+  for (const auto& [name, in] : hostileCohorts()) {
+    SCOPED_TRACE(name);
+    const ReportModel report = cohortReport(in);
+    for (const Said& one : everythingSaid(report)) {
+      EXPECT_FALSE((has(one.text, "nan") || has(one.text, "inf")) && std::regex_search(one.text, noNumber))
+          << one.text;
+      EXPECT_FALSE(has(one.text, "p = 0.000") || has(one.text, "%1")) << one.text;
+      if (has(one.text, "[") && std::regex_search(one.text, interval)) {
+        EXPECT_TRUE(saysLevel(one.text) || saysLevel(one.head)) << one.head << ": " << one.text;
+      }
+    }
+    for (const ReportSection& section : report.sections) {
+      for (const ReportFigure& figure : section.figures) {
+        EXPECT_TRUE(allFinite(figure)) << figure.id;
+      }
+    }
+    for (const CohortCsvRow& row : cohortCsvRows(in)) {
+      EXPECT_FALSE(row.value == "nan" || row.value == "-nan" || row.value == "inf" || row.value == "-inf")
+          << numberAddress(row);
+      EXPECT_TRUE(!row.value.empty() || has(row.flags, "undefined")) << numberAddress(row);
+    }
+  }
+}
+
+TEST(HostileCohort, AnArmThatDroppedOutIsNamedWithItsNumberAndTheOthersAreCompared) {
+  const CohortInputs in = thirdArmDropsOut();
+  const ReportModel report = cohortReport(in);
+  for (const char* id : {"table-ancova", "table-mixed-model", "table-gains"}) {
+    const ReportTable* table = tableNamed(report, id);
+    ASSERT_NE(table, nullptr) << id;
+    ASSERT_EQ(table->rows.size(), 1U) << id;
+    EXPECT_EQ(table->rows[0][0].str(), "Group 1 - Group 2") << id;
+    EXPECT_THAT(table->rows[0][1].str(), Not(HasSubstr("not defined"))) << id;
+  }
+  EXPECT_THAT(tableNamed(report, "table-mixed-anova")->rows[0][0].str(), HasSubstr("group x occasion"));
+  EXPECT_THAT(report.sections.front().paragraphs[2].str(), HasSubstr("Group 1 - Group 2"));
+  const std::string said = textOfAll(in);
+  EXPECT_THAT(said, HasSubstr("Group 3 (n = 0)"));
+  EXPECT_THAT(said, Not(HasSubstr("nothing can be compared")));
+  EXPECT_THAT(said, Not(HasSubstr("the groups are not compared")));
+  const ReportTable* within = tableNamed(report, "table-within-groups");
+  ASSERT_NE(within, nullptr);
+  EXPECT_EQ(within->rows.at(2).at(1).str(), "0");
+  ASSERT_EQ(rowsNamed(in, "adjusted_difference").size(), 1U);
+  EXPECT_EQ(rowsNamed(in, "adjusted_difference")[0].group, "Group 1 - Group 2");
+  EXPECT_EQ(rowsNamed(in, "mixed_model_difference").size(), 1U);
+  // What the whole arm could have given is bounded: its trainees were there at the start.
+  EXPECT_EQ(rowsNamed(in, "bound_worst").size(), 3U);
+}
+
+TEST(HostileCohort, TwoGroupsAreComparedAsIfTheEmptyOneHadNeverBeen) {
+  const StudyAnalysis three = analyseStudy(thirdArmDropsOut());
+  CohortInputs in = thirdArmDropsOut();
+  std::erase_if(in.trainingMarks, [](const TrainingMark& mark) { return mark.group == 2; });
+  std::erase_if(in.trainees, [](const CohortTrainee& trainee) { return trainee.group == 2; });
+  in.groups.pop_back();
+  const StudyAnalysis two = analyseStudy(scored(std::move(in)));
+
+  ASSERT_TRUE(three.ancova && two.ancova && three.course && two.course);
+  EXPECT_EQ(three.ancova->pairs.at(0).difference, two.ancova->pairs.at(0).difference);
+  EXPECT_EQ(three.ancova->pairs.at(0).p, two.ancova->pairs.at(0).p);
+  EXPECT_EQ(three.ancova->group.df1, 1.0);
+  EXPECT_EQ(three.course->interaction->f, two.course->interaction->f);
+  ASSERT_TRUE(three.mixed);
+  EXPECT_NEAR(three.mixed->pairs.at(0).difference.value, two.ancova->pairs.at(0).difference, 1e-9);
+}
+
+TEST(HostileCohort, AMissingMarkIsCountedWhereGroupsAreSummed) {
+  const CohortInputs in = losing([](const TrainingMark& mark) {
+    return mark.rater == "R104" && mark.occasion == 1 && (mark.trainee == "x101" || mark.trainee == "z103");
+  });
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableNamed(report, "table-training-summary");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->provenance.n, 898);
+  EXPECT_EQ(table->provenance.missing, 2);
+  EXPECT_THAT(table->notes.back().str(), HasSubstr("Group 1, after 20 min: 1"));
+  const std::vector<CohortCsvRow> rows = rowsNamed(in, "marks_missing_at_occasion");
+  ASSERT_EQ(rows.size(), 9U);
+  EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.value == "1"; }), 2);
+  // A trainee without any mark lacks as many as the others have.
+  const CohortInputs absent = losing([](const TrainingMark& mark) { return mark.trainee == "y105"; });
+  const ReportModel withoutOne = cohortReport(absent);
+  EXPECT_EQ(tableNamed(withoutOne, "table-training-summary")->provenance.missing, 30);
+  EXPECT_THAT(textOfAll(absent), Not(HasSubstr("physicians scored every trainee")));
+}
+
+TEST(HostileCohort, ARaterOfOneArmIsNamedAsPartOfItsDifference) {
+  const std::string said = textOfAll(oneRaterScoresOneArm());
+  EXPECT_THAT(said, HasSubstr("R110"));
+  EXPECT_THAT(said, HasSubstr("scored trainees of some groups only"));
+  EXPECT_THAT(said, HasSubstr("counts as a difference between the groups"));
+  EXPECT_THAT(textOfAll(testing::demonstrationCohort()), Not(HasSubstr("of some groups only")));
+}
+
+TEST(HostileCohort, ScoresAtTheCeilingAreNotCalledAnExactCourse) {
+  const std::string said = textOfAll(ceilingAtTheEnd());
+  EXPECT_THAT(said, HasSubstr("the scores after do not vary within groups"));
+  EXPECT_THAT(said, Not(HasSubstr("follow the scores before exactly")));
+  EXPECT_THAT(said, Not(HasSubstr("Groups are compared by")));
+}
+
+TEST(HostileCohort, OneGroupIsNotSaidToBeCompared) {
+  CohortInputs in = testing::demonstrationCohort();
+  std::erase_if(in.trainingMarks, [](const TrainingMark& mark) { return mark.group > 0; });
+  EXPECT_THAT(textOfAll(scored(std::move(in))), Not(HasSubstr("Groups are compared by")));
+}
+
+TEST(HostileCohort, WhatCanBeDetectedIsComputedFromTheGroups) {
+  const ReportModel report = cohortReport(testing::demonstrationCohort());
+  const std::string said = report.sections.front().paragraphs.back().str();
+  EXPECT_THAT(said, HasSubstr("1.32 standard deviations"));  // pwr.t.test(n = 10, power = 0.8)
+  EXPECT_THAT(said, Not(HasSubstr("only large differences")));
+}
+
+TEST(HostileCohort, AClassOfWeightZeroIsSaidToCountNothing) {
+  const std::string said = textOfAll(aWeightOfZero());
+  EXPECT_THAT(said, HasSubstr("A class of weight 0 enters neither M nor s2"));
+  EXPECT_THAT(textOfAll(testing::demonstrationCohort()), Not(HasSubstr("of weight 0 enters")));
+}
+
+TEST(HostileCohort, MarksAmendedAfterTheFreezeAreSaidOnTheFirstPage) {
+  std::string first;
+  const ReportModel report = cohortReport(amendedAfterTheFreeze());
+  for (const Text& paragraph : report.sections.front().paragraphs) {
+    first += paragraph.str();
+  }
+  EXPECT_THAT(first, HasSubstr("The record has changed since it was frozen as \"final\""));
+  CohortInputs same = amendedAfterTheFreeze();
+  same.freeze->unchanged = true;
+  EXPECT_THAT(textOfAll(same), Not(HasSubstr("has changed since")));
+}
+
+TEST(HostileCohort, ARaterWithoutASheetForAModelIsNoRaterOfEveryModel) {
+  CohortInputs in = testing::demonstrationCohort();
+  EXPECT_THAT(textOfAll(in), HasSubstr("Each rater scored every model"));
+  in.ratings[1].sheets.pop_back();
+  in.evaluations[1] = evaluateModel(in.instrument, in.ratings[1]);
+  const std::string said = textOfAll(in);
+  EXPECT_THAT(said, Not(HasSubstr("Each rater scored every model")));
+  EXPECT_THAT(said, HasSubstr("9 marks are missing"));
+}
+
+/// The class that counts most has given no mark at all.
+CohortInputs aClassOfRatersIsMissing() {
+  CohortInputs in = testing::demonstrationCohort();
+  UnfinishedEvaluation unfinished;
+  unfinished.classesMissing = {in.instrument.classes[2].name};
+  for (ModelRatings& model : in.ratings) {
+    std::erase_if(model.sheets, [](const RaterSheet& sheet) { return sheet.raterClass == 2; });
+    unfinished.marks += 9 * std::ssize(model.sheets);
+    UnscoredIndices of{in.instrument.classes[2].name, model.model, {}};
+    for (const EvaluationIndex& index : in.instrument.indices) {
+      of.indices.push_back(index.name);
+    }
+    unfinished.unscored.push_back(of);
+  }
+  in.unfinishedEvaluation = unfinished;
+  in.evaluations.clear();
+  return in;
+}
+
+TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIsLost) {
+  const CohortInputs in = aClassOfRatersIsMissing();
+  const ReportModel report = cohortReport(in);
+  const ReportTable* unscored = tableNamed(report, "table-evaluation-unscored");
+  ASSERT_NE(unscored, nullptr);
+  ASSERT_EQ(unscored->rows.size(), 3U);
+  EXPECT_EQ(unscored->rows[0][0].str(), in.instrument.classes[2].name);
+  EXPECT_EQ(unscored->rows[0][2].str(), "all 9");
+  const ReportTable* classes = tableNamed(report, "table-evaluation-classes");
+  ASSERT_NE(classes, nullptr);
+  EXPECT_EQ(classes->rows.size(), 9U);
+  // With all three classes M is the weighted sum of what each gives alone.
+  const CohortInputs whole = testing::demonstrationCohort();
+  EvaluationInstrument interns = whole.instrument;
+  interns.classes[0].weight_milli = 1000;
+  interns.classes[1].weight_milli = interns.classes[2].weight_milli = 0;
+  const std::vector<CohortCsvRow> scores = rowsNamed(in, "class_score_eq27");
+  ASSERT_EQ(scores.size(), 9U);
+  EXPECT_EQ(std::stod(scores[0].value), evaluateModel(interns, whole.ratings[0]).n27);
+  EXPECT_TRUE(scores[2].value.empty());
+  EXPECT_EQ(rowsNamed(in, "mark").size(), 3U * 9U * 30U);
+  EXPECT_TRUE(rowsNamed(in, "N_eq27").empty());
+  for (const char* id :
+       {"table-ancova", "table-agreement", "table-training-summary", "table-within-groups"}) {
+    EXPECT_NE(tableNamed(report, id), nullptr) << id;
+  }
+}
+
+TEST(HostileCohort, ADrawThatCannotBeRepeatedIsNotCalledChance) {
+  CohortInputs in = testing::demonstrationCohort();
+  in.allocation.method = Text::verbatim("complete permutation");
+  EXPECT_THAT(textOfAll(in), HasSubstr("any difference is due to chance"));
+  in.allocation.replayDiffers = true;
+  EXPECT_THAT(textOfAll(in), Not(HasSubstr("any difference is due to chance")));
+  in.allocation = {};
+  EXPECT_THAT(textOfAll(in), Not(HasSubstr("seed 0")));
+}
+
+TEST(HostileCohort, TheTableOfNumbersHoldsKappaDependabilityRaschAndGains) {
+  const CohortInputs in = testing::demonstrationCohort();
+  EXPECT_EQ(rowsNamed(in, "kappa_quadratic_median").size(), 3U);
+  EXPECT_EQ(rowsNamed(in, "share_same_point").size(), 3U);
+  EXPECT_EQ(rowsNamed(in, "dependability").size(), 5U);
+  EXPECT_EQ(rowsNamed(in, "variance_of_raters").size(), 1U);
+  EXPECT_EQ(rowsNamed(in, "raters_needed").size(), 1U);
+  EXPECT_EQ(rowsNamed(in, "rasch_severity").size(), 10U);
+  EXPECT_EQ(rowsNamed(in, "median_gain_upper_95").size(), 3U);
+  EXPECT_EQ(rowsNamed(in, "gain_signed_rank_p").size(), 3U);
+  EXPECT_EQ(rowsNamed(in, "gain_dunn_p_holm").size(), 3U);
+  EXPECT_EQ(rowsNamed(in, "gain_kruskal_wallis_p").size(), 1U);
+  EXPECT_EQ(rowsNamed(in, "mixed_time_p_greenhouse_geisser").size(), 1U);
+  EXPECT_EQ(rowsNamed(in, "mean_rank").size(), 3U);
+}
+
+}  // namespace
+}  // namespace torsio
