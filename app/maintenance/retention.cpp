@@ -34,18 +34,24 @@ AuditAction actionOf(HoldKind kind) {
   throw ContractError("no such decision");
 }
 
-void hold(SessionContext& session, const RetentionHold& decision) {
+void hold(SessionContext& session, std::span<const PersonId> personIds, RetentionHold decision) {
   session.require(Operation::kRetentionManage);
-  requireReason(decision.reason, decision.personId);
+  if (personIds.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("nobody was chosen"), Text::tr("retention"),
+                Text::tr("Choose at least one person"));
+  }
+  requireReason(decision.reason, personIds.front());
   Transaction transaction(session.connection());
-  RetentionHold stored = decision;
-  stored.decidedBy = session.actor().userId;
-  stored.decidedUtc_us = session.now_us();
-  RetentionRepository(session.connection()).addHold(stored);
-  session.note({.action = actionOf(decision.kind),
-                .objectKind = AuditObject::kPerson,
-                .objectId = decision.personId,
-                .reason = decision.reason});
+  decision.decidedBy = session.actor().userId;
+  decision.decidedUtc_us = session.now_us();
+  for (const PersonId& id : personIds) {
+    decision.personId = id;
+    RetentionRepository(session.connection()).addHold(decision);
+    session.note({.action = actionOf(decision.kind),
+                  .objectKind = AuditObject::kPerson,
+                  .objectId = id,
+                  .reason = decision.reason});
+  }
   transaction.commit();
 }
 
@@ -89,23 +95,22 @@ std::vector<RetentionItem> retentionQueue(SessionContext& session) {
   return RetentionRepository(session.connection()).due(session.now_us());
 }
 
-void lockRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
-  hold(session, {.personId = personId, .kind = HoldKind::kLock, .reason = reason});
+void lockRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason) {
+  hold(session, personIds, {.kind = HoldKind::kLock, .reason = reason});
 }
 
-void extendRecord(SessionContext& session, const PersonId& personId, std::int64_t untilUtc_us,
-                  const std::string& reason) {
+void extendRecords(SessionContext& session, std::span<const PersonId> personIds, std::int64_t untilUtc_us,
+                   const std::string& reason) {
   session.require(Operation::kRetentionManage);
   if (untilUtc_us <= session.now_us()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this day has passed"), personId,
+    throw Error(ErrorCode::kBadParameter, Text::tr("this day has passed"), Text::tr("retention"),
                 Text::tr("Choose a later day"));
   }
-  hold(session,
-       {.personId = personId, .kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
+  hold(session, personIds, {.kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
 }
 
-void releaseRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
-  hold(session, {.personId = personId, .kind = HoldKind::kRelease, .reason = reason});
+void releaseRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason) {
+  hold(session, personIds, {.kind = HoldKind::kRelease, .reason = reason});
 }
 
 RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> personIds,

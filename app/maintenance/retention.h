@@ -22,12 +22,12 @@ void removeRetentionRule(SessionContext& session, const std::string& category);
 /// The review queue: whose record is due now and why, those who are held among them, longest due first.
 [[nodiscard]] std::vector<RetentionItem> retentionQueue(SessionContext& session);
 
-/// Keeps a record for good, or until a day; release ends it. Throws Error (kBadParameter) without a reason,
-/// or for a day that has passed.
-void lockRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
-void extendRecord(SessionContext& session, const PersonId& personId, std::int64_t untilUtc_us,
-                  const std::string& reason);
-void releaseRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
+/// Keeps records for good, or until a day; release ends it: all of them or none. Throws Error (kBadParameter)
+/// without anybody or a reason, or for a day that has passed.
+void lockRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason);
+void extendRecords(SessionContext& session, std::span<const PersonId> personIds, std::int64_t untilUtc_us,
+                   const std::string& reason);
+void releaseRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason);
 
 /// What an erase of due records would do, or did.
 struct RetentionOutcome {

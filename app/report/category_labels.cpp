@@ -31,7 +31,7 @@ QString htmlOf(const QStringList& lines) {
 CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
   // Qt divides the axis by its marks: one more than there are categories.
   const double share_px = kAcross_px / static_cast<double>(names.size() + 1) - kAir_px;
-  CategoryLabels labels{{}, typeface()};
+  CategoryLabels labels{{}, printedTypeface()};
   labels.font.setPixelSize(largest_px);
   while (true) {
     const QFontMetricsF metrics(labels.font);

@@ -35,7 +35,7 @@ void countAlong(QValueAxis& axis, const AxisRange& range) {
 }  // namespace
 
 QFont chartFont(int pixels) {
-  QFont out = typeface();
+  QFont out = printedTypeface();
   out.setPixelSize(pixels);
   return out;
 }

@@ -46,7 +46,7 @@ HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look, cons
 }
 
 QFont HeatMapItem::font(int pixels) const {
-  QFont out = typeface();
+  QFont out = printedTypeface();
   out.setPixelSize(std::max(5, pixels));
   return out;
 }

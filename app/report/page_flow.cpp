@@ -40,7 +40,7 @@ double PageFlow::bottom_mm() const {
 }
 
 QFont PageFlow::font(double points, bool bold) const {
-  QFont f = typeface();
+  QFont f = printedTypeface();
   f.setPointSizeF(points);
   f.setBold(bold);
   return f;
@@ -54,11 +54,11 @@ void PageFlow::newPage() {
   cursor_mm_ = style_.marginTop_mm;
 }
 
-void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm) {
+void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm, PdfPart part) {
   if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) {
     newPage();
   }
-  pages_.back().push_back({cursor_mm_, height_mm, std::move(draw)});
+  pages_.back().push_back({cursor_mm_, height_mm, std::move(draw), std::move(part)});
   cursor_mm_ += height_mm;
 }
 
@@ -85,19 +85,19 @@ double PageFlow::textHeight_mm(const QString& content, double points, bool bold)
 void PageFlow::text(const QString& content, double points, bool bold, const QColor& colour,
                     double keepWithNext_mm) {
   const QFont f = font(points, bold);
-  add(
-      textHeight_mm(content, points, bold),
+  add(textHeight_mm(content, points, bold),
       [=](QPainter& painter, const QRectF& area, double) {
         painter.setFont(f);
         painter.setPen(colour);
         painter.drawText(area, kTextFlags, content);
       },
-      keepWithNext_mm);
+      keepWithNext_mm, {PdfRole::kParagraph});
 }
 
 void PageFlow::bookmark(const QString& title, int level) {
   if (!pages_.back().empty()) {
     bookmarks_.push_back({title, pages_.size() - 1, pages_.back().back().top_mm, level});
+    pages_.back().back().part.role = level == 0 ? PdfRole::kSection : PdfRole::kTitle;
   }
 }
 
@@ -112,9 +112,11 @@ void PageFlow::table(const PlainTable& table) {
 
 void PageFlow::table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm) {
   const double total_mm = std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0);
-  const auto drawRow = [widths = layout.widths_mm, numeric = layout.numeric, total_mm](
-                           const std::vector<QString>& cells, const QFont& f, const QColor& fill) {
-    return [=](QPainter& painter, const QRectF& area, double unit) {
+  const std::size_t number = ++tables_;
+  const auto drawRow = [this, number, widths = layout.widths_mm, numeric = layout.numeric, total_mm](
+                           const std::vector<QString>& cells, const QFont& f, const QColor& fill,
+                           PdfRole role, std::size_t row) {
+    return [=, this](QPainter& painter, const QRectF& area, double unit) {
       double x = area.left();
       const double total = total_mm * unit;
       if (fill.isValid()) {
@@ -127,6 +129,10 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
       for (std::size_t c = 0; c < cells.size(); ++c) {
         const QRectF cell(x + kCellPadding_mm * unit, area.top(), (widths[c] - 2.0 * kCellPadding_mm) * unit,
                           area.height());
+        if (role != PdfRole::kArtifact) {
+          begin(painter, {role, {}, 0, number, row});
+          painter.setPen(kInk);
+        }
         painter.drawText(cell,
                          Qt::TextWordWrap | Qt::AlignVCenter | (numeric[c] ? Qt::AlignRight : Qt::AlignLeft),
                          cells[c]);
@@ -134,23 +140,30 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
       }
     };
   };
-  const auto header = [&] {
+  const auto header = [&](PdfRole role) {
     if (layout.header_mm > 0.0) {
-      add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill), 6.0);
+      add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill, role, 0), 6.0);
     }
   };
-  header();
+  header(PdfRole::kHeaderCell);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const double under_mm = r + 1 == table.rows.size() ? keepWithLast_mm : 0.0;
     if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
       newPage();
-      header();
+      header(PdfRole::kArtifact);  // it was read already
     }
-    add(layout.rows_mm[r], drawRow(table.rows[r], layout.regular, QColor()));
+    add(layout.rows_mm[r], drawRow(table.rows[r], layout.regular, QColor(), PdfRole::kCell, r + 1));
   }
 }
 
-void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const {
+void PageFlow::begin(QPainter& painter, PdfPart part) {
+  part.page = page_;
+  markPart(painter, parts_.size());
+  parts_.push_back(std::move(part));
+}
+
+void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) {
+  begin(painter, {});
   const double left = style_.marginSide_mm * unit;
   const double wide = width_mm() * unit;
   painter.setFont(font(7.5, false));
@@ -175,13 +188,15 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
 }
 
 void PageFlow::render(QPainter& painter,
-                      const std::function<void(std::size_t page, std::size_t pages)>& progress) const {
+                      const std::function<void(std::size_t page, std::size_t pages)>& progress) {
   for (std::size_t page = 0; page < pages_.size(); ++page) {
     if (page > 0) {
       writer_.newPage();
     }
+    page_ = page;
     drawFrame(painter, page, unit_);
     for (const Block& block : pages_[page]) {
+      begin(painter, block.part);
       painter.save();
       block.draw(painter,
                  QRectF(style_.marginSide_mm * unit_, block.top_mm * unit_, width_mm() * unit_,

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include "app/report/pdf_outline.h"
+#include "app/report/pdf_tags.h"
 #include "app/report/table_layout.h"
 
 class QPdfWriter;
@@ -43,8 +44,8 @@ class PageFlow {
   using Draw = std::function<void(QPainter&, const QRectF& area, double unit)>;
 
   /// A block that is never split; goes to the next page when it does not fit. `keepWithNext_mm` asks for that
-  /// much more room (headings).
-  void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0);
+  /// much more room (headings). `part`: what it is to somebody who cannot see it.
+  void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0, PdfPart part = {});
   /// What a whole page holds.
   [[nodiscard]] double page_mm() const;
   /// What is left of the current page.
@@ -54,7 +55,8 @@ class PageFlow {
   /// Wrapped text; splits between lines of a page only when taller than a page.
   void text(const QString& content, double points, bool bold = false,
             const QColor& colour = QColor(0x26, 0x32, 0x38), double keepWithNext_mm = 0.0);
-  /// Names the block that was added last, for the list of bookmarks. `level`: 0, or 1 below the last 0.
+  /// Names the block that was added last, for the list of bookmarks, and makes it a title. `level`: 0, or 1
+  /// below the last 0.
   void bookmark(const QString& title, int level);
   [[nodiscard]] const std::vector<PdfBookmark>& bookmarks() const noexcept { return bookmarks_; }
   /// What text() will take.
@@ -67,15 +69,20 @@ class PageFlow {
 
   /// Draws everything. `painter` is active on the writer. `progress` is told after every page.
   void render(QPainter& painter,
-              const std::function<void(std::size_t page, std::size_t pages)>& progress = {}) const;
+              const std::function<void(std::size_t page, std::size_t pages)>& progress = {});
+  /// Every part that was drawn, in this order.
+  [[nodiscard]] const std::vector<PdfPart>& parts() const noexcept { return parts_; }
 
  private:
   struct Block {
     double top_mm;
     double height_mm;
     Draw draw;
+    PdfPart part;
   };
-  void drawFrame(QPainter& painter, std::size_t page, double unit) const;
+  /// A part of the page that is drawn now begins.
+  void begin(QPainter& painter, PdfPart part);
+  void drawFrame(QPainter& painter, std::size_t page, double unit);
   [[nodiscard]] double bottom_mm() const;
   [[nodiscard]] QFont font(double points, bool bold) const;
 
@@ -85,6 +92,9 @@ class PageFlow {
   double cursor_mm_;
   std::vector<std::vector<Block>> pages_;
   std::vector<PdfBookmark> bookmarks_;
+  std::vector<PdfPart> parts_;
+  std::size_t page_ = 0;    // that is drawn now
+  std::size_t tables_ = 0;  // that were added
 };
 
 }  // namespace torsio

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <QString>
 
 namespace torsio {
+
+class PdfFile;
 
 /// A place in a PDF that a reader finds in the list beside the pages.
 struct PdfBookmark {
@@ -17,9 +18,7 @@ struct PdfBookmark {
   int level = 0;         ///< 0: of a section; 1: below the last of level 0 before it
 };
 
-/// Adds bookmarks and the language ("en", "zh-CN") to a PDF that Qt wrote, as an incremental update: what was
-/// there stays byte for byte. Throws Error{kBadData} when the file is none of Qt's form. Any thread.
-[[nodiscard]] std::string withBookmarks(std::string pdf, const std::vector<PdfBookmark>& bookmarks,
-                                        const std::string& language);
+/// Adds bookmarks, shown when the file is opened. Throws Error{kBadData} when the file is none of Qt's form.
+void addBookmarks(PdfFile& pdf, const std::vector<PdfBookmark>& bookmarks);
 
 }  // namespace torsio

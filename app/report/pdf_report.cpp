@@ -2,6 +2,7 @@
 #include "app/report/pdf_report.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -12,7 +13,9 @@
 
 #include "app/report/chart_builder.h"
 #include "app/report/page_flow.h"
+#include "app/report/pdf_file.h"
 #include "app/report/pdf_outline.h"
+#include "app/report/pdf_tags.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
 #include "sim/base/contracts.h"
@@ -141,15 +144,17 @@ class Composer {
                together_mm < flow_.page_mm() - kHeading_mm ? together_mm : height_mm + kHeading_mm);
     flow_.bookmark(say_(figure.title), 1);
     const double width_mm = flow_.width_mm();
-    flow_.add(
-        height_mm, [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
-          QGraphicsScene scene;
-          QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene owns it from here
-          scene.addItem(chart);
-          chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
-          scene.setSceneRect(chart->geometry());
-          scene.render(&painter, area, scene.sceneRect());
-        });
+    flow_.add(height_mm,
+              [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
+                QGraphicsScene scene;
+                QGraphicsWidget* chart =
+                    buildFigure(figure, {}, say).release();  // the scene owns it from here
+                scene.addItem(chart);
+                chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
+                scene.setSceneRect(chart->geometry());
+                scene.render(&painter, area, scene.sceneRect());
+              },
+              0.0, {PdfRole::kFigure, say_(figure.title)});
     if (printed) {
       flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
       flow_.space(1.0);
@@ -231,11 +236,14 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   }
 }
 
-void addBookmarks(const std::filesystem::path& file, const std::vector<PdfBookmark>& bookmarks,
-                  const std::string& language) {
-  std::string tag = language;
-  std::replace(tag.begin(), tag.end(), '_', '-');
-  writeFileAtomically(file, withBookmarks(readFile(file), bookmarks, tag));
+/// What Qt does not write: language and author, bookmarks, and what each part of a page is.
+void complete(const std::filesystem::path& file, const PageFlow& flow, const QString& author,
+              const std::string& language) {
+  PdfFile pdf(readFile(file));
+  addDescription(pdf, author, QString::fromStdString(language).replace(QLatin1Char('_'), QLatin1Char('-')));
+  addBookmarks(pdf, flow.bookmarks());
+  addTags(pdf, flow.parts());
+  writeFileAtomically(file, pdf.written());
 }
 
 }  // namespace
@@ -245,7 +253,7 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   PartFile part(file);
   bool painted = false;
-  std::vector<PdfBookmark> bookmarks;
+  std::optional<PageFlow> flow;
   {
     const QString version = QString::fromStdString(model.softwareVersion);
     QPdfWriter writer(QString::fromStdString(part.path().string()));
@@ -272,25 +280,25 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     style.pageText = [&wording](std::size_t page, std::size_t pages) {
       return wording(Text::tr("page %1 of %2", page, pages));
     };
-    PageFlow flow(writer, style);
-    compose(flow, model, wording);
+    flow.emplace(writer, style);
+    compose(*flow, model, wording);
     QPainter painter;
     if (painter.begin(&writer)) {
       try {
-        flow.render(painter, progress);
+        flow->render(painter, progress);
       } catch (...) {
         painter.end();
         throw;
       }
       painted = painter.end();
-      bookmarks = flow.bookmarks();
     }
   }
   if (!painted) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the report cannot be written"), file.string(),
                 Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
   }
-  addBookmarks(part.path(), bookmarks, language);
+  const QString centre = wording(model.centre);
+  complete(part.path(), *flow, centre.isEmpty() ? QStringLiteral("Torsio") : centre, language);
   part.finish();
 }
 

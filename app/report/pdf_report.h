@@ -14,9 +14,9 @@ namespace torsio {
 /// Told after every page: pages drawn so far and in all. May throw to give up.
 using PdfProgress = std::function<void(std::size_t page, std::size_t pages)>;
 
-/// Writes the whole report as a vector PDF (A4, fonts embedded, page x of y; bookmarks of sections, figures
-/// and tables) in the words of `wording`, through a temporary file. `language`: that of the words, for the
-/// file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread. Throws
+/// Writes the whole report as a vector PDF (PDF/A-1b, A4, page x of y; tagged, with bookmarks of sections,
+/// figures and tables) in the words of `wording`, through a temporary file. `language`: that of the words,
+/// for the file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread. Throws
 /// Error{kFileUnwritable}, or what `progress` throws; then an older file of that name is untouched and no
 /// half file is left.
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file,

@@ -18,6 +18,14 @@ QFont typeface() {
   return font;
 }
 
+QFont printedTypeface() {
+  constexpr double kApart_px =
+      1.0 / 64.0;  // the least that counts: letters with any space between are not joined
+  QFont font = typeface();
+  font.setLetterSpacing(QFont::AbsoluteSpacing, kApart_px);
+  return font;
+}
+
 QStringList missingTypefaces(const QStringList& installed) {
   QStringList missing;
   for (const char* family : {kTypeface, kFallbackTypeface, kChineseTypeface}) {

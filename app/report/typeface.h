@@ -21,6 +21,10 @@ inline constexpr const char* kChineseTypeface = "Noto Sans CJK SC";
 /// sets the size. Needs a QApplication. Any thread.
 [[nodiscard]] QFont typeface();
 
+/// Returns typeface() for what is printed or kept in a file: "ff" and "fi" stay two signs each, so that a
+/// hash or a password can be found and copied as it was written. Any thread.
+[[nodiscard]] QFont printedTypeface();
+
 /// Returns those of kTypeface, kFallbackTypeface and kChineseTypeface that are not among the `installed`
 /// families.
 [[nodiscard]] QStringList missingTypefaces(const QStringList& installed);

@@ -31,7 +31,7 @@ UprightTitle::UprightTitle(QString words, const ChartLook& look, QGraphicsItem* 
 }
 
 QFont UprightTitle::font(int pixels) const {
-  QFont font = typeface();
+  QFont font = printedTypeface();
   font.setPixelSize(pixels);
   return font;
 }

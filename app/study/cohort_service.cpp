@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
+#include "app/study/day_plan.h"
 #include "app/study/scoring_due.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
@@ -110,6 +112,20 @@ void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& 
          Text::tr("Choose a phase of the trainee's own arm"));
 }
 
+/// Where somebody is expected, called or training, or sheets are due by the end of the day.
+std::set<CohortId> cohortsOfToday(SessionContext& session) {
+  const std::int64_t from_us = session.now_us() - kHalfDay_us;
+  const std::int64_t to_us = session.now_us() + kHalfDay_us;
+  std::set<CohortId> today;
+  for (const CohortId& id : StudyRepository(session.connection()).cohortsAtWork(from_us, to_us)) {
+    today.insert(id);
+  }
+  for (const CohortId& id : SheetRepository(session.connection()).cohortsAwaited(from_us, to_us)) {
+    today.insert(id);
+  }
+  return today;
+}
+
 }  // namespace
 
 std::vector<CohortRow> cohorts(SessionContext& session) {
@@ -117,6 +133,7 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
   StudyRepository study(session.connection());
   CurriculumRepository curricula(session.connection());
   std::vector<CohortRow> rows;
+  const std::set<CohortId> today = cohortsOfToday(session);
   for (Cohort& cohort : study.cohorts()) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
@@ -138,10 +155,26 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
         }
       }
     }
+    row.today = today.contains(cohort.id);
     row.cohort = std::move(cohort);
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::size_t cohortShownFirst(std::span<const CohortRow> rows) {
+  const auto rank = [](const CohortRow& row) {
+    const CohortState state = row.cohort.state;
+    return std::tuple(state != CohortState::kArchived, row.today,
+                      row.allocated > 0 && state == CohortState::kRunning, row.allocated > 0, row.allocated);
+  };
+  std::size_t first = rows.size();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (first == rows.size() || !(rank(rows[i]) < rank(rows[first]))) {
+      first = i;
+    }
+  }
+  return first;
 }
 
 std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohortId) {
@@ -357,51 +390,6 @@ void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const 
                 .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                 .reason = reason});
   transaction.commit();
-}
-
-const std::vector<std::string>& deviationKinds() {
-  static const std::vector<std::string> kKinds{
-      "late",           "absent",        "device failed", "swapped", "phase cut short",
-      "phase too long", "rest too long", "other"};
-  return kKinds;
-}
-
-DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation) {
-  session.require(Operation::kStudySetup);
-  if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
-    refuse(Text::tr("this kind of deviation is not known"), deviation.kind,
-           Text::tr("Choose one from the list"));
-  }
-  if (deviation.kind == "other" && deviation.description.empty()) {
-    refuse(Text::tr("\"other\" needs a description"), Text::tr("deviation"),
-           Text::tr("Say in a few words what happened"));
-  }
-  Transaction transaction(session.connection());
-  StudyRepository study(session.connection());
-  const Cohort cohort = study.cohort(deviation.cohortId);
-  if (!deviation.enrolmentId.empty()) {
-    (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
-  }
-  const std::int64_t now_us = session.now_us();
-  const DeviationId id = session.ids().newUuid();
-  study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
-                      deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
-                      session.actor().userId, now_us, cohort.demonstration});
-  // The description is free text and may name somebody: it stays out of the trail.
-  session.note({.action = AuditAction::kDeviationReport,
-                .objectKind = AuditObject::kDeviation,
-                .objectId = id,
-                .newJson =
-                    nlohmann::json{
-                        {"kind", deviation.kind}, {"cohort", cohort.id}, {"enrolment", deviation.enrolmentId}}
-                        .dump()});
-  transaction.commit();
-  return id;
-}
-
-std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortId& cohortId) {
-  session.require(Operation::kPersonViewCoded);
-  return StudyRepository(session.connection()).deviations(cohortId);
 }
 
 namespace {

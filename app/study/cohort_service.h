@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,16 @@ struct CohortRow {
   std::size_t withdrawn = 0;
   std::string curriculumName{};  ///< empty: follows none yet
   std::int64_t curriculumNumber = 0;
+  bool today = false;  ///< somebody is expected, called or training today, or sheets are due by now
 };
 
 /// All cohorts, oldest first. kPersonViewCoded.
 [[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& session);
+/// Which cohort a page shows first: the one of today; of several, or of none, the largest of those that run
+/// and are in groups; then the largest that is in groups; the newest one else. Archived ones never, unless
+/// nothing else is there. Position in `rows`; their number when there are none. Of equals the newest.
+[[nodiscard]] std::size_t cohortShownFirst(std::span<const CohortRow> rows);
+
 /// Enrolments in order of group and number. Without kAllocationView the groups are left out.
 /// kPersonViewCoded.
 [[nodiscard]] std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohortId);
@@ -87,6 +94,12 @@ struct NewDeviation {
 [[nodiscard]] const std::vector<std::string>& deviationKinds();
 /// Audited. kStudySetup.
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation);
+/// What happened to several at once: all are noted or none. As reportDeviation().
+void reportDeviations(SessionContext& session, std::span<const NewDeviation> deviations);
+/// Notes of each of these deviations that it was entered in error: what stands stays, the correction stands
+/// beside it. All or none. Audited. kStudySetup. Throws Error{kBadData}: no reason, or none of this cohort.
+void correctDeviations(SessionContext& session, const CohortId& cohortId,
+                       std::span<const DeviationId> deviationIds, const std::string& reason);
 /// Oldest first. kPersonViewCoded.
 [[nodiscard]] std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortId& cohortId);
 

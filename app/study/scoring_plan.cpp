@@ -288,64 +288,6 @@ ScoringMatrix scoringMatrix(SessionContext& session, const CohortId& cohortId) {
   return matrix;
 }
 
-AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId, const RaterId& newRaterId,
-                      const std::string& reason) {
-  session.require(Operation::kStudySetup);
-  if (reason.empty()) {
-    refuse(Text::tr("taking a sheet from its rater needs a reason"), assignmentId, Text::tr("Say why"));
-  }
-  Transaction transaction(session.connection());
-  SheetRepository sheets(session.connection());
-  const auto before = sheets.findAssignment(assignmentId);
-  if (!before) {
-    refuse(Text::tr("there is no such sheet"), assignmentId, Text::tr("Read the matrix again"));
-  }
-  if (before->state == SheetState::kWithdrawn) {
-    refuse(Text::tr("the sheet was withdrawn already"), before->assignment.caseLabel,
-           Text::tr("Read the matrix again"));
-  }
-  sheets.withdraw(assignmentId, reason, session.actor().userId, session.now_us());
-  AssignmentId newId;
-  if (!newRaterId.empty()) {
-    Assignment next = before->assignment;
-    std::set<std::string> labels;
-    std::int64_t position = 0;
-    for (const Assignment& other : sheets.assignmentsOf(newRaterId)) {
-      if (other.enrolmentId == next.enrolmentId && other.occasionCode == next.occasionCode) {
-        refuse(Text::tr("the other rater was asked about this case before"), other.caseLabel,
-               Text::tr("Choose somebody else"));
-      }
-      labels.insert(other.caseLabel);
-      position = std::max(position, other.position);
-    }
-    const std::vector<Rater> raters = PeopleRepository(session.connection()).raters();
-    if (std::none_of(raters.begin(), raters.end(), [&](const Rater& rater) {
-          return rater.person.id == newRaterId && rater.person.state == PersonState::kActive;
-        })) {
-      refuse(Text::tr("this is no active rater"), newRaterId, Text::tr("Choose one from the list"));
-    }
-    newId = session.ids().newUuid();
-    next.id = newId;
-    next.raterId = newRaterId;
-    next.position = position + 1;
-    // A live case is called out in the room: it keeps its label unless the new rater knows another by it.
-    if (!next.trialId.empty() || labels.contains(next.caseLabel)) {
-      next.caseLabel = caseLabels(1, labels, drawSeed(session.ids()), kCommonLabels).front();
-    }
-    next.assignedBy = session.actor().userId;
-    next.assignedUtc_us = session.now_us();
-    sheets.assign(std::span(&next, 1));
-  }
-  session.note({.action = newId.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
-                .objectKind = AuditObject::kAssignment,
-                .objectId = assignmentId,
-                .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
-                .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),
-                .reason = reason});
-  transaction.commit();
-  return newId;
-}
-
 std::vector<ReleaseState> releaseStates(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kMarkRelease);
   SheetRepository sheets(session.connection());

@@ -79,12 +79,6 @@ struct ScoringMatrix {
 /// Who has scored whom; no marks. kStudySetup.
 [[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& session, const CohortId& cohortId);
 
-/// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
-/// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
-/// submitted already, or the other rater was asked about this case before.
-AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId, const RaterId& newRaterId,
-                      const std::string& reason);
-
 /// What stands before a release.
 struct ReleaseState {
   Occasion occasion{};

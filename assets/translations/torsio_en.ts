@@ -2,6 +2,30 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>Reassignment</name>
+    <message numerus="yes">
+        <source>The sheets of %n row(s) of the matrix.</source>
+        <translation>
+            <numerusform>The sheets of %n row of the matrix.</numerusform>
+            <numerusform>The sheets of %n rows of the matrix.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) change hands.</source>
+        <translation>
+            <numerusform>%n sheet changes hands.</numerusform>
+            <numerusform>%n sheets change hands.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stay(s): the other rater is asked about these cases already.</source>
+        <translation>
+            <numerusform>%n stays: the other rater is asked about this case already.</numerusform>
+            <numerusform>%n stay: the other rater is asked about these cases already.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReminderText</name>
     <message numerus="yes">
         <source>Copied: the sheets that %n rater(s) owe</source>
@@ -138,6 +162,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::ConsentDialog</name>
+    <message numerus="yes">
+        <source>Enter here what all %n of them signed on paper on the same day. Every decision is kept; the newest of a person about a purpose counts.</source>
+        <translation>
+            <numerusform>Enter here what %n person signed on paper. Every decision is kept; the newest of a person about a purpose counts.</numerusform>
+            <numerusform>Enter here what all %n of them signed on paper on the same day. Every decision is kept; the newest of a person about a purpose counts.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ConsentTextsDialog</name>
     <message numerus="yes">
         <source>%n form(s) written, the last one without a code</source>
@@ -191,6 +225,16 @@
         <translation>
             <numerusform>One twist was not completed and is not counted.</numerusform>
             <numerusform>%n twists were not completed and are not counted.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DeviationsDialog</name>
+    <message numerus="yes">
+        <source>%n deviation(s) stay as they are; a correction with this reason stands beside each, in the report as well.</source>
+        <translation>
+            <numerusform>%n deviation stays as it is; a correction with this reason stands beside it, in the report as well.</numerusform>
+            <numerusform>%n deviations stay as they are; a correction with this reason stands beside each, in the report as well.</numerusform>
         </translation>
     </message>
 </context>
@@ -255,13 +299,6 @@
         <translation>
             <numerusform>✗ Checked: one finding: %1</numerusform>
             <numerusform>✗ Checked: %n findings, first: %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The identity of %1 and %n recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
-        <translation>
-            <numerusform>The identity of %1 and %n recording are erased for good. Marks stay without a person, so that statistics remain right.</numerusform>
-            <numerusform>The identity of %1 and %n recordings are erased for good. Marks stay without a person, so that statistics remain right.</numerusform>
         </translation>
     </message>
 </context>
@@ -344,6 +381,23 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::RaterCalibrationDialog</name>
+    <message numerus="yes">
+        <source>No physician is given the chosen runs any more (%n). Marks given on them stay. A run that is withdrawn cannot be used for rater calibration again.</source>
+        <translation>
+            <numerusform>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</numerusform>
+            <numerusform>No physician is given these %n runs any more. Marks given on them stay. A run that is withdrawn cannot be used for rater calibration again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Withdrawn from rater calibration: %n run(s)</source>
+        <translation>
+            <numerusform>Withdrawn from rater calibration: %n run</numerusform>
+            <numerusform>Withdrawn from rater calibration: %n runs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ReadoutPanel</name>
     <message numerus="yes">
         <source>%1, %n late</source>
@@ -364,6 +418,23 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::RemindDialog</name>
+    <message numerus="yes">
+        <source>&amp;Send %n message(s)</source>
+        <translation>
+            <numerusform>&amp;Send %n message</numerusform>
+            <numerusform>&amp;Send %n messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ The mail server took %n message(s).</source>
+        <translation>
+            <numerusform>✓ The mail server took %n message.</numerusform>
+            <numerusform>✓ The mail server took %n messages.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ReplayPanel</name>
     <message numerus="yes">
         <source>at least %n twist(s)</source>
@@ -374,12 +445,60 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::RequestsDialog</name>
+    <message numerus="yes">
+        <source>%1 asks for these %n account(s): %2. Do you know of them, and are they right? What is not about an account is confirmed by itself.</source>
+        <translation>
+            <numerusform>%1 asks for %n account: %2. Do you know of it, and is it right? What is not about an account is confirmed by itself.</numerusform>
+            <numerusform>%1 asks for these %n accounts: %2. Do you know of them, and are they right? What is not about an account is confirmed by itself.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n request(s) are closed and stay in the audit trail.</source>
+        <translation>
+            <numerusform>%n request is closed and stays in the audit trail.</numerusform>
+            <numerusform>%n requests are closed and stay in the audit trail.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::RestorePage</name>
     <message numerus="yes">
         <source>Erased after this backup: %n person(s). They stay erased.</source>
         <translation>
             <numerusform>Erased after this backup: one person, who stays erased.</numerusform>
             <numerusform>Erased after this backup: %n people. They stay erased.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RetentionQueue</name>
+    <message numerus="yes">
+        <source>Kept for another year: %n record(s), %1.</source>
+        <translation>
+            <numerusform>Kept for another year: %n record, %1.</numerusform>
+            <numerusform>Kept for another year: %n records, %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>No longer held: %n record(s), %1.</source>
+        <translation>
+            <numerusform>No longer held: %n record, %1.</numerusform>
+            <numerusform>No longer held: %n records, %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Kept until somebody releases them: %n record(s), %1.</source>
+        <translation>
+            <numerusform>Kept until somebody releases it: %n record, %1.</numerusform>
+            <numerusform>Kept until somebody releases them: %n records, %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The identities of %1 are erased for good, and %n recording(s) with them. Marks stay without a person, so that statistics remain right.</source>
+        <translation>
+            <numerusform>The identities of %1 are erased for good, and %n recording with them. Marks stay without a person, so that statistics remain right.</numerusform>
+            <numerusform>The identities of %1 are erased for good, and %n recordings with them. Marks stay without a person, so that statistics remain right.</numerusform>
         </translation>
     </message>
 </context>
@@ -395,13 +514,6 @@
 </context>
 <context>
     <name>torsio::gui::RunDayPage</name>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>and %n more</numerusform>
-            <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>Written: %n trainee(s) to call</source>
         <translation>
@@ -441,6 +553,13 @@
         <translation>
             <numerusform>%n sheet asked for</numerusform>
             <numerusform>%n sheets asked for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) changed hands. Reassign takes them back, too.</source>
+        <translation>
+            <numerusform>%n sheet changed hands. Reassign takes it back, too.</numerusform>
+            <numerusform>%n sheets changed hands. Reassign takes them back, too.</numerusform>
         </translation>
     </message>
 </context>

@@ -36,6 +36,77 @@
     </message>
 </context>
 <context>
+    <name>AlertPanel</name>
+    <message>
+        <source>recordings cut off: %1</source>
+        <translation>录制中断：%1</translation>
+    </message>
+    <message>
+        <source>stations that do not answer: %1</source>
+        <translation>没有应答的工作站：%1</translation>
+    </message>
+    <message>
+        <source>devices not fit: %1</source>
+        <translation>设备不合格：%1</translation>
+    </message>
+    <message>
+        <source>uneven runs: %1</source>
+        <translation>力反馈不稳的操作：%1</translation>
+    </message>
+    <message>
+        <source>overdue: %1</source>
+        <translation>逾期：%1</translation>
+    </message>
+    <message>
+        <source>rests too long: %1</source>
+        <translation>休息过长：%1</translation>
+    </message>
+    <message>
+        <source>sheets missing: %1</source>
+        <translation>缺少评分表：%1</translation>
+    </message>
+    <message>
+        <source>without a group: %1</source>
+        <translation>未分组：%1</translation>
+    </message>
+    <message>
+        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
+        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer since %2.</source>
+        <translation>%1 自 %2 起无响应。</translation>
+    </message>
+    <message>
+        <source>%1: the device is not fit for graded runs: %2.</source>
+        <translation>%1：设备不可用于计分操作：%2。</translation>
+    </message>
+    <message>
+        <source>%1, last run: %2. %3.</source>
+        <translation>%1，上次操作：%2。%3。</translation>
+    </message>
+    <message>
+        <source>%1 was expected at %2, %3, and has not begun.</source>
+        <translation>%1 应于 %2 在 %3 开始，但尚未开始。</translation>
+    </message>
+    <message>
+        <source>%1 has rested longer than allowed.</source>
+        <translation>%1 的休息超过规定时间。</translation>
+    </message>
+    <message>
+        <source>%1: sheets still missing: %2.</source>
+        <translation>%1：仍缺评分表：%2。</translation>
+    </message>
+    <message>
+        <source>Trainees without a group: %1. Draw them under Allocation.</source>
+        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
+    </message>
+    <message>
+        <source>What needs attention</source>
+        <translation>需要注意的事项</translation>
+    </message>
+</context>
+<context>
     <name>CopiesText</name>
     <message>
         <source>These copies still hold this person; Torsio deletes none of them:</source>
@@ -144,42 +215,50 @@
     </message>
 </context>
 <context>
-    <name>ListDialogs</name>
+    <name>MailServerDialog</name>
     <message>
-        <source>&amp;Close</source>
-        <translation>关闭(&amp;C)</translation>
+        <source>Mail server</source>
+        <translation>邮件服务器</translation>
     </message>
     <message>
-        <source>the whole cohort</source>
-        <translation>整个批次</translation>
+        <source>Reminders go through this server of your centre. Its password is kept nowhere: whoever sends enters it.</source>
+        <translation>提醒通过贵中心的这台服务器发送。密码不保存在任何地方：由发送者输入。</translation>
     </message>
     <message>
-        <source>Deviations</source>
-        <translation>方案偏离</translation>
+        <source>STARTTLS (port 587)</source>
+        <translation>STARTTLS（端口 587）</translation>
     </message>
     <message>
-        <source>What went otherwise than the protocol says. The report lists it as well.</source>
-        <translation>与方案不符的情况，报告中也会列出。</translation>
+        <source>TLS from the beginning (port 465)</source>
+        <translation>全程 TLS（端口 465）</translation>
     </message>
     <message>
-        <source>When</source>
-        <translation>时间</translation>
+        <source>none: a server on this computer</source>
+        <translation>无：本机上的服务器</translation>
     </message>
     <message>
-        <source>Trainee</source>
-        <translation>学员</translation>
+        <source>&amp;Server</source>
+        <translation>服务器(&amp;S)</translation>
     </message>
     <message>
-        <source>Kind</source>
-        <translation>类型</translation>
+        <source>&amp;Encryption</source>
+        <translation>加密(&amp;E)</translation>
     </message>
     <message>
-        <source>Description</source>
-        <translation>说明</translation>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
     </message>
     <message>
-        <source>No deviation was noted.</source>
-        <translation>没有记录任何方案偏离。</translation>
+        <source>Sign-in &amp;name, if it asks for one</source>
+        <translation>登录名(&amp;N)，如果需要</translation>
+    </message>
+    <message>
+        <source>Messages come &amp;from</source>
+        <translation>发件地址(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>
@@ -750,6 +829,71 @@
     </message>
 </context>
 <context>
+    <name>Reassignment</name>
+    <message>
+        <source>Reassign sheets</source>
+        <translation>改派评分表</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>The sheets of %n row(s) of the matrix.</source>
+        <translation>
+            <numerusform>评分矩阵中 %n 行的评分表。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: taken back %2</source>
+        <translation>%1：已收回 %2</translation>
+    </message>
+    <message>
+        <source>%1: open or begun %2</source>
+        <translation>%1：未填或已开始 %2</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>从(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>给(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Reassign</source>
+        <translation>改派</translation>
+    </message>
+    <message>
+        <source>%1 again</source>
+        <translation>仍交给 %1</translation>
+    </message>
+    <message>
+        <source>nobody: take them back only</source>
+        <translation>无人：仅收回</translation>
+    </message>
+    <message>
+        <source>None of these sheets is open or was taken back.</source>
+        <translation>这些评分表中没有未填或已收回的。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) change hands.</source>
+        <translation>
+            <numerusform>将转交 %n 份评分表。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stay(s): the other rater is asked about these cases already.</source>
+        <translation>
+            <numerusform>保留 %n 份：另一位评分者已被邀请评这些案例。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReminderText</name>
     <message>
         <source>case %1 (late; called %2)</source>
@@ -1038,36 +1182,8 @@
         <translation>邀请</translation>
     </message>
     <message>
-        <source>Reassign a sheet</source>
-        <translation>改派评分表</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>nobody: take it back only</source>
-        <translation>无人：仅收回</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;From</source>
-        <translation>从(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;To</source>
-        <translation>给(&amp;T)</translation>
-    </message>
-    <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Reassign</source>
-        <translation>改派</translation>
     </message>
     <message>
         <source>Release marks</source>
@@ -1152,6 +1268,10 @@
     <message>
         <source>%1, %2: sheets waiting: %3</source>
         <translation>%1，%2：待评 %3 份</translation>
+    </message>
+    <message>
+        <source>for each case the freest of the same class</source>
+        <translation>每个案例交给同类别中任务最少者</translation>
     </message>
 </context>
 <context>
@@ -1953,8 +2073,8 @@
         <translation>分阶段复位（1 是，0 否）</translation>
     </message>
     <message>
-        <source>Simple randomisation (the paper&apos;s case)</source>
-        <translation>简单随机化（论文的做法）</translation>
+        <source>One shuffle of everybody (as in the paper)</source>
+        <translation>全体一次洗牌（同论文）</translation>
     </message>
 </context>
 <context>
@@ -5407,10 +5527,6 @@
         <translation>器官或其参数与录制中的不同</translation>
     </message>
     <message>
-        <source>the other rater was asked about this case before</source>
-        <translation>已就此案例邀请过另一位评分者</translation>
-    </message>
-    <message>
         <source>the outline of the section crosses itself</source>
         <translation>截面轮廓自相交</translation>
     </message>
@@ -7385,10 +7501,6 @@
     <message>
         <source>fewer than two persons or raters have ratings that are not extreme</source>
         <translation>非极端评分的受评者或评分者少于两名</translation>
-    </message>
-    <message>
-        <source>further rows in the report: %1</source>
-        <translation>报告中另有 %1 行</translation>
     </message>
     <message>
         <source>group</source>
@@ -15268,6 +15380,118 @@ audit trail %3</source>
         <source>nobody has a score at every occasion</source>
         <translation>无人在每个评分时点都有得分</translation>
     </message>
+    <message>
+        <source>all %1 rows</source>
+        <translation>全部 %1 行</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows</source>
+        <translation>%2 行中的 %1 行</translation>
+    </message>
+    <message>
+        <source>Show fewer</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>this is no mail address</source>
+        <translation>这不是邮件地址</translation>
+    </message>
+    <message>
+        <source>Write it like li@example.org</source>
+        <translation>请写成 li@example.org 的形式</translation>
+    </message>
+    <message>
+        <source>this is no name of a server</source>
+        <translation>这不是服务器名</translation>
+    </message>
+    <message>
+        <source>Write it like mail.example.org</source>
+        <translation>请写成 mail.example.org 的形式</translation>
+    </message>
+    <message>
+        <source>the mail server refuses the sign-in: %1</source>
+        <translation>邮件服务器拒绝登录：%1</translation>
+    </message>
+    <message>
+        <source>Check the sign-in name and the password</source>
+        <translation>请检查登录名和密码</translation>
+    </message>
+    <message>
+        <source>the mail server refuses: %1</source>
+        <translation>邮件服务器拒绝：%1</translation>
+    </message>
+    <message>
+        <source>Check its settings</source>
+        <translation>请检查其设置</translation>
+    </message>
+    <message>
+        <source>the mail server does not answer: %1</source>
+        <translation>邮件服务器没有应答：%1</translation>
+    </message>
+    <message>
+        <source>Check its name, port and encryption, and the network</source>
+        <translation>请检查其名称、端口、加密方式和网络</translation>
+    </message>
+    <message>
+        <source>without encryption messages go to a server on this computer only</source>
+        <translation>不加密时只能发往本机上的服务器</translation>
+    </message>
+    <message>
+        <source>Choose an encryption</source>
+        <translation>请选择加密方式</translation>
+    </message>
+    <message>
+        <source>Message to %1</source>
+        <translation>发给 %1 的邮件</translation>
+    </message>
+    <message>
+        <source>retention</source>
+        <translation>保存期限</translation>
+    </message>
+    <message>
+        <source>Choose at least one person</source>
+        <translation>请至少选择一人</translation>
+    </message>
+    <message>
+        <source>the description of the pages has no title</source>
+        <translation>页面说明缺少标题</translation>
+    </message>
+    <message>
+        <source>a correction needs a reason</source>
+        <translation>更正必须说明理由</translation>
+    </message>
+    <message>
+        <source>Say what was wrong</source>
+        <translation>请说明哪里有误</translation>
+    </message>
+    <message>
+        <source>this deviation is not of the cohort</source>
+        <translation>该方案偏离不属于此批次</translation>
+    </message>
+    <message>
+        <source>the other rater is asked about this case already</source>
+        <translation>另一位评分者已被邀请评此案例</translation>
+    </message>
+    <message>
+        <source>sheets</source>
+        <translation>评分表</translation>
+    </message>
+    <message>
+        <source>none of these sheets can be moved (submitted: %1, asked already: %2)</source>
+        <translation>这些评分表均无法转交（已提交：%1，已被邀请：%2）</translation>
+    </message>
+    <message>
+        <source>Choose other sheets or another rater</source>
+        <translation>请选择其他评分表或其他评分者</translation>
+    </message>
+    <message>
+        <source>the sheet was not taken back from its rater</source>
+        <translation>该评分表未从评分者处收回</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -17139,6 +17363,16 @@ MSM = 质点弹簧</translation>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
     </message>
+    <message numerus="yes">
+        <source>Enter here what all %n of them signed on paper on the same day. Every decision is kept; the newest of a person about a purpose counts.</source>
+        <translation>
+            <numerusform>请在此录入这 %n 人同日在纸上签署的决定。每次决定都会保留，每人对同一用途以最新的为准。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ConsentPage</name>
@@ -18352,6 +18586,63 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Pressure of the content in mmHg</source>
         <translation>内容物压力（mmHg）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DeviationsDialog</name>
+    <message>
+        <source>Deviations</source>
+        <translation>方案偏离</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>性质</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>No deviation was noted.</source>
+        <translation>没有记录任何方案偏离。</translation>
+    </message>
+    <message>
+        <source>Entered in &amp;error…</source>
+        <translation>误录(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Notes beside the chosen ones that they are wrong, and why; nothing is removed</source>
+        <translation>在所选各条旁注明有误及原因；不删除任何内容</translation>
+    </message>
+    <message>
+        <source>What went otherwise than the protocol says. The report lists it as well.</source>
+        <translation>与方案不符的情况，报告中也会列出。</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>the whole cohort</source>
+        <translation>整个批次</translation>
+    </message>
+    <message>
+        <source>Entered in error</source>
+        <translation>误录</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n deviation(s) stay as they are; a correction with this reason stands beside each, in the report as well.</source>
+        <translation>
+            <numerusform>%n 条方案偏离保持原样；每条旁附上含此理由的更正，报告中亦然。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -20049,18 +20340,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::MaintenancePage</name>
     <message>
-        <source>to be reviewed</source>
-        <translation>待审查</translation>
-    </message>
-    <message>
-        <source>locked: %1</source>
-        <translation>已锁定：%1</translation>
-    </message>
-    <message>
-        <source>kept longer: %1</source>
-        <translation>延长保存：%1</translation>
-    </message>
-    <message>
         <source>%1, %2 free on the disk</source>
         <translation>%1，磁盘剩余 %2</translation>
     </message>
@@ -20083,14 +20362,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
         <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
-    </message>
-    <message>
-        <source>&amp;Release…</source>
-        <translation>解除(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>&amp;Lock…</source>
-        <translation>锁定(&amp;L)…</translation>
     </message>
     <message>
         <source>Backing up</source>
@@ -20125,34 +20396,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Remove the demonstration</source>
         <translation>删除演示数据</translation>
-    </message>
-    <message>
-        <source>Keep longer</source>
-        <translation>延长保存</translation>
-    </message>
-    <message>
-        <source>The record of %1 is kept for another year.</source>
-        <translation>%1 的记录再保存一年。</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>释放</translation>
-    </message>
-    <message>
-        <source>The record of %1 is no longer held.</source>
-        <translation>%1 的记录不再保留。</translation>
-    </message>
-    <message>
-        <source>Lock</source>
-        <translation>锁定</translation>
-    </message>
-    <message>
-        <source>The record of %1 is kept until somebody releases it.</source>
-        <translation>%1 的记录将一直保留，直到有人解除。</translation>
-    </message>
-    <message>
-        <source>Erase a record</source>
-        <translation>删除个人记录</translation>
     </message>
     <message>
         <source>Maintenance of the record</source>
@@ -20207,54 +20450,6 @@ Leave it empty to remove it.</source>
         <translation>迁移到 PostgreSQL(&amp;V)…</translation>
     </message>
     <message>
-        <source>Records due for review</source>
-        <translation>到期待审查的记录</translation>
-    </message>
-    <message>
-        <source>&amp;Keep longer…</source>
-        <translation>延长保存(&amp;K)…</translation>
-    </message>
-    <message>
-        <source>&amp;Erase…</source>
-        <translation>删除(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Person</source>
-        <translation>人员</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Lawful basis</source>
-        <translation>法律依据</translation>
-    </message>
-    <message>
-        <source>Last activity</source>
-        <translation>最近活动</translation>
-    </message>
-    <message>
-        <source>Due since</source>
-        <translation>到期时间</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
-    </message>
-    <message>
-        <source>No record is due.</source>
-        <translation>没有到期的记录。</translation>
-    </message>
-    <message>
-        <source>R&amp;ules…</source>
-        <translation>规则(&amp;U)…</translation>
-    </message>
-    <message>
-        <source>How long records are kept, and on what lawful basis</source>
-        <translation>记录保存多久，依据何种法律依据</translation>
-    </message>
-    <message>
         <source>Head of the audit trail, to be kept elsewhere: %1</source>
         <translation>审计记录的链头，请另处保存：%1</translation>
     </message>
@@ -20291,12 +20486,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>The simulated people (%1) and all that belongs to them go at once. This cannot be taken back.</source>
         <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
-    </message>
-    <message numerus="yes">
-        <source>The identity of %1 and %n recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
-        <translation>
-            <numerusform>%1 的身份信息和 %n 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</numerusform>
-        </translation>
     </message>
     <message>
         <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. Make one: Audit trail, Heads.</source>
@@ -21683,12 +21872,20 @@ Leave it empty to remove it.</source>
         <translation>撤回参考操作</translation>
     </message>
     <message>
-        <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
-        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分校准。</translation>
+        <source>Withdraw reference runs</source>
+        <translation>撤回参考操作</translation>
     </message>
-    <message>
-        <source>The reference run is withdrawn</source>
-        <translation>参考操作已撤回</translation>
+    <message numerus="yes">
+        <source>No physician is given the chosen runs any more (%n). Marks given on them stay. A run that is withdrawn cannot be used for rater calibration again.</source>
+        <translation>
+            <numerusform>所选的 %n 个参考操作不再分给任何医师。已给出的评分保留。撤回后不能再用于评分校准。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Withdrawn from rater calibration: %n run(s)</source>
+        <translation>
+            <numerusform>已从评分校准中撤回 %n 个参考操作</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -22041,6 +22238,93 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Save my marks</source>
         <translation>保存自评(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RemindDialog</name>
+    <message>
+        <source>Mail &amp;server…</source>
+        <translation>邮件服务器(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Reminders</source>
+        <translation>提醒</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Mail address</source>
+        <translation>邮件地址</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>评分表</translation>
+    </message>
+    <message>
+        <source>Late</source>
+        <translation>逾期</translation>
+    </message>
+    <message>
+        <source>Nobody owes a sheet.</source>
+        <translation>没有人欠交评分表。</translation>
+    </message>
+    <message>
+        <source>Each of the chosen raters gets a message with the labels of their own cases, and nothing else.</source>
+        <translation>每位所选评分者收到一封邮件，其中只有本人案例的编号。</translation>
+    </message>
+    <message>
+        <source>&amp;Password of the mail server</source>
+        <translation>邮件服务器密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>none is known</source>
+        <translation>没有地址</translation>
+    </message>
+    <message>
+        <source>By %1, from %2</source>
+        <translation>经由 %1，发件人 %2</translation>
+    </message>
+    <message>
+        <source>The centre has set no mail server: set one, or copy the reminders into your own mail.</source>
+        <translation>中心尚未设置邮件服务器：请设置，或将提醒复制到您自己的邮件中。</translation>
+    </message>
+    <message numerus="yes">
+        <source>&amp;Send %n message(s)</source>
+        <translation>
+            <numerusform>发送 %n 封邮件(&amp;S)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Torsio: sheets to submit</source>
+        <translation>Torsio：待提交的评分表</translation>
+    </message>
+    <message>
+        <source>Sending reminders</source>
+        <translation>正在发送提醒</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ The mail server took %n message(s).</source>
+        <translation>
+            <numerusform>✓ 邮件服务器已接收 %n 封邮件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>! Not taken by the mail server:</source>
+        <translation>! 邮件服务器未接收：</translation>
     </message>
 </context>
 <context>
@@ -22452,16 +22736,28 @@ Leave it empty to remove it.</source>
         <translation>拒绝</translation>
     </message>
     <message>
-        <source>The request is closed and stays in the audit trail.</source>
-        <translation>该申请将关闭，并保留在审计记录中。</translation>
-    </message>
-    <message>
         <source>Choose the backup %1: restoring it confirms the request</source>
         <translation>请选择备份 %1：恢复它即为确认该申请</translation>
     </message>
     <message>
         <source>The keeper of the allocation opens it on this page: that confirms the request</source>
         <translation>由分组管理员在此页面启封：即为确认该申请</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 asks for these %n account(s): %2. Do you know of them, and are they right? What is not about an account is confirmed by itself.</source>
+        <translation>
+            <numerusform>%1 申请了这 %n 个账户：%2。您是否知情，内容是否正确？与账户无关的申请需单独确认。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sealing the start passwords</source>
+        <translation>正在封存初始密码</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n request(s) are closed and stay in the audit trail.</source>
+        <translation>
+            <numerusform>%n 项申请将关闭，并保留在审计记录中。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -22638,6 +22934,121 @@ Leave it empty to remove it.</source>
     <message>
         <source>There is nothing to show yet: no cohort has marks or recordings.</source>
         <translation>暂无内容：没有批次有评分或录制。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RetentionQueue</name>
+    <message>
+        <source>to be reviewed</source>
+        <translation>待审查</translation>
+    </message>
+    <message>
+        <source>locked: %1</source>
+        <translation>已锁定：%1</translation>
+    </message>
+    <message>
+        <source>kept longer: %1</source>
+        <translation>延长保存：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Release…</source>
+        <translation>解除(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Lock…</source>
+        <translation>锁定(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Keep longer</source>
+        <translation>延长保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>Kept for another year: %n record(s), %1.</source>
+        <translation>
+            <numerusform>再保存一年：%n 份记录，%1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>释放</translation>
+    </message>
+    <message numerus="yes">
+        <source>No longer held: %n record(s), %1.</source>
+        <translation>
+            <numerusform>不再保留：%n 份记录，%1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message numerus="yes">
+        <source>Kept until somebody releases them: %n record(s), %1.</source>
+        <translation>
+            <numerusform>一直保留，直到有人解除：%n 份记录，%1。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The identities of %1 are erased for good, and %n recording(s) with them. Marks stay without a person, so that statistics remain right.</source>
+        <translation>
+            <numerusform>%1 的身份信息连同 %n 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Backups and packages may still hold them: torsio db copies lists all.</source>
+        <translation>备份和数据包中可能仍有这些人：用 torsio db copies 可列出全部。</translation>
+    </message>
+    <message>
+        <source>Erase records</source>
+        <translation>删除记录</translation>
+    </message>
+    <message>
+        <source>Records due for review</source>
+        <translation>到期待审查的记录</translation>
+    </message>
+    <message>
+        <source>&amp;Keep longer…</source>
+        <translation>延长保存(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Erase…</source>
+        <translation>删除(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>R&amp;ules…</source>
+        <translation>规则(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>How long records are kept, and on what lawful basis</source>
+        <translation>记录保存多久，依据何种法律依据</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Lawful basis</source>
+        <translation>法律依据</translation>
+    </message>
+    <message>
+        <source>Last activity</source>
+        <translation>最近活动</translation>
+    </message>
+    <message>
+        <source>Due since</source>
+        <translation>到期时间</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No record is due. Rules says after how long without activity a record is listed here.</source>
+        <translation>没有到期的记录。“规则”规定记录无活动多久后列于此处。</translation>
     </message>
 </context>
 <context>
@@ -23197,32 +23608,6 @@ Leave it empty to remove it.</source>
         <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
     </message>
     <message>
-        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
-        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
-    </message>
-    <message>
-        <source>%1 does not answer since %2.</source>
-        <translation>%1 自 %2 起无响应。</translation>
-    </message>
-    <message>
-        <source>%1 has rested longer than allowed.</source>
-        <translation>%1 的休息超过规定时间。</translation>
-    </message>
-    <message>
-        <source>%1: sheets still missing: %2.</source>
-        <translation>%1：仍缺评分表：%2。</translation>
-    </message>
-    <message>
-        <source>Trainees without a group: %1. Draw them under Allocation.</source>
-        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>另有 %n 条</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>! does not answer</source>
         <translation>! 无响应</translation>
     </message>
@@ -23339,10 +23724,6 @@ Leave it empty to remove it.</source>
         <translation>方案偏离</translation>
     </message>
     <message>
-        <source>%1: the device is not fit for graded runs: %2.</source>
-        <translation>%1：设备不可用于计分操作：%2。</translation>
-    </message>
-    <message>
         <source>○ not checked yet</source>
         <translation>○ 尚未检查</translation>
     </message>
@@ -23447,10 +23828,6 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
-        <source>%1, last run: %2. %3.</source>
-        <translation>%1，上次操作：%2。%3。</translation>
-    </message>
-    <message>
         <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
         <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
     </message>
@@ -23477,10 +23854,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Planned</source>
         <translation>已安排</translation>
-    </message>
-    <message>
-        <source>%1 was expected at %2, %3, and has not begun.</source>
-        <translation>%1 应于 %2 在 %3 开始，但尚未开始。</translation>
     </message>
 </context>
 <context>
@@ -23909,6 +24282,28 @@ Leave it empty to remove it.</source>
     <message>
         <source>No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own.</source>
         <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) changed hands. Reassign takes them back, too.</source>
+        <translation>
+            <numerusform>已转交 %n 份评分表。可用“改派”退回。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The adjudicators find the cases in their queues</source>
+        <translation>仲裁评分者会在各自的队列中看到案例</translation>
+    </message>
+    <message>
+        <source>The sheets of the chosen rows, or of all: to another rater, or back</source>
+        <translation>所选行或全部行的评分表：改派给其他评分者，或退回</translation>
+    </message>
+    <message>
+        <source>Sen&amp;d reminders…</source>
+        <translation>发送提醒(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>By the mail server of the centre, to all who owe a sheet or some of them</source>
+        <translation>通过中心的邮件服务器，发给全部或部分欠交者</translation>
     </message>
 </context>
 <context>

@@ -1015,11 +1015,15 @@ CREATE INDEX assignment_trial ON assignment (trial_id);
 CREATE INDEX assignment_rubric ON assignment (rubric_revision_id);
 {{append_only assignment}}
 
+-- Sheets that were taken back from their rater, and given back to the same one: the newest row counts.
 CREATE TABLE assignment_withdrawal (
-  assignment_id TEXT PRIMARY KEY REFERENCES assignment (id),
+  assignment_id TEXT NOT NULL REFERENCES assignment (id),
+  sequence BIGINT NOT NULL,
+  withdrawn BOOLEAN NOT NULL,
   reason TEXT NOT NULL,
-  withdrawn_by TEXT NOT NULL,
-  withdrawn_utc_us BIGINT NOT NULL
+  decided_by TEXT NOT NULL,
+  decided_utc_us BIGINT NOT NULL,
+  PRIMARY KEY (assignment_id, sequence)
 );
 {{append_only assignment_withdrawal}}
 

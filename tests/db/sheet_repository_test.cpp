@@ -242,6 +242,26 @@ TEST_F(SheetRepositoryTest, IsPrivateUntilAllHaveSubmitted) {
             ErrorCode::kBadData);
 }
 
+TEST_F(SheetRepositoryTest, ASheetThatIsGivenBackWaitsAsItWasLeftAndCanBeTakenAgain) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const AssignmentId id = desk.assignments[0].id;
+  const std::string rater = desk.sample.chiefs[0].person.id;
+  const std::size_t waiting = desk.sheets.queue(rater).size();
+  static_cast<void>(desk.sheets.saveDraft(id, fullSheet()));
+  desk.sheets.withdraw(id, "ill", "admin", kSampleTime_us);
+  EXPECT_EQ(desk.sheets.queue(rater).size(), waiting - 1);
+  EXPECT_EQ(refusalFrom([&] { desk.sheets.withdraw(id, "ill", "admin", 0); }).code, ErrorCode::kBadData);
+
+  desk.sheets.giveBack(id, "well again", "admin", kSampleTime_us + 1);
+
+  EXPECT_EQ(desk.sheets.queue(rater).size(), waiting);
+  EXPECT_EQ(desk.sheets.findAssignment(id)->state, SheetState::kDraft);
+  EXPECT_EQ(refusalFrom([&] { desk.sheets.giveBack(id, "", "admin", 0); }).code, ErrorCode::kBadData);
+  desk.sheets.withdraw(id, "ill again", "admin", kSampleTime_us + 2);
+  EXPECT_EQ(desk.sheets.findAssignment(id)->state, SheetState::kWithdrawn);
+}
+
 TEST_F(SheetRepositoryTest, ReleasesAndTakesBackMarks) {
   Connection connection = openWithSchema();
   Desk desk(connection);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -93,6 +94,10 @@ bool RunPage::askWhyUnscored(RunRequest& request) {
           .arg(steps.scoringDue->submitted));
   dialog.setOkButtonText(tr("Begin nevertheless"));
   dialog.setCancelButtonText(tr("Back"));
+  QPushButton* begin = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  begin->setEnabled(false);  // without a reason it would only lead back
+  connect(&dialog, &QInputDialog::textValueChanged, begin,
+          [begin](const QString& text) { begin->setEnabled(!text.trimmed().isEmpty()); });
   if (dialog.exec() != QDialog::Accepted || dialog.textValue().trimmed().isEmpty()) {
     return false;
   }

@@ -156,7 +156,7 @@ inline constexpr std::array kSealRules{
     SealRule{"reference_run_withdrawal", Sealing::kOnce, "trial_id"},
 
     SealRule{"assignment", Sealing::kOnce, "id"},
-    SealRule{"assignment_withdrawal", Sealing::kOnce, "assignment_id"},
+    SealRule{"assignment_withdrawal", Sealing::kOnce, "assignment_id, sequence"},
     SealRule{"live_call", Sealing::kEachChange, "id"},
     SealRule{.table = "day_slot",
              .sealing = Sealing::kNot,

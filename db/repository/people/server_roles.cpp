@@ -90,7 +90,9 @@ constexpr std::string_view kCaseIsCommitted =
     " case_occasion AND a.rater_id = actor_person()) AND NOT EXISTS (SELECT 1 FROM assignment a WHERE"
     " a.enrolment_id = case_enrolment AND a.occasion = case_occasion"
     " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id))";
+    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id AND w.withdrawn"
+    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal v WHERE v.assignment_id = w.assignment_id"
+    " AND v.sequence > w.sequence)))";
 
 /// A trainee sees the own marks once they are released.
 constexpr std::string_view kIsReleasedToActor =

@@ -26,6 +26,14 @@ std::string selectAssignments(std::string_view more) {
   return select;
 }
 
+std::string isAskedFor(std::string_view alias) {
+  std::string condition = "NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = ";
+  condition.append(alias).append(
+      ".id AND w.withdrawn AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal v"
+      " WHERE v.assignment_id = w.assignment_id AND v.sequence > w.sequence))");
+  return condition;
+}
+
 Assignment readAssignment(RowReader& row) {
   return {.id = row.text(),
           .raterId = row.text(),

@@ -17,6 +17,10 @@ namespace torsio {
 /// with a comma or is empty.
 [[nodiscard]] std::string selectAssignments(std::string_view more = {});
 
+/// A condition: the sheet of the assignment that the query calls `alias` is asked for, not taken back from
+/// its rater.
+[[nodiscard]] std::string isAskedFor(std::string_view alias);
+
 /// Reads the columns of selectAssignments().
 [[nodiscard]] Assignment readAssignment(RowReader& row);
 

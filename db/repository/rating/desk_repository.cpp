@@ -14,7 +14,8 @@ std::optional<Assignment> DeskRepository::assignment(const AssignmentId& assignm
 }
 
 bool DeskRepository::isWithdrawn(const AssignmentId& assignmentId) const {
-  return selectFirst(connection_, "SELECT count(*) FROM assignment_withdrawal WHERE assignment_id = ?",
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM assignment a WHERE a.id = ? AND NOT " + isAskedFor("a"),
                      {assignmentId}, readInt64)
              .value_or(0) > 0;
 }
@@ -40,21 +41,21 @@ std::vector<CaseMark> DeskRepository::marksOfCase(const EnrolmentId& enrolmentId
 }
 
 std::vector<Assignment> DeskRepository::committed(const RaterId& raterId) const {
-  return selectAll(
-      connection_,
-      selectAssignments() +
-          " WHERE a.rater_id = ?"
-          " AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-          " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)"
-          " AND EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
-          "  AND b.occasion = a.occasion AND b.id <> a.id"
-          "  AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id))"
-          " AND NOT EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
-          "  AND b.occasion = a.occasion"
-          "  AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id)"
-          "  AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = b.id))"
-          " ORDER BY a.position, a.case_label",
-      {raterId}, readAssignment);
+  return selectAll(connection_,
+                   selectAssignments() +
+                       " WHERE a.rater_id = ?"
+                       " AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+                       " AND " +
+                       isAskedFor("a") +
+                       " AND EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
+                       "  AND b.occasion = a.occasion AND b.id <> a.id"
+                       "  AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id))"
+                       " AND NOT EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
+                       "  AND b.occasion = a.occasion"
+                       "  AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id)"
+                       "  AND " +
+                       isAskedFor("b") + ") ORDER BY a.position, a.case_label",
+                   {raterId}, readAssignment);
 }
 
 std::optional<std::int64_t> DeskRepository::trialLength_us(const TrialId& trialId) const {

@@ -51,7 +51,8 @@ Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId
 /// The beginning of a query for statusOf().
 std::string selectStatus() {
   return selectAssignments(
-      ", (SELECT count(*) FROM assignment_withdrawal w WHERE w.assignment_id = a.id),"
+      ", CASE WHEN " + isAskedFor("a") +
+      " THEN 0 ELSE 1 END,"
       " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
       " (SELECT d.changed_utc_us FROM mark_draft d WHERE d.assignment_id = a.id)");
 }
@@ -218,14 +219,37 @@ std::optional<AssignmentStatus> SheetRepository::findAssignment(const Assignment
 void SheetRepository::withdraw(const AssignmentId& assignmentId, const std::string& reason,
                                const std::string& withdrawnBy, std::int64_t utc_us) {
   Transaction transaction(connection_);
-  if (stateOf(assignmentId) == SheetState::kSubmitted) {
+  const SheetState state = stateOf(assignmentId);
+  if (state == SheetState::kSubmitted) {
     throw Error(ErrorCode::kBadData, Text::tr("the sheet was submitted already"), assignmentId,
                 Text::tr("Submitted marks stay; amend the mark instead"));
   }
-  connection_.execute(
-      insertInto("assignment_withdrawal", "assignment_id, reason, withdrawn_by, withdrawn_utc_us"),
-      {assignmentId, reason, withdrawnBy, utc_us});
+  if (state == SheetState::kWithdrawn) {
+    throw Error(ErrorCode::kBadData, Text::tr("the sheet was withdrawn already"), assignmentId,
+                Text::tr("Read the matrix again"));
+  }
+  decide(assignmentId, true, reason, withdrawnBy, utc_us);
   transaction.commit();
+}
+
+void SheetRepository::giveBack(const AssignmentId& assignmentId, const std::string& reason,
+                               const std::string& decidedBy, std::int64_t utc_us) {
+  Transaction transaction(connection_);
+  if (stateOf(assignmentId) != SheetState::kWithdrawn) {
+    throw Error(ErrorCode::kBadData, Text::tr("the sheet was not taken back from its rater"), assignmentId,
+                Text::tr("Read the matrix again"));
+  }
+  decide(assignmentId, false, reason, decidedBy, utc_us);
+  transaction.commit();
+}
+
+void SheetRepository::decide(const AssignmentId& assignmentId, bool withdrawn, const std::string& reason,
+                             const std::string& decidedBy, std::int64_t utc_us) {
+  connection_.execute(
+      "INSERT INTO assignment_withdrawal (assignment_id, sequence, withdrawn, reason, decided_by,"
+      " decided_utc_us) VALUES (?, (SELECT COALESCE(MAX(w.sequence), 0) + 1 FROM assignment_withdrawal w"
+      " WHERE w.assignment_id = ?), ?, ?, ?, ?)",
+      {assignmentId, assignmentId, withdrawn, reason, decidedBy, utc_us});
 }
 
 std::vector<QueueEntry> SheetRepository::queue(const RaterId& raterId) const {
@@ -233,8 +257,8 @@ std::vector<QueueEntry> SheetRepository::queue(const RaterId& raterId) const {
                    "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
                    " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
                    " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
-                   " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w"
-                   " WHERE w.assignment_id = a.id) ORDER BY a.position, a.case_label",
+                   " WHERE a.rater_id = ? AND " +
+                       isAskedFor("a") + " ORDER BY a.position, a.case_label",
                    {raterId}, queueEntryOf);
 }
 
@@ -362,7 +386,8 @@ bool SheetRepository::allSubmitted(const EnrolmentId& enrolmentId, const std::st
   return selectFirst(connection_,
                      "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.occasion = ?"
                      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     " AND " +
+                         isAskedFor("a"),
                      {enrolmentId, occasionCode}, readInt64)
              .value_or(1) == 0;
 }
@@ -388,12 +413,25 @@ std::optional<std::int64_t> SheetRepository::panelOpenedUtc_us(const EnrolmentId
   return first.size() < 2 ? std::nullopt : std::optional(*std::max_element(first.begin(), first.end()));
 }
 
+std::vector<CohortId> SheetRepository::cohortsAwaited(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
+  return selectAll(
+      connection_,
+      "SELECT e.cohort_id FROM live_call c JOIN enrolment e ON e.id = c.enrolment_id WHERE NOT c.cancelled"
+      " AND (c.ended_utc_us IS NULL OR (c.called_utc_us >= ? AND c.called_utc_us < ?))"
+      " UNION SELECT e.cohort_id FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
+      " WHERE a.due_utc_us < ?"
+      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id) AND " +
+          isAskedFor("a"),
+      {fromUtc_us, toUtc_us, toUtc_us}, readId<CohortId>);
+}
+
 std::int64_t SheetRepository::openAssignments(const CohortId& cohortId) const {
   return selectFirst(connection_,
                      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE "
                      "e.cohort_id = ?"
                      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     " AND " +
+                         isAskedFor("a"),
                      {cohortId}, readInt64)
       .value_or(0);
 }

@@ -38,8 +38,12 @@ class SheetRepository {
   /// Of one rater in any cohort, withdrawn ones too.
   [[nodiscard]] std::vector<Assignment> assignmentsOf(const RaterId& raterId) const;
   [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const AssignmentId& assignmentId) const;
-  /// Throws Error (kBadData) when the sheet was submitted already.
+  /// Takes a sheet from its rater; what was typed waits. Throws Error (kBadData) when it was submitted or
+  /// withdrawn already.
   void withdraw(const AssignmentId& assignmentId, const std::string& reason, const std::string& withdrawnBy,
+                std::int64_t utc_us);
+  /// The rater has the sheet again, under its old label. Throws Error (kBadData) when it was not withdrawn.
+  void giveBack(const AssignmentId& assignmentId, const std::string& reason, const std::string& decidedBy,
                 std::int64_t utc_us);
   /// In the rater's own order, without the withdrawn ones.
   [[nodiscard]] std::vector<QueueEntry> queue(const RaterId& raterId) const;
@@ -65,6 +69,9 @@ class SheetRepository {
   [[nodiscard]] std::optional<std::int64_t> panelOpenedUtc_us(const EnrolmentId& enrolmentId,
                                                               const std::string& occasionCode) const;
 
+  /// Cohorts in which somebody was called to the real arm in [from, to), or stands there, or in which sheets
+  /// that are asked for should be in by `to`.
+  [[nodiscard]] std::vector<CohortId> cohortsAwaited(std::int64_t fromUtc_us, std::int64_t toUtc_us) const;
   /// Sheets of a cohort that somebody is asked for and has not submitted.
   [[nodiscard]] std::int64_t openAssignments(const CohortId& cohortId) const;
 
@@ -74,6 +81,8 @@ class SheetRepository {
 
  private:
   [[nodiscard]] SheetState stateOf(const AssignmentId& assignmentId) const;
+  void decide(const AssignmentId& assignmentId, bool withdrawn, const std::string& reason,
+              const std::string& decidedBy, std::int64_t utc_us);
   Connection& connection_;
 };
 

@@ -325,6 +325,16 @@ std::vector<RunningTrial> StudyRepository::runningTrials(const CohortId& cohortI
                    });
 }
 
+std::vector<CohortId> StudyRepository::cohortsAtWork(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
+  return selectAll(connection_,
+                   "SELECT e.cohort_id FROM day_slot s JOIN enrolment e ON e.id = s.enrolment_id"
+                   " WHERE s.starts_utc_us < ? AND s.starts_utc_us + s.duration_us > ?"
+                   " UNION SELECT e.cohort_id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id"
+                   " LEFT JOIN trial_end x ON x.trial_id = t.id"
+                   " WHERE x.trial_id IS NULL AND t.started_utc_us >= ? AND t.started_utc_us < ?",
+                   {toUtc_us, fromUtc_us, fromUtc_us, toUtc_us}, readId<CohortId>);
+}
+
 void StudyRepository::addDeviation(const ProtocolDeviation& deviation) {
   connection_.execute(
       insertInto("deviation",

@@ -64,6 +64,9 @@ class StudyRepository {
   /// Newest first.
   [[nodiscard]] std::vector<RunningTrial> runningTrials(const CohortId& cohortId) const;
 
+  /// Cohorts in which a slot touches [from, to), or a recording that began then has not ended.
+  [[nodiscard]] std::vector<CohortId> cohortsAtWork(std::int64_t fromUtc_us, std::int64_t toUtc_us) const;
+
   void addDeviation(const ProtocolDeviation& deviation);
   /// Oldest first.
   [[nodiscard]] std::vector<ProtocolDeviation> deviations(const CohortId& cohortId) const;

@@ -12,6 +12,7 @@
 #include "app/exchange/cohort_exchange.h"
 #include "app/exchange/dataset_import.h"
 #include "app/exchange/foreign_import.h"
+#include "app/mail/mail_settings.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
@@ -54,6 +55,7 @@
 #include "app/study/live_call.h"
 #include "app/study/occasion_service.h"
 #include "app/study/paper_sheets.h"
+#include "app/study/reassignment.h"
 #include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
 #include "app/study/run_day.h"
@@ -185,7 +187,7 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kDatabaseRestore, "switchToServer",
        [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](SessionContext& w, Path) { (void)retentionQueue(w); }},
-      {O::kRetentionManage, "lockRecord", [](SessionContext& w, Path) { lockRecord(w, kNoSuch, ""); }},
+      {O::kRetentionManage, "lockRecords", [](SessionContext& w, Path) { lockRecords(w, {}, ""); }},
       {O::kSettingsEdit, "setCentreSetting", [](SessionContext& w, Path) { setCentreSetting(w, "", ""); }},
       {O::kSettingsEdit, "setCentreName", [](SessionContext& w, Path) { setCentreName(w, ""); }},
       {O::kSettingsEdit, "setCentreIdleLimits",
@@ -214,9 +216,8 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path) { removeRetentionRule(w, kNoSuch); }},
       {O::kRetentionManage, "setRetentionRule",
        [](SessionContext& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
-      {O::kRetentionManage, "extendRecord",
-       [](SessionContext& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
-      {O::kRetentionManage, "releaseRecord", [](SessionContext& w, Path) { releaseRecord(w, kNoSuch, ""); }},
+      {O::kRetentionManage, "extendRecords", [](SessionContext& w, Path) { extendRecords(w, {}, 0, "why"); }},
+      {O::kRetentionManage, "releaseRecords", [](SessionContext& w, Path) { releaseRecords(w, {}, ""); }},
   };
 }
 
@@ -265,7 +266,13 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
       {O::kStudySetup, "reassign",
        [](SessionContext& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
+      {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
+      {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
+      {O::kStudySetup, "reassignAll", [](SessionContext& w, Path) { (void)reassignAll(w, {}, {}, "why"); }},
       {O::kStudySetup, "reportDeviation", [](SessionContext& w, Path) { (void)reportDeviation(w, {}); }},
+      {O::kStudySetup, "reportDeviations", [](SessionContext& w, Path) { reportDeviations(w, {}); }},
+      {O::kStudySetup, "correctDeviations",
+       [](SessionContext& w, Path) { correctDeviations(w, kNoSuch, {}, "why"); }},
       {O::kAllocationRun, "takeOutCards", [](SessionContext& w, Path) { (void)takeOutCards(w, kNoSuch); }},
       {O::kStudySetup, "swapTurns",
        [](SessionContext& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},

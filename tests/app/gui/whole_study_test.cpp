@@ -51,6 +51,7 @@
 #include "sim/base/ids.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/gui/administrator_desk.h"
+#include "tests/app/gui/by_hand.h"
 
 namespace torsio::gui {
 namespace {
@@ -59,9 +60,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::AdministratorDesk;
 using testing::answer;
-using testing::press;
 using testing::StudyCentre;
-using testing::type;
 
 constexpr std::uint64_t kMarkSeed = 5;
 constexpr std::size_t kTrainees = 30;    // paper section 6
@@ -89,8 +88,27 @@ std::string ratersFile(const std::string& prefix, const std::vector<std::pair<st
   return text;
 }
 
+/// How long a person would have needed for what this test does.
+testing::ByHand& byHand() {
+  static testing::ByHand hand;
+  return hand;
+}
+
+void press(QWidget& in, const QString& text) {
+  byHand().press();
+  testing::press(in, text);
+}
+
+void type(QDialog& dialog, const QString& text) {
+  byHand().press(2);  // into the field, and the button below
+  byHand().type(static_cast<std::size_t>(text.size()));
+  testing::type(dialog, text);
+}
+
 /// Next, Next, Import.
 void importRoster(AdministratorDesk& office, const std::string& text, bool raters, std::size_t expected) {
+  byHand().press(9);  // page, import, file and its name, kind, two pages of the wizard, columns, import
+  byHand().type(12);
   office.centre.as("administrator");
   const fs::path file = office.centre.folder() / "roster.csv";
   writeFileAtomically(file, text);
@@ -115,6 +133,7 @@ void importRoster(AdministratorDesk& office, const std::string& text, bool rater
 
 /// Leaves only these lines of a dialog's list chosen, by the codes in their first column.
 void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
+  byHand().press(2);  // the first, and the last with Shift
   QTableView& view = dialog.findChild<DataTable*>()->view();
   view.clearSelection();
   QItemSelection chosen;
@@ -142,6 +161,7 @@ std::string makeCohort(AdministratorDesk& office) {
   auto page = office.open<CohortsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
   press(*page, QStringLiteral("New cohort"));
+  byHand().press();
   answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
   press(*page, QStringLiteral("Enrol trainees"));
   EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), static_cast<int>(kTrainees));
@@ -161,6 +181,7 @@ void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
     return nullptr;
   }();
   ASSERT_NE(method, nullptr);
+  byHand().press(4);  // method, factor, question
   method->setCurrentIndex(method->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)));
   for (QCheckBox* factor : page->findChildren<QCheckBox*>()) {
     if (factor->text() == QStringLiteral("sex")) {
@@ -428,6 +449,27 @@ void expectNumbersOfTheCommandLine(const Numbers& report, const Crowd& crowd, co
             agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
 }
 
+/// What the guide asks for beside what this test presses: the first run, the rule of two people, accounts of
+/// the allocator, the statistician and of everybody on the roster, and the allocator's turn.
+void countTheRest(testing::ByHand& hand) {
+  hand.press(8);  // first run
+  hand.type(75);
+  hand.press(5);  // one administrator switches the rule of two people off
+  hand.type(20);
+  for (int account = 0; account < 2; ++account) {
+    hand.press(8);
+    hand.type(12);
+  }
+  hand.press(7);  // accounts for the roster, and their cards
+  hand.type(16);
+  hand.wait_s(static_cast<double>(kTrainees + kChiefs + kEvaluators));
+  for (int change = 0; change < 2; ++change) {  // sign out and in; the first time with a new password
+    hand.press(5);
+    hand.type(60);
+  }
+  hand.press(6);  // pages
+}
+
 TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
   AdministratorDesk office;
   importRoster(office, internsFile(), false, kTrainees);
@@ -440,6 +482,14 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   const CohortId cohortId = makeCohort(office);
   drawGroups(office, cohortId);
   askTheTen(office, cohortId, chiefs);
+  testing::ByHand& hand = byHand();
+  countTheRest(hand);
+  hand.read(fs::path(TORSIO_SOURCE_DIR) / "docs/user-guide/administrator.md", "# For administrators",
+            "### 6. Today's sessions");
+  EXPECT_LE(hand.minutes(), 45.0) << hand.presses() << " presses, " << hand.keys() << " keys, "
+                                  << hand.words() << " words";
+  RecordProperty("set_up_minutes", std::to_string(hand.minutes()));
+  RecordProperty("set_up_presses", hand.presses());
   runTheDay(office, cohortId);
   makeEvaluation(office, raterCodes(office.centre, true));
   const Crowd crowd = crowdOf(office, cohortId, chiefs);

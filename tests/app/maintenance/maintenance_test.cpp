@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <functional>
 #include <set>
@@ -89,7 +90,7 @@ TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
     refused([&] { (void)checkDatabase(session); });
     refused([&] { (void)retentionQueue(session); });
     refused([&] { setRetentionRule(session, kRetainLeft, 30, "law"); });
-    refused([&] { lockRecord(session, real_.traineeId, "why"); });
+    refused([&] { lockRecords(session, std::array{PersonId(real_.traineeId)}, "why"); });
     refused([&] { (void)eraseDue(session, {}, "why", false); });
     refused([&] { (void)demonstrationSize(session); });
     refused([&] { removeDemonstrationData(session, "why"); });
@@ -331,7 +332,7 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   PeopleRepository(connection_).addTrainees(std::vector<Trainee>{other, appeal});
   setRetentionRule(office, kRetainTrainee, 30, "contract");
   now_us_ += 31 * kDay_us;
-  lockRecord(office, "appeal", "an appeal is open");
+  lockRecords(office, std::array{PersonId("appeal")}, "an appeal is open");
   const std::vector<PersonId> chosen{"other", "appeal"};
 
   const RetentionOutcome dry = eraseDue(office, chosen, "", true);
@@ -350,9 +351,10 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   EXPECT_EQ(entry.actor, "u-administrator");
   EXPECT_EQ(entry.reason, "yearly review (retention: trainee)");
   EXPECT_EQ(refusalFrom([&] { (void)eraseDue(office, chosen, "again", false); }).code, ErrorCode::kBadData);
-  EXPECT_EQ(refusalFrom([&] { extendRecord(office, "appeal", now_us_, "late"); }).code,
+  EXPECT_EQ(refusalFrom([&] { extendRecords(office, std::array{PersonId("appeal")}, now_us_, "late"); }).code,
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusalFrom([&] { lockRecord(office, "appeal", ""); }).code, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalFrom([&] { lockRecords(office, std::array{PersonId("appeal")}, ""); }).code,
+            ErrorCode::kBadParameter);
 }
 
 TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
@@ -369,11 +371,11 @@ TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   audited("database.check", [&] { (void)checkDatabase(office); });
   audited("retention.rule", [&] { setRetentionRule(office, kRetainTrainee, 30, "contract"); });
   now_us_ += 31 * kDay_us;
-  audited("retention.lock", [&] { lockRecord(office, "due", "an appeal is open"); });
-  audited("retention.extend", [&] { extendRecord(office, "due", now_us_ + kDay_us, "not read yet"); });
-  audited("retention.release", [&] { releaseRecord(office, "due", "the appeal is closed"); });
-  now_us_ += 2 * kDay_us;
   const std::vector<PersonId> chosen{"due"};
+  audited("retention.lock", [&] { lockRecords(office, chosen, "an appeal is open"); });
+  audited("retention.extend", [&] { extendRecords(office, chosen, now_us_ + kDay_us, "not read yet"); });
+  audited("retention.release", [&] { releaseRecords(office, chosen, "the appeal is closed"); });
+  now_us_ += 2 * kDay_us;
   audited("person.erase", [&] { (void)eraseDue(office, chosen, "yearly review", false); });
   audited("person.export", [&] { exportPersonPackage(office, real_.traineeId, in("package"), "asked"); });
   audited("demonstration.remove", [&] { removeDemonstrationData(office, "the course begins"); });

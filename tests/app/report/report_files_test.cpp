@@ -22,7 +22,7 @@
 
 #include "app/report/chart_builder.h"
 #include "app/report/graphics_application.h"
-#include "app/report/pdf_outline.h"
+#include "app/report/pdf_file.h"
 #include "app/report/pdf_report.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -220,9 +220,82 @@ TEST(PdfReport, SaysThatItIsAnArchiveFileAndHoldsWhatOneNeeds) {
   }
 }
 
-TEST(PdfOutline, RefusesWhatIsNoPdf) {
-  EXPECT_THROW((void)withBookmarks("", {}, "en"), Error);
-  EXPECT_THROW((void)withBookmarks("startxref\n5\n/Root 1 0 R /Size 3", {}, "en"), Error);
+std::size_t countOf(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(PdfReport, IsTaggedSoThatItCanBeReadAloud) {
+  const fs::path file = freshFolder("tagged") / "report.pdf";
+  ReportModel model = smallReport();
+  model.centre = "Skills & sutures";
+
+  writePdfReport(model, file);
+
+  const std::string text = readFile(file);
+  const PdfFile pdf(text);
+  const std::string& catalog = pdf.object(pdf.catalog());
+  EXPECT_NE(catalog.find("/MarkInfo <</Marked true>>"), std::string::npos);
+  EXPECT_NE(catalog.find("/StructTreeRoot "), std::string::npos);
+  EXPECT_NE(pdf.object(pdf.info()).find("/Author " + PdfFile::textString("Skills & sutures")),
+            std::string::npos);
+  const std::string xml = pdf.stream(pdf.reference(pdf.catalog(), "/Metadata "));
+  EXPECT_NE(xml.find("<rdf:li>Skills &amp; sutures</rdf:li>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<dc:language><rdf:Bag><rdf:li>en</rdf:li>"), std::string::npos);
+  std::size_t figures = 0;
+  std::size_t titles = 0;
+  for (const ReportSection& section : model.sections) {
+    figures += section.figures.size();
+    titles += section.figures.size() + section.tables.size();
+  }
+  EXPECT_EQ(countOf(text, "/S /H1\n"), model.sections.size());
+  EXPECT_EQ(countOf(text, "/S /H2\n"), titles);
+  EXPECT_EQ(countOf(text, "/S /Figure\n"), figures);
+  EXPECT_EQ(countOf(text, "/Alt <FEFF"), figures);
+  EXPECT_GE(countOf(text, "/S /Table\n"), 2U);
+  EXPECT_GT(countOf(text, "/S /TH\n"), 2U);
+  std::size_t pieces = 0;
+  for (const std::uint64_t page : pdf.pages()) {
+    const std::string drawing = pdf.stream(pdf.reference(page, "/Contents "));
+    const std::size_t named = countOf(drawing, " BDC\n");
+    pieces += named;
+    EXPECT_GT(named, 0U);
+    EXPECT_EQ(named + countOf(drawing, " BMC\n"), countOf(drawing, "EMC\n"));
+    EXPECT_EQ(countOf(drawing, "-5000"), 0U) << "no mark is left in the drawing";
+    EXPECT_NE(pdf.object(page).find("/StructParents "), std::string::npos);
+  }
+  EXPECT_EQ(countOf(text, "/Type /StructElem\n"),
+            pieces + 1 + countOf(text, "/S /Table\n") + countOf(text, "/S /TR\n"));
+}
+
+TEST(PdfReport, EachSignCanBeFoundAndCopiedAsItWasWritten) {
+  const fs::path file = freshFolder("letters") / "report.pdf";
+  ReportModel model = smallReport();
+  model.number = "R-12-3ffa29b1";
+  model.numbersHash = "ff0ffi1ffl2fi3fl";  // a typeface joins these
+
+  writePdfReport(model, file);
+
+  const std::string text = readFile(file);
+  const PdfFile pdf(text);
+  std::size_t fonts = 0;
+  for (std::size_t at = text.find("/ToUnicode "); at != std::string::npos;
+       at = text.find("/ToUnicode ", at + 1)) {
+    const std::string map = pdf.stream(std::stoull(text.substr(at + 11, 12)));
+    ++fonts;
+    EXPECT_NE(map.find("begincmap"), std::string::npos);
+    EXPECT_EQ(map.find("<FB0"), std::string::npos) << "joined letters";
+    EXPECT_EQ(map.find("<fb0"), std::string::npos) << "joined letters";
+  }
+  EXPECT_GT(fonts, 0U);
+}
+
+TEST(PdfFile, RefusesWhatIsNoPdf) {
+  EXPECT_THROW(PdfFile(""), Error);
+  EXPECT_THROW(PdfFile("startxref\n5\n/Root 1 0 R /Size 3"), Error);
 }
 
 TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cohort from draft to archive, and what it takes at each stage.
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_plan.h"
+#include "app/study/reassignment.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/study/cohort.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -103,6 +108,50 @@ TEST(CohortLife, IsArchivedOnlyWithoutOpenSheets) {
 
   EXPECT_EQ(life.cohort().state, CohortState::kArchived);
   EXPECT_THROW(life.ask(), Error);
+}
+
+TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
+  Life life;
+  const auto shown = [&life] {
+    const std::vector<CohortRow> rows = cohorts(life.centre.as("administrator"));
+    return rows.at(cohortShownFirst(rows)).cohort.name;
+  };
+  EXPECT_EQ(cohortShownFirst({}), 0U);
+  const CohortId small = addCohort(life.centre.as("administrator"),
+                                   {.name = "Volvulus", .groups = {{"G1", "one"}, {"G2", "two"}}});
+  const std::vector<EnrolmentId> one =
+      enrolTrainees(life.centre.as("administrator"), small, {life.trainees[3]});
+  EXPECT_EQ(shown(), "Volvulus") << "the newest, while nobody is in a group";
+  life.allocate();
+  EXPECT_EQ(shown(), "Autumn") << "it runs";
+  AllocationPlan plan;
+  plan.cohortId = small;
+  lockAllocation(life.centre.as("allocator"), plan);
+  allocateAll(life.centre.as("allocator"), small);
+  EXPECT_EQ(shown(), "Autumn") << "it is the larger one";
+
+  const std::vector<DaySlot> planned =
+      planDay(life.centre.as("administrator"), {.cohortId = small,
+                                                .enrolmentIds = one,
+                                                .places = {"Room 1"},
+                                                .firstUtc_us = testing::kStudyTime_us + 2 * kHour_us,
+                                                .duration_us = kHour_us});
+  EXPECT_EQ(shown(), "Volvulus") << "somebody is expected today";
+  removeSlots(life.centre.as("administrator"), small, std::array{planned.front().id});
+  EXPECT_EQ(shown(), "Autumn");
+  createAssignments(life.centre.as("administrator"), {.cohortId = small,
+                                                      .occasionCodes = {"pre"},
+                                                      .raterIds = life.chiefs,
+                                                      .rubricRevisionId = life.rubric,
+                                                      .dueUtc_us = testing::kStudyTime_us + kHour_us});
+  EXPECT_EQ(shown(), "Volvulus") << "sheets are due by the end of the day";
+  reassign(life.centre.as("administrator"),
+           scoringMatrix(life.centre.as("administrator"), small).lines.at(0).cells.at(0).assignmentId, {},
+           "not needed");
+  EXPECT_EQ(shown(), "Autumn");
+  life.set(CohortState::kClosed);
+  life.set(CohortState::kArchived);
+  EXPECT_EQ(shown(), "Volvulus");
 }
 
 TEST(CohortLife, ItsNameIsItsOwn) {

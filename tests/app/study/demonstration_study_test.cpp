@@ -86,6 +86,7 @@ TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShowsInEveryTrial) {
   SessionContext& session = centre.as("administrator");
   const std::vector<CohortRow> all = cohorts(session);
   ASSERT_EQ(all.size(), 2U);  // the study, and a cohort that undoes organs
+  EXPECT_EQ(cohortShownFirst(all), 0U) << "pages open on the study";
   const RunDayBoard board = runDayBoard(session, all.front().cohort.id);
 
   // Paper section 6: ten a group; 40 min virtual, 20 + 20 min, 40 min on the real arm.

@@ -17,6 +17,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
+#include "app/study/reassignment.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/people/audit_entry.h"

@@ -43,22 +43,21 @@ QPushButton* listButton(DataTable* table) {
   return button;
 }
 
-void fillCohorts(QComboBox* chooser, SessionContext& session) {
+void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
   chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
-  int first = -1;
-  for (const CohortRow& row : cohorts(session)) {
-    if (row.cohort.state == CohortState::kArchived) {
-      continue;
-    }
-    chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
-    if (row.allocated > 0) {
-      first = chooser->count() - 1;
+  std::vector<CohortRow> rows = cohorts(session);
+  for (CohortRow& row : rows) {
+    row.today = row.today && first == CohortFirst::kOfToday;
+    if (row.cohort.state != CohortState::kArchived) {
+      chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
     }
   }
-  chooser->setCurrentIndex(first >= 0 ? first : chooser->count() - 1);
+  if (const std::size_t shown = cohortShownFirst(rows); shown < rows.size()) {
+    chooseId(chooser, rows[shown].cohort.id);
+  }
   if (!before.empty()) {
     chooseId(chooser, before);
   }

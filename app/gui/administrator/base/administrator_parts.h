@@ -34,8 +34,9 @@ QVBoxLayout* scrolledColumn(QWidget* page);
 /// A button among the tools of a list.
 QPushButton* listButton(DataTable* table);
 /// The cohorts of the record without the archived ones, newest last; keeps the choice when filled anew.
-/// Chosen first: the newest whose people are in groups, since there is something to see; else the newest.
-void fillCohorts(QComboBox* chooser, SessionContext& session);
+/// Chosen first: cohortShownFirst(), or the study that runs whatever is done today.
+enum class CohortFirst { kOfToday, kStudy };
+void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first);
 /// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
 void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none);
 /// Id of what is chosen; empty: nothing.

@@ -47,7 +47,7 @@ struct PrintedCard {
 /// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
 void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    QFont font = typeface();
+    QFont font = printedTypeface();
     font.setBold(lines[i].bold);
     font.setPointSizeF(lines[i].points);
     const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(lines[i].text);

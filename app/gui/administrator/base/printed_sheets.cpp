@@ -108,7 +108,7 @@ void printHtml(const QString& html, const QString& title, QPageLayout::Orientati
                     QMarginsF(kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm, kSheetMargin_mm),
                     QPageLayout::Millimeter));
     QTextDocument document;
-    QFont font = typeface();
+    QFont font = printedTypeface();
     font.setPointSizeF(kLetters_pt);
     document.setDefaultFont(font);
     document.setHtml(html);

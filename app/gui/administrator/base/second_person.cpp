@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/base/second_person.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -41,6 +43,20 @@ QString noteOf(const QString& login, PasswordPart part) {
       .arg(login);
 }
 
+bool wantsToAsk(QWidget* parent) {
+  QuestionDialog dialog(
+      parent, SecondPerson::tr("Two people"),
+      SecondPerson::tr("This needs two people: you ask for it, and another administrator confirms it. Ask "
+                       "for it now?"));
+  dialog.setObjectName(QStringLiteral("askSecondPerson"));
+  dialog.finish(SecondPerson::tr("&Ask"));
+  return dialog.exec() == QDialog::Accepted;
+}
+
+void sayAsked(ShellContext& shell) {
+  shell.notify(SecondPerson::tr("Asked. Another administrator confirms it under Users, Requests"));
+}
+
 }  // namespace
 
 void showStartPassword(QWidget* parent, const QString& login, const QString& password, PasswordPart part) {
@@ -65,20 +81,30 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
 }
 
 bool offerToAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const QString& login) {
-  QuestionDialog dialog(
-      parent, SecondPerson::tr("Two people"),
-      SecondPerson::tr("This needs two people: you ask for it, and another administrator confirms it. Ask "
-                       "for it now?"));
-  dialog.setObjectName(QStringLiteral("askSecondPerson"));
-  dialog.finish(SecondPerson::tr("&Ask"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!wantsToAsk(parent)) {
     return false;
   }
   const std::string half = askSecondPerson(shell.session(), wish);
   if (!half.empty()) {
     showStartPassword(parent, login, toQString(half), PasswordPart::kFirstHalf);
   }
-  shell.notify(SecondPerson::tr("Asked. Another administrator confirms it under Users, Requests"));
+  sayAsked(shell);
+  return true;
+}
+
+bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes) {
+  if (!wantsToAsk(parent)) {
+    return false;
+  }
+  const std::vector<OpenRequest> open = openRequests(shell.session());
+  for (const DutyWish& wish : wishes) {
+    if (std::none_of(open.begin(), open.end(), [&](const OpenRequest& one) {
+          return one.request.act == wish.act && one.request.subject == wish.subject;
+        })) {
+      static_cast<void>(askSecondPerson(shell.session(), wish));
+    }
+  }
+  sayAsked(shell);
   return true;
 }
 

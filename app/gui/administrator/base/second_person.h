@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <QString>
 
@@ -23,6 +24,9 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
 /// what `act` throws else.
 bool actOrAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const std::function<void()>& act,
               const QString& login = {});
+/// Offers once to ask a second person for several things, of which none makes a start password; true when
+/// asked. Throws Error.
+bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes);
 /// Offers to ask a second person; true when asked. Throws Error.
 bool offerToAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const QString& login = {});
 

@@ -66,7 +66,7 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
       preview_(sentence(this, false)),
       form_(new QFormLayout) {
   build();
-  fillCohorts(cohort_, shell_.session());
+  fillCohorts(cohort_, shell_.session(), CohortFirst::kStudy);
   read();
 }
 

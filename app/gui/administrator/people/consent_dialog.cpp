@@ -37,11 +37,10 @@ std::string ownLanguage() {
 
 }  // namespace
 
-ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QString& code, QWidget* parent)
+ConsentDialog::ConsentDialog(ShellContext& shell, People people, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      personId_(std::move(personId)),
-      code_(code),
+      people_(std::move(people)),
       version_(new QComboBox(this)),
       purpose_(new QComboBox(this)),
       signed_(new QDateEdit(QDate::currentDate(), this)),
@@ -49,7 +48,7 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
       withdrawn_(new QPushButton(tr("&Withdrawn"), this)),
       print_(new QPushButton(tr("&Print a form\u2026"), this)),
       decisions_(new DataTable(QString(), this)) {
-  setWindowTitle(tr("Consents of %1").arg(code));
+  setWindowTitle(tr("Consents of %1").arg(codes()));
   resize(kDecisionsWidth, kDecisionsHeight);
   version_->setObjectName(QStringLiteral("version"));
   purpose_->setObjectName(QStringLiteral("purpose"));
@@ -65,7 +64,12 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
   QVBoxLayout* column = pageColumn(this);
   QLabel* words = sentence(this, false);
   words->setText(
-      tr("Every decision is kept; the newest about a purpose counts. Enter here what was signed on paper."));
+      people_.size() == 1
+          ? tr("Every decision is kept; the newest about a purpose counts. Enter here what was signed on "
+               "paper.")
+          : tr("Enter here what all %n of them signed on paper on the same day. Every decision is kept; the "
+               "newest of a person about a purpose counts.",
+               nullptr, static_cast<int>(people_.size())));
   column->addWidget(words);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSpace);
@@ -85,8 +89,13 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
   for (QPushButton* button : findChildren<QPushButton*>()) {
     button->setAutoDefault(false);  // Enter ends an input and decides nothing
   }
-  decisions_->setColumns(
-      {{tr("When")}, {tr("Purpose")}, {tr("Decision")}, {tr("How")}, {tr("Signed on")}, {tr("Text")}});
+  decisions_->setColumns({{tr("Person")},
+                          {tr("When")},
+                          {tr("Purpose")},
+                          {tr("Decision")},
+                          {tr("How")},
+                          {tr("Signed on")},
+                          {tr("Text")}});
   decisions_->setEmptyText(tr("Nothing was decided yet."));
   for (QWidget* field : std::initializer_list<QWidget*>{version_, purpose_, signed_, granted_, withdrawn_}) {
     field->setEnabled(shell_.may(Operation::kConsentRecord));
@@ -97,6 +106,14 @@ ConsentDialog::ConsentDialog(ShellContext& shell, PersonId personId, const QStri
   connect(print_, &QPushButton::clicked, this, &ConsentDialog::print);
   readVersions();
   read();
+}
+
+QString ConsentDialog::codes() const {
+  QStringList codes;
+  for (const auto& [id, code] : people_) {
+    codes << code;
+  }
+  return firstFew(codes);
 }
 
 void ConsentDialog::readVersions() {
@@ -148,17 +165,20 @@ QString ConsentDialog::titleOf(const std::string& purpose, const std::string& ve
 
 void ConsentDialog::read() {
   attempt(shell_, [&] {
-    std::vector<ConsentDecision> all = consentHistory(shell_.session(), personId_);
-    std::reverse(all.begin(), all.end());
     std::vector<Row> rows;
-    for (const ConsentDecision& one : all) {
-      rows.push_back({QString::number(rows.size()),
-                      {timeCell(one.decidedUtc_us),
-                       {titleOf(one.purpose, one.textVersion)},
-                       {one.granted ? tr("given") : tr("withdrawn")},
-                       {toQString(Text(termsOf(one.form)[static_cast<std::size_t>(one.form)].label))},
-                       timeCell(one.signedUtc_us),
-                       {toQString(one.textVersion)}}});
+    for (const auto& [id, code] : people_) {
+      std::vector<ConsentDecision> all = consentHistory(shell_.session(), id);
+      std::reverse(all.begin(), all.end());
+      for (const ConsentDecision& one : all) {
+        rows.push_back({QString::number(rows.size()),
+                        {{code},
+                         timeCell(one.decidedUtc_us),
+                         {titleOf(one.purpose, one.textVersion)},
+                         {one.granted ? tr("given") : tr("withdrawn")},
+                         {toQString(Text(termsOf(one.form)[static_cast<std::size_t>(one.form)].label))},
+                         timeCell(one.signedUtc_us),
+                         {toQString(one.textVersion)}}});
+      }
     }
     decisions_->setRows(std::move(rows));
   });
@@ -167,9 +187,11 @@ void ConsentDialog::read() {
 void ConsentDialog::record(bool granted) {
   attempt(shell_, [&] {
     const bool today = signed_->date() == QDate::currentDate();
-    recordConsent(shell_.session(), personId_, purpose_->currentData().toString().toStdString(), granted,
-                  version_->currentText().toStdString(),
-                  today ? 0 : signed_->date().startOfDay().toMSecsSinceEpoch() * 1000);
+    for (const auto& [id, code] : people_) {
+      recordConsent(shell_.session(), id, purpose_->currentData().toString().toStdString(), granted,
+                    version_->currentText().toStdString(),
+                    today ? 0 : signed_->date().startOfDay().toMSecsSinceEpoch() * 1000);
+    }
   });
   read();
 }
@@ -179,13 +201,18 @@ void ConsentDialog::print() {
   if (version == nullptr) {
     return;
   }
-  const QString file = askFileToSave(this, tr("Consent form of %1").arg(code_),
-                                     QStringLiteral("consent-%1").arg(code_), tr("PDF (*.pdf)"));
+  const QString file =
+      askFileToSave(this, tr("Consent form of %1").arg(codes()),
+                    QStringLiteral("consent-%1").arg(people_.front().second), tr("PDF (*.pdf)"));
   if (file.isEmpty()) {
     return;
   }
   attempt(shell_, [&] {
-    writeConsentForms(*version, wordsIn(*version, ownLanguage()), {code_.toStdString()},
+    std::vector<std::string> forms;
+    for (const auto& [id, code] : people_) {
+      forms.push_back(code.toStdString());
+    }
+    writeConsentForms(*version, wordsIn(*version, ownLanguage()), forms,
                       toQString(centreSign(shell_.session().connectionWithoutRight()).name), toPath(file));
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QDialog>
@@ -18,14 +19,15 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Every decision of one person about what may be kept and used, what was signed on paper since, and the form
-/// to sign.
+/// Every decision of the chosen people about what may be kept and used, what they signed on paper since, and
+/// the forms to sign.
 class ConsentDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `code`: pseudonym of the person, for the title and the form.
-  ConsentDialog(ShellContext& shell, PersonId personId, const QString& code, QWidget* parent = nullptr);
+  /// Ids and pseudonyms, at least one. What is entered is entered for all of them.
+  using People = std::vector<std::pair<PersonId, QString>>;
+  ConsentDialog(ShellContext& shell, People people, QWidget* parent = nullptr);
 
  private:
   void readVersions();
@@ -33,12 +35,12 @@ class ConsentDialog : public QDialog {
   void read();
   void record(bool granted);
   void print();
+  [[nodiscard]] QString codes() const;
   [[nodiscard]] const ConsentVersion* chosen() const;
   [[nodiscard]] QString titleOf(const std::string& purpose, const std::string& version) const;
 
   ShellContext& shell_;
-  PersonId personId_;
-  QString code_;
+  People people_;
   std::vector<ConsentVersion> versions_;
   QComboBox* version_;
   QComboBox* purpose_;

@@ -87,23 +87,39 @@ const PersonRequest* PersonRequestsDialog::current() const {
 void PersonRequestsDialog::showButtons() {
   const PersonRequest* one = current();
   goTo_->setEnabled(one != nullptr);
-  done_->setEnabled(one != nullptr && !one->answer);
-  decline_->setEnabled(one != nullptr && !one->answer);
+  done_->setEnabled(!waiting().empty());
+  decline_->setEnabled(!waiting().empty());
+}
+
+std::vector<const PersonRequest*> PersonRequestsDialog::waiting() const {
+  const QStringList ids = table_->selectedIds();
+  std::vector<const PersonRequest*> chosen;
+  for (const PersonRequest& one : requests_) {
+    if (!one.answer && ids.contains(toQString(one.id))) {
+      chosen.push_back(&one);
+    }
+  }
+  return chosen;
 }
 
 void PersonRequestsDialog::answer(bool done) {
-  const PersonRequest* one = current();
-  if (one == nullptr) {
-    return;
+  const std::vector<const PersonRequest*> chosen = waiting();
+  QStringList codes;
+  for (const PersonRequest* one : chosen) {
+    codes << toQString(one->personCode);
   }
-  const QString code = toQString(one->personCode);
+  const QString code = firstFew(codes);
   const std::optional<std::string> reason =
       done ? askReason(this, tr("Done"), tr("%1: say what was done, and when it was handed over.").arg(code))
            : askReason(this, tr("Decline"), tr("%1 reads this reason on their page.").arg(code));
   if (!reason) {
     return;
   }
-  attempt(shell_, [&] { answerPersonRequest(shell_.session(), one->id, done, *reason); });
+  attempt(shell_, [&] {
+    for (const PersonRequest* one : chosen) {
+      answerPersonRequest(shell_.session(), one->id, done, *reason);
+    }
+  });
   read();
 }
 

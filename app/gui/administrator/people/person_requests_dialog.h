@@ -30,6 +30,8 @@ class PersonRequestsDialog : public QDialog {
   void showButtons();
   void answer(bool done);
   [[nodiscard]] const PersonRequest* current() const;
+  /// Those of the chosen that nobody has answered.
+  [[nodiscard]] std::vector<const PersonRequest*> waiting() const;
 
   ShellContext& shell_;
   PersonId person_;

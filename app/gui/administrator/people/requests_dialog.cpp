@@ -2,17 +2,22 @@
 #include "app/gui/administrator/people/requests_dialog.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
+#include <string>
 
 #include <QDialogButtonBox>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/first_run.h"
+#include "app/base/progress.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
+#include "app/gui/administrator/people/accounts_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -21,6 +26,28 @@
 #include "app/maintenance/person_package.h"
 
 namespace torsio::gui {
+
+namespace {
+
+/// Second halves of start passwords, as they are made.
+struct SecondHalves {
+  std::vector<StartAccount> made{};
+  std::exception_ptr problem{};
+
+  void confirm(SessionContext& session, const std::vector<OpenRequest>& requests,
+               const ProgressCallback& progress) {
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      const std::string& login = requests[i].shown;
+      tellProgress(progress, Text::tr("Start password for %1", login),
+                   static_cast<double>(i) / static_cast<double>(requests.size()));
+      if (const std::string half = confirmRequest(session, requests[i].request.id); !half.empty()) {
+        made.push_back({.login = login, .personCode = login, .startPassword = "\u2026-" + half});
+      }
+    }
+  }
+};
+
+}  // namespace
 
 RequestsDialog::RequestsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
@@ -88,7 +115,23 @@ void RequestsDialog::showButtons() {
   decline_->setText(one != nullptr && one->own ? tr("&Take back\u2026") : tr("&Decline\u2026"));
 }
 
+std::vector<OpenRequest> RequestsDialog::chosenAccounts() const {
+  const QStringList ids = table_->selectedIds();
+  std::vector<OpenRequest> chosen;
+  for (const OpenRequest& one : requests_) {
+    const bool account =
+        one.request.act == DutyAct::kGrantRoles || one.request.act == DutyAct::kResetPassword;
+    if (account && !one.own && ids.contains(toQString(one.request.id))) {
+      chosen.push_back(one);
+    }
+  }
+  return chosen;
+}
+
 void RequestsDialog::confirm() {
+  if (const std::vector<OpenRequest> accounts = chosenAccounts(); accounts.size() > 1) {
+    return confirmAccounts(accounts);
+  }
   const OpenRequest* one = current();
   if (one == nullptr) {
     return;
@@ -163,17 +206,68 @@ void RequestsDialog::confirmAccount(const OpenRequest& request) {
       });
 }
 
+void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
+  QStringList about;
+  for (const OpenRequest& one : requests) {
+    about << toQString(one.shown);
+  }
+  QuestionDialog dialog(this, tr("Confirm"),
+                        tr("%1 asks for these %n account(s): %2. Do you know of them, and are they right? "
+                           "What is not about an account is confirmed by itself.",
+                           nullptr, static_cast<int>(requests.size()))
+                            .arg(toQString(requests.front().requestedBy), firstFew(about)));
+  dialog.finish(tr("&Confirm"));
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  const auto halves = std::make_shared<SecondHalves>();
+  shell_.run(
+      tr("Sealing the start passwords"),
+      [halves, requests, cost = shell_.session().passwordCost()](SessionContext& session,
+                                                                 const ProgressCallback& progress) {
+        session.setPasswordCost(cost);
+        try {
+          halves->confirm(session, requests, progress);
+        } catch (...) {
+          if (halves->made.empty()) {
+            throw;
+          }
+          halves->problem = std::current_exception();  // what was made is shown first: it is shown only once
+        }
+      },
+      [dialog = QPointer<RequestsDialog>(this), halves] {
+        if (dialog.isNull()) {
+          return;
+        }
+        dialog->read();
+        if (!halves->made.empty()) {
+          AccountsDialog(halves->made, centreSign(dialog->shell_.session().connectionWithoutRight()).name,
+                         dialog)
+              .exec();
+        }
+        if (!dialog.isNull() && halves->problem) {
+          attempt(dialog->shell_, [&] { std::rethrow_exception(halves->problem); });
+        }
+      });
+}
+
 void RequestsDialog::decline() {
   const OpenRequest* one = current();
   if (one == nullptr) {
     return;
   }
-  const std::optional<std::string> why = askReason(this, one->own ? tr("Take back") : tr("Decline"),
-                                                   tr("The request is closed and stays in the audit trail."));
+  const std::optional<std::string> why =
+      askReason(this, one->own ? tr("Take back") : tr("Decline"),
+                tr("%n request(s) are closed and stay in the audit trail.", nullptr,
+                   static_cast<int>(table_->selectedIds().size())));
   if (!why) {
     return;
   }
-  attempt(shell_, [&] { declineRequest(shell_.session(), one->request.id, *why); });
+  attempt(shell_, [&] {
+    for (const QString& id : table_->selectedIds()) {
+      declineRequest(shell_.session(), id.toStdString(), *why);
+    }
+  });
   read();
 }
 

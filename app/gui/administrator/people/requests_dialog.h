@@ -30,6 +30,10 @@ class RequestsDialog : public QDialog {
   void goTo(PageId page, const QString& sentence);
   void erase(const OpenRequest& request);
   void confirmAccount(const OpenRequest& request);
+  /// Several at once; shows the second halves of their start passwords together.
+  void confirmAccounts(const std::vector<OpenRequest>& requests);
+  /// Of the chosen requests those about accounts that somebody else has asked for.
+  [[nodiscard]] std::vector<OpenRequest> chosenAccounts() const;
   [[nodiscard]] const OpenRequest* current() const;
 
   ShellContext& shell_;

@@ -79,8 +79,15 @@ RosterPage::RosterPage(ShellContext& shell)
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
   connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
   connect(consents_, &QPushButton::clicked, this, [this] {
-    if (const NamedPersonRow* person = current(); person != nullptr) {
-      ConsentDialog(this->shell(), person->row.person.id, toQString(person->row.person.code), this).exec();
+    ConsentDialog::People chosen;
+    const QStringList ids = table_->selectedIds();
+    for (const NamedPersonRow& one : people_) {
+      if (ids.contains(toQString(one.row.person.id))) {
+        chosen.emplace_back(one.row.person.id, toQString(one.row.person.code));
+      }
+    }
+    if (!chosen.empty()) {
+      ConsentDialog(this->shell(), chosen, this).exec();
       read();
     }
   });

@@ -7,6 +7,7 @@
 #include <QGraphicsWidget>
 #include <QImage>
 #include <QPainter>
+#include <QScrollBar>
 #include <QTextDocument>
 #include <QUrl>
 
@@ -20,7 +21,8 @@ namespace {
 
 constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
-constexpr std::size_t kRowsShown = 15;  // long tables are told of, not shown
+constexpr char kRows[] = "rows:";
+constexpr std::size_t kRowsShown = 15;  // of a long table, until all are asked for
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
   const bool tall = figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kForest;
@@ -50,6 +52,8 @@ ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
     if (text.startsWith(QLatin1String(kNumber))) {
       Q_EMIT numberPressed(
           QUrl::fromPercentEncoding(text.mid(static_cast<qsizetype>(qstrlen(kNumber))).toLatin1()));
+    } else if (text.startsWith(QLatin1String(kRows))) {
+      toggleRows(text.mid(static_cast<qsizetype>(qstrlen(kRows))));
     }
   });
   QPalette paper = palette();
@@ -60,7 +64,8 @@ ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
   document()->setDocumentMargin(3 * kSpace);
 }
 
-QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wording) {
+QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
+                                 const Wording& wording) const {
   const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
   QString text = QStringLiteral("<p><b>%1</b></p><table cellpadding='4' cellspacing='0' border='0'><tr>")
                      .arg(html(table.title));
@@ -68,7 +73,8 @@ QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wordin
     text += QStringLiteral("<th align='left' bgcolor='#e4ecf2'>%1</th>").arg(html(column));
   }
   text += QStringLiteral("</tr>");
-  for (std::size_t r = 0; r < std::min(table.rows.size(), kRowsShown); ++r) {
+  const bool whole = table.rows.size() <= kRowsShown || whole_.contains(name);
+  for (std::size_t r = 0; r < (whole ? table.rows.size() : kRowsShown); ++r) {
     text += QStringLiteral("<tr>");
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const QString cell = html(table.rows[r][c]);
@@ -83,8 +89,10 @@ QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wordin
   }
   text += QStringLiteral("</table>");
   if (table.rows.size() > kRowsShown) {
-    text += QStringLiteral("<p><i>%1</i></p>")
-                .arg(html(Text::tr("further rows in the report: %1", table.rows.size() - kRowsShown)));
+    text += QStringLiteral("<p><i>%1</i> <a href=\"%2%3\" style=\"color:#004a7c\">%4</a></p>")
+                .arg(html(whole ? Text::tr("all %1 rows", table.rows.size())
+                                : Text::tr("%1 of %2 rows", kRowsShown, table.rows.size())),
+                     QLatin1String(kRows), name, html(whole ? Text::tr("Show fewer") : Text::tr("Show all")));
   }
   for (const Text& note : table.notes) {
     text += QStringLiteral("<p style='color:#51606c'>%1</p>").arg(html(note));
@@ -93,6 +101,26 @@ QString ReportPreview::tableHtml(const ReportTable& table, const Wording& wordin
 }
 
 void ReportPreview::setReport(const ReportModel& model, const Wording& wording) {
+  model_ = model;
+  wording_ = wording;
+  whole_.clear();
+  pictures_.clear();
+  showReport();
+  moveCursor(QTextCursor::Start);
+}
+
+void ReportPreview::toggleRows(const QString& name) {
+  if (whole_.erase(name) == 0) {
+    whole_.insert(name);
+  }
+  const int at = verticalScrollBar()->value();
+  showReport();
+  verticalScrollBar()->setValue(at);
+}
+
+void ReportPreview::showReport() {
+  const ReportModel& model = model_;
+  const Wording& wording = wording_;
   clear();
   const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
   QString text = QStringLiteral("<h1>%1</h1><p>%2</p>").arg(html(model.title), html(model.subtitle));
@@ -105,14 +133,18 @@ void ReportPreview::setReport(const ReportModel& model, const Wording& wording) 
     text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(html(label), html(value));
   }
   text += QStringLiteral("</table>");
+  int tables = 0;
   for (const ReportSection& section : model.sections) {
     text += QStringLiteral("<h2>%1</h2>").arg(html(section.title));
     for (const Text& paragraph : section.paragraphs) {
       text += QStringLiteral("<p>%1</p>").arg(html(paragraph));
     }
     for (const ReportFigure& figure : section.figures) {
-      const QImage image = drawn(figure, wording);
       const QString name = QStringLiteral("figure:%1").arg(toQString(figure.id).toHtmlEscaped());
+      QImage& image = pictures_[name];
+      if (image.isNull()) {
+        image = drawn(figure, wording);
+      }
       document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
       text += QStringLiteral("<p><b>%1</b></p><p><img src='%2' width='%3'></p>")
                   .arg(html(figure.title), name)
@@ -122,12 +154,11 @@ void ReportPreview::setReport(const ReportModel& model, const Wording& wording) 
       }
     }
     for (const ReportTable& table : section.tables) {
-      text += tableHtml(table, wording);
+      text += tableHtml(table, QString::number(tables++), wording);
     }
   }
   // setHtml() would forget the pictures: they belong to the document that is there.
   QTextCursor(document()).insertHtml(text);
-  moveCursor(QTextCursor::Start);
 }
 
 }  // namespace torsio::gui

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <set>
+
+#include <QImage>
+#include <QString>
 #include <QTextBrowser>
 
 #include "app/report/wording.h"
@@ -9,7 +14,7 @@
 namespace torsio::gui {
 
 /// The whole report to scroll through before it is written: the same words, tables and figures, on paper
-/// white whatever the theme.
+/// white whatever the theme. Of a long table the first rows are shown, and all on request.
 class ReportPreview : public QTextBrowser {
   Q_OBJECT
 
@@ -24,7 +29,16 @@ class ReportPreview : public QTextBrowser {
   void numberPressed(const QString& address);
 
  private:
-  [[nodiscard]] static QString tableHtml(const ReportTable& table, const Wording& wording);
+  void showReport();
+  /// Shows all rows of a long table, or the first ones again.
+  void toggleRows(const QString& name);
+  [[nodiscard]] QString tableHtml(const ReportTable& table, const QString& name,
+                                  const Wording& wording) const;
+
+  ReportModel model_;
+  Wording wording_;
+  std::map<QString, QImage> pictures_;
+  std::set<QString> whole_;  // tables of which all rows are shown, by their number
 };
 
 }  // namespace torsio::gui

@@ -126,7 +126,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
 void ReportsPage::enter(const QVariant&) {
   attempt(shell(), [&] {
     SessionContext& session = shell().session();
-    fillCohorts(cohort_, session);
+    fillCohorts(cohort_, session, CohortFirst::kStudy);
     fillCampaigns(campaign_, session, tr("none"));
     fillFrozen();
     compute();

@@ -101,7 +101,7 @@ ResultsPage::ResultsPage(ShellContext& shell)
 void ResultsPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     SessionContext& session = shell().session();
-    fillCohorts(cohort_, session);
+    fillCohorts(cohort_, session, CohortFirst::kStudy);
     fillCampaigns(campaign_, session, tr("none"));
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());

@@ -174,8 +174,7 @@ void RaterCalibrationDialog::read() {
 
 void RaterCalibrationDialog::check() {
   add_->setEnabled(!candidates_->currentId().isEmpty());
-  const QString chosen = present_->currentId();
-  withdraw_->setEnabled(!chosen.isEmpty() && !withdrawn_.contains(chosen));
+  withdraw_->setEnabled(!chosenRuns().isEmpty());
 }
 
 void RaterCalibrationDialog::add() {
@@ -187,19 +186,33 @@ void RaterCalibrationDialog::add() {
   });
 }
 
+QStringList RaterCalibrationDialog::chosenRuns() const {
+  QStringList runs;
+  for (const QString& id : present_->selectedIds()) {
+    if (!withdrawn_.contains(id)) {
+      runs << id;
+    }
+  }
+  return runs;
+}
+
 void RaterCalibrationDialog::withdraw() {
-  const QString chosen = present_->currentId();
-  const std::optional<std::string> reason =
-      askReason(this, tr("Withdraw a reference run"),
-                tr("No physician is given this run any more. Marks given on it stay. A run that is withdrawn "
-                   "cannot be used for rater calibration again."));
+  const QStringList chosen = chosenRuns();
+  const std::optional<std::string> reason = askReason(
+      this, chosen.size() == 1 ? tr("Withdraw a reference run") : tr("Withdraw reference runs"),
+      tr("No physician is given the chosen runs any more (%n). Marks given on them stay. A run that "
+         "is withdrawn cannot be used for rater calibration again.",
+         nullptr, static_cast<int>(chosen.size())));
   if (!reason) {
     return;
   }
   attempt(shell_, [&] {
-    withdrawReferenceRun(shell_.session(), chosen.toStdString(), *reason);
+    for (const QString& run : chosen) {
+      withdrawReferenceRun(shell_.session(), run.toStdString(), *reason);
+    }
     read();
-    shell_.notify(tr("The reference run is withdrawn"));
+    shell_.notify(
+        tr("Withdrawn from rater calibration: %n run(s)", nullptr, static_cast<int>(chosen.size())));
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <QDialog>
 #include <QString>
+#include <QStringList>
 
 #include "app/review/rater_calibration.h"
 #include "app/study/rubric_service.h"
@@ -36,6 +37,8 @@ class RaterCalibrationDialog : public QDialog {
   void read();
   void check();
   void add();
+  /// What is chosen and not withdrawn yet.
+  [[nodiscard]] QStringList chosenRuns() const;
   void withdraw();
   void showScale();
   [[nodiscard]] const RubricRevision& revision() const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/scoring/scoring_dialogs.h"
 
+#include <algorithm>
+#include <map>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -20,7 +23,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/person.h"
-#include "assessment/rating/sheet_state.h"
 
 namespace torsio::gui {
 
@@ -107,43 +109,6 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   return asked;
 }
 
-std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
-                                          const ScoringMatrix::Line& line) {
-  QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
-                        translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
-                            .arg(toQString(line.traineeCode), occasionName(line.occasion)));
-  auto* from = new QComboBox(&dialog);
-  auto* to = new QComboBox(&dialog);
-  to->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
-  for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
-    const ScoringCell& cell = line.cells[r];
-    const bool open = isOutstanding(cell.state);
-    if (!cell.assignmentId.empty() && open) {
-      from->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
-                        .arg(toQString(matrix.raters[r].code), sheetStateName(cell.state)),
-                    toQString(cell.assignmentId));
-    }
-    if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn) {
-      to->addItem(toQString(matrix.raters[r].code), toQString(matrix.raters[r].id));
-    }
-  }
-  auto* reason = new QLineEdit(&dialog);
-  auto* form = new QFormLayout;
-  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&From")), from);
-  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&To")), to);
-  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
-  dialog.column()->addLayout(form);
-  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Reassign")));
-  ok->setEnabled(false);
-  QObject::connect(reason, &QLineEdit::textChanged, ok, [ok, from](const QString& text) {
-    ok->setEnabled(!text.trimmed().isEmpty() && from->count() > 0);
-  });
-  if (dialog.exec() != QDialog::Accepted) {
-    return std::nullopt;
-  }
-  return SheetMoved{chosenId(from), chosenId(to), reason->text().trimmed().toStdString()};
-}
-
 std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<ReleaseState>& states) {
   QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
                         translated(QT_TRANSLATE_NOOP(
@@ -200,19 +165,59 @@ Row rowOf(const ThirdRequest& request) {
            timeCell(request.askedUtc_us)}};
 }
 
-void fillThirds(QComboBox* box, const ThirdRequest& request) {
-  box->clear();
-  for (const Adjudicator& rater : request.free) {
-    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: sheets waiting: %3"))
-                     .arg(toQString(rater.code), orDash(rater.classCode))
-                     .arg(rater.open),
-                 toQString(rater.id));
+std::vector<const ThirdRequest*> chosenRequests(const std::vector<ThirdRequest>& requests,
+                                                const QStringList& ids) {
+  std::vector<const ThirdRequest*> chosen;
+  for (const ThirdRequest& request : requests) {
+    if (ids.contains(toQString(request.assignmentId)) && !request.free.empty()) {
+      chosen.push_back(&request);
+    }
   }
+  return chosen;
+}
+
+/// Who may be asked about all of these; of several cases first "the freest for each".
+void fillThirds(QComboBox* box, const std::vector<const ThirdRequest*>& chosen) {
+  box->clear();
+  if (chosen.empty()) {
+    return;
+  }
+  if (chosen.size() > 1) {
+    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "for each case the freest of the same class")),
+                 QString());
+  }
+  for (const Adjudicator& rater : chosen.front()->free) {
+    const bool forAll = std::all_of(chosen.begin(), chosen.end(), [&](const ThirdRequest* one) {
+      return std::any_of(one->free.begin(), one->free.end(),
+                         [&](const Adjudicator& other) { return other.id == rater.id; });
+    });
+    if (forAll) {
+      box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: sheets waiting: %3"))
+                       .arg(toQString(rater.code), orDash(rater.classCode))
+                       .arg(rater.open),
+                   toQString(rater.id));
+    }
+  }
+}
+
+/// The first of the class that comes first, with what was given out meanwhile counted.
+RaterId freestFor(const ThirdRequest& request, const std::map<RaterId, std::size_t>& given) {
+  const Adjudicator* freest = &request.free.front();
+  const auto load = [&](const Adjudicator& one) {
+    const auto more = given.find(one.id);
+    return one.open + (more == given.end() ? 0 : more->second);
+  };
+  for (const Adjudicator& one : request.free) {
+    if (one.classCode == request.free.front().classCode && load(one) < load(*freest)) {
+      freest = &one;
+    }
+  }
+  return freest->id;
 }
 
 }  // namespace
 
-std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
+std::vector<ThirdChosen> askThirdRaters(QWidget* parent, const std::vector<ThirdRequest>& requests) {
   QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign an adjudicator")),
                         translated(QT_TRANSLATE_NOOP(
                             "Scoring",
@@ -237,23 +242,26 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
   dialog.column()->addLayout(form);
   QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Assign")));
-  const auto choose = [&](const QString& id) {
-    to->clear();
-    for (const ThirdRequest& request : requests) {
-      if (toQString(request.assignmentId) == id) {
-        fillThirds(to, request);
-      }
-    }
+  const auto choose = [&] {
+    const std::vector<const ThirdRequest*> chosen = chosenRequests(requests, table->selectedIds());
+    fillThirds(to, chosen);
     ok->setEnabled(to->count() > 0);
   };
   QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
   table->select(toQString(requests.front().assignmentId));
-  choose(table->currentId());
+  choose();
   ok->setFocus(Qt::OtherFocusReason);
+  std::vector<ThirdChosen> assigned;
   if (dialog.exec() != QDialog::Accepted || to->count() == 0) {
-    return std::nullopt;
+    return assigned;
   }
-  return ThirdChosen{table->currentId().toStdString(), chosenId(to)};
+  std::map<RaterId, std::size_t> given;
+  for (const ThirdRequest* request : chosenRequests(requests, table->selectedIds())) {
+    const RaterId rater = chosenId(to).empty() ? freestFor(*request, given) : RaterId(chosenId(to));
+    ++given[rater];
+    assigned.push_back({request->assignmentId, rater});
+  }
+  return assigned;
 }
 
 }  // namespace torsio::gui

@@ -25,15 +25,6 @@ struct RatersAsked {
 [[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                                       const ScoringMatrix& matrix);
 
-struct SheetMoved {
-  AssignmentId assignmentId{};
-  RaterId newRaterId{};  ///< empty: taken back only
-  std::string reason{};
-};
-/// Which open sheet of a line goes to whom. Empty: given up.
-[[nodiscard]] std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
-                                                        const ScoringMatrix::Line& line);
-
 struct ReleaseChange {
   std::string occasionCode{};
   bool release = true;  ///< false: taken back
@@ -46,9 +37,9 @@ struct ThirdChosen {
   AssignmentId assignmentId{};
   RaterId raterId{};
 };
-/// Which of the cases goes to whom; the oldest request and the freest rater are chosen already. Empty: given
-/// up.
-[[nodiscard]] std::optional<ThirdChosen> askThirdRater(QWidget* parent,
-                                                       const std::vector<ThirdRequest>& requests);
+/// Which of the cases go to whom; the oldest request and the freest rater are chosen already. Of several
+/// cases each goes to the freest, unless one rater is chosen for all. Empty: given up.
+[[nodiscard]] std::vector<ThirdChosen> askThirdRaters(QWidget* parent,
+                                                      const std::vector<ThirdRequest>& requests);
 
 }  // namespace torsio::gui

@@ -12,6 +12,8 @@
 #include "app/gui/administrator/base/reminder_text.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/scoring/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring/reassign_dialog.h"
+#include "app/gui/administrator/scoring/remind_dialog.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
 #include "app/gui/administrator/scoring/scoring_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -19,6 +21,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
+#include "app/study/reassignment.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/person.h"
 #include "sim/base/error.h"
@@ -59,6 +62,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("scoring-matrix"), this)),
       reassign_(listButton(table_)),
       remind_(listButton(table_)),
+      mail_(listButton(table_)),
       release_(listButton(table_)),
       third_(listButton(table_)) {
   table_->setObjectName(QStringLiteral("matrix"));
@@ -80,8 +84,11 @@ ScoringPage::ScoringPage(ShellContext& shell)
 
   connect(cohort_, &QComboBox::currentIndexChanged, this, &ScoringPage::read);
   connect(ask_, &QPushButton::clicked, this, &ScoringPage::askRaters);
-  connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheet);
+  connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheets);
   connect(remind_, &QPushButton::clicked, this, &ScoringPage::copyReminders);
+  connect(mail_, &QPushButton::clicked, this, [this] {
+    attempt(this->shell(), [this] { RemindDialog(this->shell(), chosenId(cohort_), this).exec(); });
+  });
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
   connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
   connect(revise_, &QPushButton::clicked, this, &ScoringPage::showSheet);
@@ -92,7 +99,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
 
 void ScoringPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().session());
+    fillCohorts(cohort_, shell().session(), CohortFirst::kOfToday);
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());
     }
@@ -162,9 +169,9 @@ void ScoringPage::copyReminders() {
 
 void ScoringPage::showButtons() {
   ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
-  const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
-  reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
+  reassign_->setEnabled(matrix_ && !matrix_->lines.empty() && shell().may(Operation::kStudySetup));
   remind_->setEnabled(matrix_ && !matrix_->lines.empty());
+  mail_->setEnabled(remind_->isEnabled());
   release_->setEnabled(!releases_.empty());
   revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
   warmUp_->setEnabled(shell().may(Operation::kStudySetup));
@@ -208,33 +215,47 @@ bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<st
   });
 }
 
+std::vector<PersonRow> ScoringPage::activeRaters() {
+  std::vector<PersonRow> raters;
+  for (PersonRow& person : people(shell().session())) {
+    if (person.rater && person.person.state == PersonState::kActive) {
+      raters.push_back(std::move(person));
+    }
+  }
+  return raters;
+}
+
 void ScoringPage::askRaters() {
   attempt(shell(), [&] {
-    std::vector<PersonRow> raters;
-    for (PersonRow& person : people(shell().session())) {
-      if (person.rater && person.person.state == PersonState::kActive) {
-        raters.push_back(std::move(person));
-      }
-    }
     if (const std::optional<RatersAsked> asked =
-            askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{}))) {
+            askRatersFor(this, activeRaters(), matrix_.value_or(ScoringMatrix{}))) {
       ask(asked->raterIds, asked->occasionCodes, asked->dueUtc_us);
     }
   });
 }
 
-void ScoringPage::reassignSheet() {
-  const std::size_t at = table_->currentId().toULongLong();
-  if (!matrix_ || at >= matrix_->lines.size()) {
+void ScoringPage::reassignSheets() {
+  if (!matrix_) {
     return;
   }
-  const std::optional<SheetMoved> moved = askReassignment(this, *matrix_, matrix_->lines[at]);
-  if (!moved) {
-    return;
+  const QStringList ids = table_->selectedIds();
+  std::vector<std::size_t> lines;  // without a choice all of them
+  for (std::size_t i = 0; i < matrix_->lines.size(); ++i) {
+    if (ids.isEmpty() || ids.contains(QString::number(i))) {
+      lines.push_back(i);
+    }
   }
   attempt(shell(), [&] {
-    reassign(shell().session(), moved->assignmentId, moved->newRaterId, moved->reason);
+    const std::vector<PersonRow> raters = activeRaters();
+    const std::optional<SheetsChosen> chosen = askReassignment(this, *matrix_, lines, raters);
+    if (!chosen) {
+      return;
+    }
+    const SheetsMoved moved =
+        reassignAll(shell().session(), chosen->sheets, chosen->newRaterId, chosen->reason);
     read();
+    shell().notify(tr("%n sheet(s) changed hands. Reassign takes them back, too.", nullptr,
+                      static_cast<int>(moved.moved)));
   });
 }
 
@@ -257,14 +278,17 @@ void ScoringPage::assignThirdRater() {
   if (thirds_.empty()) {
     return;
   }
-  const std::optional<ThirdChosen> chosen = askThirdRater(this, thirds_);
-  if (!chosen) {
+  const std::vector<ThirdChosen> chosen = askThirdRaters(this, thirds_);
+  if (chosen.empty()) {
     return;
   }
   attempt(shell(), [&] {
-    assignThird(shell().session(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
+    for (const ThirdChosen& one : chosen) {
+      assignThird(shell().session(), chosenId(cohort_), one.assignmentId, one.raterId);
+    }
     read();
-    shell().notify(tr("The adjudicator finds the case in their queue"));
+    shell().notify(chosen.size() == 1 ? tr("The adjudicator finds the case in their queue")
+                                      : tr("The adjudicators find the cases in their queues"));
   });
 }
 
@@ -287,8 +311,11 @@ void ScoringPage::retranslate() {
   third_->setToolTip(tr("Physicians could not agree and ask for one more"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
+  reassign_->setToolTip(tr("The sheets of the chosen rows, or of all: to another rater, or back"));
   remind_->setText(tr("Copy re&minders"));
   remind_->setToolTip(tr("Whom to remind of which cases, as a text for your mail"));
+  mail_->setText(tr("Sen&d reminders\u2026"));
+  mail_->setToolTip(tr("By the mail server of the centre, to all who owe a sheet or some of them"));
   release_->setText(tr("Re&lease marks\u2026"));
   table_->setEmptyText(tr(
       "No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own."));

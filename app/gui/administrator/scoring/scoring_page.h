@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
+#include "app/people/people_service.h"
 #include "app/review/adjudicator.h"
 #include "app/study/scoring_plan.h"
 
@@ -42,7 +43,8 @@ class ScoringPage : public Page {
   void askRaters();
   void copyReminders();
   [[nodiscard]] QString cellText(const ScoringCell& cell) const;
-  void reassignSheet();
+  void reassignSheets();
+  [[nodiscard]] std::vector<PersonRow> activeRaters();
   void release();
   void assignThirdRater();
   void showWarmUp();
@@ -61,6 +63,7 @@ class ScoringPage : public Page {
   DataTable* table_;
   QPushButton* reassign_;
   QPushButton* remind_;
+  QPushButton* mail_;
   QPushButton* release_;
   QPushButton* third_;
 };

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/maintenance_page.h"
 
-#include <algorithm>
-#include <array>
-
 #include <QDate>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -16,13 +13,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
-#include "app/gui/administrator/station/retention_dialog.h"
+#include "app/gui/administrator/station/retention_queue.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
-#include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -34,7 +28,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kDiskParts = 1000;
-constexpr std::int64_t kYear_us = 365LL * 86'400 * 1'000'000;
 
 bool isFile(const std::string& locator) {
   return QFileInfo(toQString(locator)).isFile();
@@ -60,21 +53,12 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       moveText_(sentence(this, false)),
       restoreButton_(new QPushButton(this)),
       moveButton_(new QPushButton(this)),
-      queueTitle_(new QLabel(this)),
-      queue_(new DataTable(QStringLiteral("retention"), this)),
-      keep_(listButton(queue_)),
-      lock_(listButton(queue_)),
-      erase_(listButton(queue_)),
-      rules_(listButton(queue_)) {
-  rules_->setObjectName(QStringLiteral("retentionRules"));
+      queue_(new RetentionQueue(shell, this)) {
   recordText_->setObjectName(QStringLiteral("recordText"));
   backupText_->setObjectName(QStringLiteral("backupText"));
-  queue_->setObjectName(QStringLiteral("queue"));
-  queueTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(cards());
-  column->addWidget(queueTitle_);
   column->addWidget(queue_, 1);
   connect(checkButton_, &QPushButton::clicked, this, &MaintenancePage::checkRecord);
   connect(backupButton_, &QPushButton::clicked, this, &MaintenancePage::askBackUp);
@@ -82,11 +66,6 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
   connect(removeButton_, &QPushButton::clicked, this, &MaintenancePage::askRemoveDemonstration);
   connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
   connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
-  connect(keep_, &QPushButton::clicked, this, &MaintenancePage::keepLonger);
-  connect(lock_, &QPushButton::clicked, this, &MaintenancePage::lock);
-  connect(erase_, &QPushButton::clicked, this, &MaintenancePage::erase);
-  connect(rules_, &QPushButton::clicked, this, &MaintenancePage::changeRules);
-  connect(queue_, &DataTable::currentChanged, this, &MaintenancePage::showButtons);
   retranslate();
 }
 
@@ -133,25 +112,8 @@ void MaintenancePage::read() {
     if (shell().may(Operation::kPersonErase)) {
       demonstration_ = demonstrationSize(shell().session());
     }
-    due_.clear();
-    if (shell().may(Operation::kRetentionManage)) {
-      due_ = retentionQueue(shell().session());
-    }
     showRecord();
-    std::vector<Row> rows;
-    for (const RetentionItem& item : due_) {
-      rows.push_back({toQString(item.personId),
-                      {{toQString(item.code)},
-                       {retentionCategoryName(item.category)},
-                       {orDash(item.basis)},
-                       timeCell(item.sinceUtc_us),
-                       timeCell(item.dueUtc_us),
-                       {!item.held ? tr("to be reviewed")
-                        : item.hold->kind == HoldKind::kLock
-                            ? tr("locked: %1").arg(toQString(item.hold->reason))
-                            : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
-    }
-    queue_->setRows(std::move(rows));
+    queue_->read();
     showButtons();
   });
 }
@@ -211,20 +173,6 @@ void MaintenancePage::showButtons() {
           : tr("This record lies on a database server. Its administrator backs it up and restores it with "
                "the "
                "server's own tools."));
-  rules_->setEnabled(shell().may(Operation::kRetentionManage));
-  const RetentionItem* item = current();
-  for (QPushButton* button : {keep_, lock_}) {
-    button->setEnabled(item != nullptr);
-  }
-  lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
-  erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
-}
-
-const RetentionItem* MaintenancePage::current() const {
-  const std::string id = queue_->currentId().toStdString();
-  const auto found =
-      std::find_if(due_.begin(), due_.end(), [&](const RetentionItem& item) { return item.personId == id; });
-  return found == due_.end() ? nullptr : &*found;
 }
 
 void MaintenancePage::backUp(const std::filesystem::path& file) {
@@ -316,86 +264,6 @@ void MaintenancePage::askRemoveDemonstration() {
   }
 }
 
-void MaintenancePage::changeRules() {
-  attempt(shell(), [&] {
-    const std::optional<RetentionRulesEdit> edit = askRetentionRules(this, retentionRules(shell().session()));
-    if (!edit) {
-      return;
-    }
-    for (const RetentionRule& rule : edit->set) {
-      setRetentionRule(shell().session(), rule.category, rule.keep_days, rule.basis);
-    }
-    for (const std::string& category : edit->removed) {
-      removeRetentionRule(shell().session(), category);
-    }
-    read();
-  });
-}
-
-void MaintenancePage::keepLonger() {
-  const RetentionItem* item = current();
-  if (item == nullptr) {
-    return;
-  }
-  const std::optional<std::string> reason = askReason(
-      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(toQString(item->code)));
-  if (!reason) {
-    return;
-  }
-  attempt(shell(), [&] {
-    extendRecord(shell().session(), item->personId, shell().session().now_us() + kYear_us, *reason);
-    read();
-  });
-}
-
-void MaintenancePage::lock() {
-  const RetentionItem* item = current();
-  if (item == nullptr) {
-    return;
-  }
-  const std::optional<std::string> reason =
-      item->held
-          ? askReason(this, tr("Release"),
-                      tr("The record of %1 is no longer held.").arg(toQString(item->code)))
-          : askReason(this, tr("Lock"),
-                      tr("The record of %1 is kept until somebody releases it.").arg(toQString(item->code)));
-  if (!reason) {
-    return;
-  }
-  attempt(shell(), [&] {
-    if (item->held) {
-      releaseRecord(shell().session(), item->personId, *reason);
-    } else {
-      lockRecord(shell().session(), item->personId, *reason);
-    }
-    read();
-  });
-}
-
-void MaintenancePage::erase() {
-  const RetentionItem* item = current();
-  if (item == nullptr) {
-    return;
-  }
-  attempt(shell(), [&] {
-    const std::array<PersonId, 1> who = {item->personId};
-    const RetentionOutcome tried = eraseDue(shell().session(), who, "dry run", true);
-    const std::optional<std::string> reason =
-        askReason(this, tr("Erase a record"),
-                  tr("The identity of %1 and %n recording(s) are erased for good. Marks stay without a "
-                     "person, so that statistics remain right.",
-                     nullptr, static_cast<int>(tried.recordings))
-                          .arg(toQString(item->code)) +
-                      copiesText(shell().session(), who.front(), locale()));
-    if (!reason) {
-      return;
-    }
-    actOrAsk(this, shell(), {.act = DutyAct::kErase, .subject = who.front(), .reason = *reason},
-             [&] { static_cast<void>(eraseDue(shell().session(), who, *reason, false)); });
-    read();
-  });
-}
-
 void MaintenancePage::retranslate() {
   heading_->setTexts(tr("Maintenance of the record"),
                      tr("Back up, test the backup, and review what is due."));
@@ -411,18 +279,7 @@ void MaintenancePage::retranslate() {
   move_->setTitle(tr("Restore or move"));
   restoreButton_->setText(tr("Re&store\u2026"));
   moveButton_->setText(tr("Mo&ve to PostgreSQL\u2026"));
-  queueTitle_->setText(tr("Records due for review"));
-  keep_->setText(tr("&Keep longer\u2026"));
-  erase_->setText(tr("&Erase\u2026"));
-  rules_->setText(tr("R&ules\u2026"));
-  rules_->setToolTip(tr("How long records are kept, and on what lawful basis"));
-  queue_->setColumns({{tr("Person")},
-                      {tr("Why")},
-                      {tr("Lawful basis")},
-                      {tr("Last activity")},
-                      {tr("Due since")},
-                      {tr("State")}});
-  queue_->setEmptyText(tr("No record is due."));
+  queue_->retranslate();
   showRecord();
   showButtons();
 }

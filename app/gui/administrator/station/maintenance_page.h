@@ -5,13 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/gui/base/page.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/demonstration_removal.h"
-#include "app/maintenance/retention.h"
-#include "assessment/people/retention.h"
 
 class QLabel;
 class QProgressBar;
@@ -20,8 +17,8 @@ class QPushButton;
 namespace torsio::gui {
 
 class Card;
-class DataTable;
 class PageHeading;
+class RetentionQueue;
 
 /// Care of the record: backup and its test, check of the database, room on the disk, simulated data, and
 /// whose record is due for review.
@@ -47,15 +44,9 @@ class MaintenancePage : public Page {
   void askBackUp();
   void askTest();
   void askRemoveDemonstration();
-  void changeRules();
-  void keepLonger();
-  void lock();
-  void erase();
-  [[nodiscard]] const RetentionItem* current() const;
 
   std::optional<DatabaseCheck> check_;
   DemonstrationSize demonstration_;
-  std::vector<RetentionItem> due_;
   PageHeading* heading_;
   Card* record_;
   QLabel* recordText_;
@@ -72,12 +63,7 @@ class MaintenancePage : public Page {
   QLabel* moveText_;
   QPushButton* restoreButton_;
   QPushButton* moveButton_;
-  QLabel* queueTitle_;
-  DataTable* queue_;
-  QPushButton* keep_;
-  QPushButton* lock_;
-  QPushButton* erase_;
-  QPushButton* rules_;
+  RetentionQueue* queue_;
 };
 
 }  // namespace torsio::gui

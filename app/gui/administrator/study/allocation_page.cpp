@@ -156,7 +156,7 @@ QWidget* AllocationPage::designForm() {
 
 void AllocationPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().session());
+    fillCohorts(cohort_, shell().session(), CohortFirst::kStudy);
     if (argument.isValid()) {
       chooseId(cohort_, argument.toString().toStdString());
     }

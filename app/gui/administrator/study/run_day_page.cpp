@@ -15,12 +15,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/list_dialogs.h"
-#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/alert_panel.h"
 #include "app/gui/administrator/study/call_bar.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
-#include "app/gui/administrator/study/run_day_dialogs.h"
+#include "app/gui/administrator/study/deviations_dialog.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
@@ -28,7 +27,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/study/cohort_service.h"
 
 namespace torsio::gui {
 
@@ -48,7 +46,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
       summary_(new QLabel(this)),
       callBar_(new CallBar(shell, this)),
       table_(new DataTable(QStringLiteral("run-day"), this)),
-      alerts_(sentence(this, false)),
+      alerts_(new AlertPanel(this)),
       stationsTitle_(new QLabel(this)),
       stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
       reader_(new Background(this)),
@@ -64,7 +62,6 @@ RunDayPage::RunDayPage(ShellContext& shell)
       deviation_(listButton(table_)),
       deviations_(listButton(table_)),
       state_(listButton(table_)) {
-  alerts_->setObjectName(QStringLiteral("alerts"));
   stations_->setObjectName(QStringLiteral("stations"));
   table_->setObjectName(QStringLiteral("table"));
   print_->setObjectName(QStringLiteral("print"));
@@ -89,8 +86,6 @@ RunDayPage::RunDayPage(ShellContext& shell)
   column->addWidget(heading_);
   column->addLayout(choices);
   column->addWidget(callBar_);
-  setLook(alerts_, "caution", true);
-  alerts_->hide();
   stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
   stations_->filter().hide();
   column->addWidget(alerts_);
@@ -112,7 +107,8 @@ RunDayPage::RunDayPage(ShellContext& shell)
   connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
   connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
   connect(deviations_, &QPushButton::clicked, this, [this] {
-    attempt(this->shell(), [this] { showDeviations(this->shell(), chosenId(cohort_), this); });
+    attempt(this->shell(), [this] { DeviationsDialog(this->shell(), chosenId(cohort_), this).exec(); });
+    read();
   });
   connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
   retranslate();
@@ -120,7 +116,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
 
 void RunDayPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    fillCohorts(cohort_, shell().session());
+    fillCohorts(cohort_, shell().session(), CohortFirst::kOfToday);
     read();
     clock_->start();
   });
@@ -195,32 +191,6 @@ Cell RunDayPage::slotCell(const RunDayRow& row) const {
           QVariant(static_cast<qlonglong>(row.slot->startsUtc_us))};
 }
 
-void RunDayPage::planDay() {
-  if (!board_) {
-    return;
-  }
-  std::vector<std::pair<EnrolmentId, QString>> everybody;
-  std::vector<std::pair<EnrolmentId, QString>> chosen;
-  const QStringList ids = table_->selectedIds();
-  for (const RunDayRow& row : board_->rows) {
-    if (row.state == EnrolmentState::kWithdrawn) {
-      continue;
-    }
-    everybody.emplace_back(row.enrolmentId, toQString(row.traineeCode));
-    if (ids.contains(toQString(row.enrolmentId))) {
-      chosen.push_back(everybody.back());
-    }
-  }
-  QStringList places;
-  for (const StationState& station : board_->stations) {
-    places << toQString(station.station);
-  }
-  attempt(shell(), [&] {
-    DayPlanDialog(shell(), chosenId(cohort_), chosen.size() > 1 ? chosen : everybody, places, this).exec();
-  });
-  read();
-}
-
 void RunDayPage::showContent() {
   std::vector<Row> rows;
   std::size_t running = 0;
@@ -268,32 +238,9 @@ void RunDayPage::showContent() {
                                   [](const CalledCase& called) { return !called.call.endedUtc_us; })
                           ? kReadCalls_ms
                           : kReadAgain_ms);
-  showAlerts();
+  alerts_->showAlerts(board_ ? runDayAlerts(*board_) : std::vector<RunDayAlert>{});
   showStations();
   showButtons();
-}
-
-void RunDayPage::swap() {
-  const RunDayRow* row = current();
-  if (row == nullptr) {
-    return;
-  }
-  std::vector<std::pair<std::string, QString>> others;
-  for (const RunDayRow& other : board_->rows) {
-    if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn) {
-      others.emplace_back(other.enrolmentId, toQString(other.traineeCode));
-    }
-  }
-  const std::string id = row->enrolmentId;
-  const std::optional<Swap> wanted = askSwap(this, toQString(row->traineeCode), others);
-  if (!wanted) {
-    return;
-  }
-  attempt(shell(), [&] {
-    swapTurns(shell().session(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
-    read();
-    shell().notify(tr("Swapped; both deviations are noted."));
-  });
 }
 
 const RunDayRow* RunDayPage::current() const {
@@ -316,74 +263,6 @@ void RunDayPage::showButtons() {
   state_->setEnabled(row != nullptr);
   state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
                                                                              : tr("&Withdraw\u2026"));
-}
-
-void RunDayPage::logTime() {
-  const RunDayRow* row = current();
-  if (row == nullptr) {
-    return;
-  }
-  // Whoever trained together is chosen together.
-  const QStringList chosen = table_->selectedIds();
-  std::vector<EnrolmentId> ids;
-  QStringList codes;
-  for (const RunDayRow& one : board_->rows) {
-    if (chosen.contains(toQString(one.enrolmentId))) {
-      ids.push_back(one.enrolmentId);
-      codes << toQString(one.traineeCode);
-    }
-  }
-  std::optional<NewExposure> exposure = askExposure(this, firstFew(codes));
-  if (!exposure) {
-    return;
-  }
-  attempt(shell(), [&] {
-    exposure->cohortId = chosenId(cohort_);
-    for (const EnrolmentId& id : ids) {
-      exposure->enrolmentId = id;
-      exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
-      recordExposure(shell().session(), *exposure);
-    }
-    read();
-  });
-}
-
-void RunDayPage::reportDeviation() {
-  const RunDayRow* row = current();
-  std::optional<NewDeviation> deviation =
-      askDeviation(this, row != nullptr ? toQString(row->traineeCode) : tr("the whole cohort"));
-  if (!deviation) {
-    return;
-  }
-  attempt(shell(), [&] {
-    deviation->cohortId = chosenId(cohort_);
-    if (row != nullptr) {
-      deviation->enrolmentId = row->enrolmentId;
-    }
-    torsio::reportDeviation(shell().session(), *deviation);
-    read();
-  });
-}
-
-void RunDayPage::changeState() {
-  const RunDayRow* row = current();
-  if (row == nullptr) {
-    return;
-  }
-  const bool back = row->state == EnrolmentState::kWithdrawn;
-  const std::optional<std::string> reason =
-      back ? askReason(this, tr("Back into the study"),
-                       tr("%1 takes part again.").arg(toQString(row->traineeCode)))
-           : askReason(this, tr("Withdraw from the study"),
-                       tr("%1 trains no further; what was recorded stays.").arg(toQString(row->traineeCode)));
-  if (!reason) {
-    return;
-  }
-  attempt(shell(), [&] {
-    setEnrolmentState(shell().session(), chosenId(cohort_), row->enrolmentId,
-                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
-    read();
-  });
 }
 
 void RunDayPage::retranslate() {

@@ -16,6 +16,7 @@ class QTimer;
 
 namespace torsio::gui {
 
+class AlertPanel;
 class Background;
 class CallBar;
 class DataTable;
@@ -40,8 +41,6 @@ class RunDayPage : public Page {
   void refresh();
   void showContent();
   void showStations();
-  void showAlerts();
-  [[nodiscard]] QString alertText(const RunDayAlert& alert) const;
   void swap();
   /// Plans slots for the chosen trainees; for all of them without a choice of several.
   void planDay();
@@ -55,6 +54,8 @@ class RunDayPage : public Page {
   void typeSheets();
   void copyReminders();
   [[nodiscard]] const RunDayRow* current() const;
+  /// All that are chosen, in the order of the board.
+  [[nodiscard]] std::vector<const RunDayRow*> chosen() const;
   [[nodiscard]] Cell slotCell(const RunDayRow& row) const;
   [[nodiscard]] QString nowText(const RunDayRow& row) const;
   /// What the last check of a station's device found: sign and word, never colour alone.
@@ -69,7 +70,7 @@ class RunDayPage : public Page {
   QLabel* summary_;
   CallBar* callBar_;
   DataTable* table_;
-  QLabel* alerts_;
+  AlertPanel* alerts_;
   QLabel* stationsTitle_;
   DataTable* stations_;
   Background* reader_;

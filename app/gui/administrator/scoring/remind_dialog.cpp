@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/scoring/remind_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/reminder_text.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr QSize kRemindSize(860, 560);
+constexpr int kLargestPort = 65'535;
+constexpr int kStartTlsPort = 587;
+constexpr int kTlsPort = 465;
+
+struct MailServerDialog {
+  Q_DECLARE_TR_FUNCTIONS(MailServerDialog)
+};
+
+}  // namespace
+
+std::optional<MailSettings> askMailServer(QWidget* parent, const std::optional<MailSettings>& before) {
+  QuestionDialog dialog(
+      parent, MailServerDialog::tr("Mail server"),
+      MailServerDialog::tr("Reminders go through this server of your centre. Its password is "
+                           "kept nowhere: whoever sends enters it."));
+  const MailSettings known = before.value_or(MailSettings{});
+  auto* host = new QLineEdit(toQString(known.server.host), &dialog);
+  auto* port = new QSpinBox(&dialog);
+  auto* encryption = new QComboBox(&dialog);
+  auto* user = new QLineEdit(toQString(known.server.user), &dialog);
+  auto* from = new QLineEdit(toQString(known.from), &dialog);
+  host->setObjectName(QStringLiteral("mailHost"));
+  port->setObjectName(QStringLiteral("mailPort"));
+  encryption->setObjectName(QStringLiteral("mailEncryption"));
+  user->setObjectName(QStringLiteral("mailUser"));
+  from->setObjectName(QStringLiteral("mailFrom"));
+  host->setPlaceholderText(QStringLiteral("mail.example.org"));
+  from->setPlaceholderText(QStringLiteral("skills-laboratory@example.org"));
+  port->setRange(1, kLargestPort);
+  encryption->addItem(MailServerDialog::tr("STARTTLS (port 587)"));  // as MailEncryption
+  encryption->addItem(MailServerDialog::tr("TLS from the beginning (port 465)"));
+  encryption->addItem(MailServerDialog::tr("none: a server on this computer"));
+  encryption->setCurrentIndex(static_cast<int>(known.server.encryption));
+  port->setValue(known.server.port);
+  QObject::connect(encryption, &QComboBox::currentIndexChanged, port, [port](int chosen) {
+    if (chosen < 2) {
+      port->setValue(chosen == 0 ? kStartTlsPort : kTlsPort);
+    }
+  });
+  auto* form = new QFormLayout;
+  form->addRow(MailServerDialog::tr("&Server"), host);
+  form->addRow(MailServerDialog::tr("&Encryption"), encryption);
+  form->addRow(MailServerDialog::tr("&Port"), port);
+  form->addRow(MailServerDialog::tr("Sign-in &name, if it asks for one"), user);
+  form->addRow(MailServerDialog::tr("Messages come &from"), from);
+  dialog.column()->addLayout(form);
+  dialog.finish(MailServerDialog::tr("Save"));
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  MailSettings settings;
+  settings.server.host = host->text().trimmed().toStdString();
+  settings.server.port = static_cast<std::uint16_t>(port->value());
+  settings.server.encryption = static_cast<MailEncryption>(encryption->currentIndex());
+  settings.server.user = user->text().trimmed().toStdString();
+  settings.from = from->text().trimmed().toStdString();
+  return settings;
+}
+
+RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      cohortId_(cohortId),
+      table_(new DataTable(QStringLiteral("reminders"), this)),
+      server_(sentence(this)),
+      passwordLabel_(nullptr),
+      password_(secretField(this)),
+      set_(new QPushButton(tr("Mail &server\u2026"), this)),
+      copy_(new QPushButton(tr("&Copy"), this)),
+      send_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("remindDialog"));
+  setWindowTitle(tr("Reminders"));
+  resize(kRemindSize);
+  table_->setObjectName(QStringLiteral("reminders"));
+  password_->setObjectName(QStringLiteral("mailPassword"));
+  send_->setObjectName(QStringLiteral("sendReminders"));
+  set_->setObjectName(QStringLiteral("setMailServer"));
+  send_->setProperty("primary", true);
+  table_->setColumns(
+      {{tr("Rater")}, {tr("Mail address")}, {tr("Sheets"), true, true}, {tr("Late"), true, true}});
+  table_->setEmptyText(tr("Nobody owes a sheet."));
+  QLabel* words = sentence(this, false);
+  words->setText(
+      tr("Each of the chosen raters gets a message with the labels of their own cases, and nothing "
+         "else."));
+  auto* row = new QHBoxLayout;
+  passwordLabel_ = addField(row, password_);
+  nameField(passwordLabel_, tr("&Password of the mail server"));
+  row->addStretch(1);
+  auto* buttons = new QDialogButtonBox(this);
+  buttons->addButton(set_, QDialogButtonBox::ActionRole);
+  buttons->addButton(copy_, QDialogButtonBox::ActionRole);
+  buttons->addButton(send_, QDialogButtonBox::ActionRole);
+  buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(words);
+  column->addWidget(table_, 1);
+  column->addWidget(server_);
+  column->addLayout(row);
+  column->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &RemindDialog::reject);
+  connect(set_, &QPushButton::clicked, this, &RemindDialog::askServer);
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { attempt(shell_, [this] { copyReminders(shell_, cohortId_, locale()); }); });
+  connect(send_, &QPushButton::clicked, this, &RemindDialog::send);
+  connect(table_, &DataTable::currentChanged, this, &RemindDialog::showButtons);
+  read();
+  table_->view().selectAll();
+}
+
+void RemindDialog::read() {
+  attempt(shell_, [&] {
+    owed_ = reminders(shell_.session(), cohortId_);
+    settings_ = mailSettings(shell_.session());
+  });
+  std::vector<Row> rows;
+  for (const Reminder& one : owed_) {
+    qlonglong late = 0;
+    for (const SheetAwaited& sheet : one.sheets) {
+      late += sheet.late ? 1 : 0;
+    }
+    const auto count = static_cast<qlonglong>(one.sheets.size());
+    rows.push_back({toQString(one.raterCode),
+                    {{toQString(one.raterCode)},
+                     {one.email.empty() ? tr("none is known") : toQString(one.email)},
+                     {QString::number(count), count},
+                     {QString::number(late), late}}});
+  }
+  table_->setRows(std::move(rows));
+  showButtons();
+}
+
+void RemindDialog::showButtons() {
+  server_->setText(
+      settings_ ? tr("By %1, from %2").arg(toQString(settings_->server.host), toQString(settings_->from))
+                : tr("The centre has set no mail server: set one, or copy the reminders into your "
+                     "own mail."));
+  const bool signsIn = settings_ && !settings_->server.user.empty();
+  passwordLabel_->setVisible(signsIn);
+  password_->setVisible(signsIn);
+  set_->setEnabled(shell_.may(Operation::kSettingsEdit));
+  copy_->setEnabled(!owed_.empty());
+  const auto count = static_cast<int>(messages().size());
+  send_->setText(tr("&Send %n message(s)", nullptr, count));
+  send_->setEnabled(count > 0);
+}
+
+void RemindDialog::askServer() {
+  const std::optional<MailSettings> settings = askMailServer(this, settings_);
+  if (!settings) {
+    return;
+  }
+  attempt(shell_, [&] { setMailSettings(shell_.session(), *settings); });
+  read();
+}
+
+std::vector<MailMessage> RemindDialog::messages() const {
+  std::vector<MailMessage> messages;
+  const QStringList chosen = table_->selectedIds();
+  for (const Reminder& one : owed_) {
+    if (settings_ && !one.email.empty() && chosen.contains(toQString(one.raterCode))) {
+      messages.push_back({settings_->from, one.email, tr("Torsio: sheets to submit").toStdString(),
+                          reminderText({one}, locale()).toStdString() + "\n"});
+    }
+  }
+  return messages;
+}
+
+void RemindDialog::send() {
+  MailServer server = settings_->server;
+  server.password = password_->text().toStdString();
+  password_->clear();
+  const auto refusals = std::make_shared<std::vector<std::string>>();
+  shell_.run(
+      tr("Sending reminders"),
+      [refusals, server, sent = messages()](SessionContext& session, const ProgressCallback& progress) {
+        *refusals = sendMail(server, sent, session.now_us(), progress);
+      },
+      [dialog = QPointer<RemindDialog>(this), refusals, sent = messages()] {
+        if (!dialog.isNull()) {
+          dialog->showRefusals(sent, *refusals);
+        }
+      });
+}
+
+void RemindDialog::showRefusals(const std::vector<MailMessage>& sent,
+                                const std::vector<std::string>& refusals) {
+  QStringList refused;
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    if (!refusals[i].empty()) {
+      refused << tr("%1: %2").arg(toQString(sent[i].to), toQString(refusals[i]));
+    }
+  }
+  server_->setText(
+      refused.isEmpty()
+          ? tr("\u2713 The mail server took %n message(s).", nullptr, static_cast<int>(sent.size()))
+          : tr("! Not taken by the mail server:") + QLatin1Char('\n') + refused.join(QLatin1Char('\n')));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "app/mail/mail_settings.h"
+#include "app/study/reminders.h"
+#include "sim/base/ids.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// Who owes which sheet, and messages to all who are chosen, by the mail server of the centre.
+class RemindDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidget* parent);
+
+ private:
+  void read();
+  void showButtons();
+  void askServer();
+  void send();
+  /// What is sent to whom, of the chosen who have an address.
+  [[nodiscard]] std::vector<MailMessage> messages() const;
+  void showRefusals(const std::vector<MailMessage>& sent, const std::vector<std::string>& refusals);
+
+  ShellContext& shell_;
+  CohortId cohortId_;
+  std::vector<Reminder> owed_;
+  std::optional<MailSettings> settings_;
+  DataTable* table_;
+  QLabel* server_;
+  QLabel* passwordLabel_;
+  QLineEdit* password_;
+  QPushButton* set_;
+  QPushButton* copy_;
+  QPushButton* send_;
+};
+
+/// Asks for the mail server; an empty name takes it away. Fields are called "mailHost", "mailPort",
+/// "mailEncryption", "mailUser" and "mailFrom". Empty: given up.
+[[nodiscard]] std::optional<MailSettings> askMailServer(QWidget* parent,
+                                                        const std::optional<MailSettings>& before);
+
+}  // namespace torsio::gui

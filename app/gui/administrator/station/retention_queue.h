@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "app/maintenance/retention.h"
+#include "assessment/people/retention.h"
+#include "sim/base/ids.h"
+
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// Whose record the rules make due for review; what is decided is decided for all who are chosen.
+class RetentionQueue : public QWidget {
+  Q_OBJECT
+
+ public:
+  RetentionQueue(ShellContext& shell, QWidget* parent);
+
+  /// Reads the queue anew, where the actor may. Throws Error.
+  void read();
+  void retranslate();
+
+ private:
+  void showRows();
+  void showButtons();
+  void changeRules();
+  void keepLonger();
+  void lock();
+  void erase();
+  /// Who of the chosen is held, or is not.
+  [[nodiscard]] std::vector<const RetentionItem*> chosen(bool held) const;
+  [[nodiscard]] std::vector<const RetentionItem*> chosen() const;
+
+  ShellContext& shell_;
+  std::vector<RetentionItem> due_;
+  QLabel* title_;
+  DataTable* table_;
+  QPushButton* keep_;
+  QPushButton* lock_;
+  QPushButton* erase_;
+  QPushButton* rules_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/alert_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/day_plan_dialog.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr qsizetype kAlertsSeen = 3;  // lines before the list scrolls
+
+struct AlertWords {
+  Q_DECLARE_TR_FUNCTIONS(AlertPanel)
+};
+
+/// How many there are of a kind, most urgent first.
+QString countText(RunDayAlert::Kind kind, std::size_t count) {
+  using Kind = RunDayAlert::Kind;
+  switch (kind) {
+    case Kind::kTrialOpen:
+      return AlertWords::tr("recordings cut off: %1").arg(count);
+    case Kind::kStationSilent:
+      return AlertWords::tr("stations that do not answer: %1").arg(count);
+    case Kind::kDeviceUnfit:
+      return AlertWords::tr("devices not fit: %1").arg(count);
+    case Kind::kServoUneven:
+      return AlertWords::tr("uneven runs: %1").arg(count);
+    case Kind::kSlotOverdue:
+      return AlertWords::tr("overdue: %1").arg(count);
+    case Kind::kRestTooLong:
+      return AlertWords::tr("rests too long: %1").arg(count);
+    case Kind::kSheetsMissing:
+      return AlertWords::tr("sheets missing: %1").arg(count);
+    case Kind::kNoGroup:
+      return AlertWords::tr("without a group: %1").arg(count);
+  }
+  return {};
+}
+
+}  // namespace
+
+AlertPanel::AlertPanel(QWidget* parent)
+    : QWidget(parent), counts_(sentence(this, false)), scroll_(new QScrollArea(this)), lines_(new QLabel) {
+  setObjectName(QStringLiteral("alertPanel"));
+  counts_->setObjectName(QStringLiteral("alertCounts"));
+  lines_->setObjectName(QStringLiteral("alerts"));
+  lines_->setTextFormat(Qt::PlainText);
+  lines_->setWordWrap(true);
+  lines_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  setLook(counts_, "caution", true);
+  setLook(lines_, "caution", true);
+  scroll_->setWidget(lines_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSpace);
+  column->addWidget(counts_);
+  column->addWidget(scroll_);
+  hide();
+}
+
+QString AlertPanel::textOf(const RunDayAlert& alert) const {
+  using Kind = RunDayAlert::Kind;
+  switch (alert.kind) {
+    case Kind::kTrialOpen:
+      return AlertWords::tr("%1 was recording at %2, which does not answer since %3. Go and look.")
+          .arg(toQString(alert.subject), toQString(alert.station), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kStationSilent:
+      return AlertWords::tr("%1 does not answer since %2.")
+          .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kDeviceUnfit:
+      return AlertWords::tr("%1: the device is not fit for graded runs: %2.")
+          .arg(toQString(alert.subject), toQString(alert.reason));
+    case Kind::kServoUneven:
+      return AlertWords::tr("%1, last run: %2. %3.")
+          .arg(toQString(alert.subject), toQString(alert.reason), toQString(alert.remedy));
+    case Kind::kSlotOverdue:
+      return AlertWords::tr("%1 was expected at %2, %3, and has not begun.")
+          .arg(toQString(alert.subject), slotTime(alert.sinceUtc_us, locale()), toQString(alert.station));
+    case Kind::kRestTooLong:
+      return AlertWords::tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
+    case Kind::kSheetsMissing:
+      return AlertWords::tr("%1: sheets still missing: %2.")
+          .arg(occasionName(alert.occasion))
+          .arg(alert.count);
+    case Kind::kNoGroup:
+      return AlertWords::tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
+  }
+  return {};
+}
+
+void AlertPanel::showAlerts(const std::vector<RunDayAlert>& alerts) {
+  QStringList lines;
+  std::vector<std::pair<RunDayAlert::Kind, std::size_t>> kinds;
+  for (const RunDayAlert& alert : alerts) {
+    lines << QStringLiteral("\u26A0 ") + textOf(alert);
+    auto known =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == alert.kind; });
+    if (known == kinds.end()) {
+      known = kinds.insert(kinds.end(), {alert.kind, 0});
+    }
+    known->second += std::max<std::size_t>(alert.count, 1);
+  }
+  QStringList counts;
+  for (const auto& [kind, count] : kinds) {
+    counts << countText(kind, count);
+  }
+  counts_->setText(counts.join(QStringLiteral(" \u00B7 ")));
+  counts_->setVisible(lines.size() > kAlertsSeen);
+  if (const QString text = lines.join(QLatin1Char('\n')); text != lines_->text()) {
+    lines_->setText(text);  // where it was scrolled to stays while nothing changes
+  }
+  scroll_->setFocusPolicy(lines.size() > kAlertsSeen ? Qt::StrongFocus : Qt::NoFocus);
+  scroll_->setAccessibleName(AlertWords::tr("What needs attention"));
+  const auto seen = static_cast<int>(std::clamp<qsizetype>(lines.size(), 1, kAlertsSeen));
+  scroll_->setFixedHeight(seen * lines_->fontMetrics().lineSpacing() + kSpace);
+  setVisible(!lines.isEmpty());
+}
+
+}  // namespace torsio::gui
