@@ -79,8 +79,8 @@ class DetorsionPanel : public QWidget {
   LiveState shown_;
   std::int64_t handsOffSince_us_ = -1;
   StagedTurn stages_{{}, 1.0};
-  double restTaken_s_ = 0.0;   // when stages_ was last told
-  double heldFrom_rad_ = 0.0;  // how far the organ was turned when the jaw took hold of it
+  double restTaken_s_ = 0.0;    // when stages_ was last told
+  double heldFrom_rad_ = 0.0;   // how far the organ was turned when the jaw took hold of it
   double heldLeast_rad_ = 0.0;  // and since then
   double heldMost_rad_ = 0.0;
   Card* card_;

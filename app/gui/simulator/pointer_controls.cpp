@@ -233,8 +233,8 @@ void PointerControls::holdAt(const Vec3& tip_m) {
 
 void PointerControls::turn(double angle_rad) {
   if (heldAxis_) {
-    turned_rad_ = std::clamp(turned_rad_ + angle_rad, mostTurned_rad_ - reach_rad_,
-                             leastTurned_rad_ + reach_rad_);
+    turned_rad_ =
+        std::clamp(turned_rad_ + angle_rad, mostTurned_rad_ - reach_rad_, leastTurned_rad_ + reach_rad_);
     leastTurned_rad_ = std::min(leastTurned_rad_, turned_rad_);
     mostTurned_rad_ = std::max(mostTurned_rad_, turned_rad_);
     followTurn();

@@ -95,9 +95,9 @@ class PointerControls : public QObject {
   std::set<int> held_;  // keys that move something while they are down
   bool gripKept_ = false;
   std::optional<Vec3> heldAxis_;  // world frame
-  Quat heldView_;               // the camera when the jaw closed: the device keeps it while the jaw is closed
-  Quat gripped_;                // orientation of the tool when the tissue was gripped
-  double turned_rad_ = 0.0;     // since then, about the axis
+  Quat heldView_;            // the camera when the jaw closed: the device keeps it while the jaw is closed
+  Quat gripped_;             // orientation of the tool when the tissue was gripped
+  double turned_rad_ = 0.0;  // since then, about the axis
   double leastTurned_rad_ = 0.0;
   double mostTurned_rad_ = 0.0;
   double reach_rad_ = kNoEnd_rad;
