@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include <sodium.h>
@@ -177,10 +178,29 @@ std::optional<Replacement> replacementIn(const fs::path& file, const std::string
   return sound ? std::optional(std::move(made)) : std::nullopt;
 }
 
-bool endsALine(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  in.seekg(-1, std::ios::end);
-  return in.get() == '\n';
+/// Whether nothing of a line that can be kept was cut off.
+bool isWhole(const std::string& line) {
+  const auto hex = [](const std::string& word, std::size_t bytes) { return word.size() == 2 * bytes; };
+  try {
+    if (line.starts_with(std::string(kReplacedWord) + " ")) {
+      return hex(replacementOf(line).signatureOfFresh, crypto_sign_BYTES);
+    }
+    const Head head = readHead(line);
+    return !head.isSigned() || hex(head.signature, crypto_sign_BYTES);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// What a program that was killed, or a disk that was full, left of a line behind the last whole one.
+std::string cutOffEnd(const std::string& kept) {
+  const std::size_t last = kept.rfind('\n');
+  std::string end = last == std::string::npos ? kept : kept.substr(last + 1);
+  const auto begins = [&end](std::string_view word) {
+    return end.starts_with(word) || word.starts_with(end);
+  };
+  const bool ours = begins(kHeadWord) || begins(kReplacedWord);  // whatever else lies there stays
+  return !ours || isWhole(end) ? std::string() : end;
 }
 
 /// Whether the witness file has the line.
@@ -362,10 +382,14 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
       fs::exists(there) && !fs::is_regular_file(there)) {
     refuseUnwritable(witness);  // a pipe would wait for somebody who reads
   }
-  const std::uintmax_t before = fs::is_regular_file(witness, ignored) ? fs::file_size(witness, ignored) : 0;
+  const std::string kept = fs::exists(witness, ignored) ? readFile(witness) : std::string();
+  const std::uintmax_t before = kept.size() - cutOffEnd(kept).size();
+  if (before < kept.size()) {
+    fs::resize_file(witness, before, ignored);
+  }
   std::string line = head + "\n";
-  if (before > 0 && !endsALine(witness)) {
-    line.insert(0, 1, '\n');  // whatever was cut off there must not take this line along
+  if (before > 0 && kept[before - 1] != '\n') {
+    line.insert(0, 1, '\n');  // somebody took the last end of a line away
   }
   std::ofstream out(witness, std::ios::binary | std::ios::app);
   out << line;
@@ -423,7 +447,9 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
 }
 
 std::vector<std::string> headsOf(const fs::path& witness) {
-  std::istringstream in(readFile(witness));
+  std::string kept = readFile(witness);
+  kept.resize(kept.size() - cutOffEnd(kept).size());
+  std::istringstream in(kept);
   std::vector<std::string> heads;
   for (std::string line; std::getline(in, line);) {
     if (!line.empty()) {

@@ -53,7 +53,8 @@ struct AnchoredHead {
 };
 /// Throws Error (kBadData) for a line that is no head.
 [[nodiscard]] AnchoredHead readHead(const std::string& line);
-/// Adds a line to a witness file, whole or not at all; makes the file. Throws Error (kFileUnwritable).
+/// Adds a line to a witness file, whole or not at all; makes the file. One that was cut off at its end goes.
+/// Throws Error (kFileUnwritable).
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);
 
 /// Compares the audit trail with lines that were kept elsewhere: finds entries that were cut off, a chain
@@ -67,7 +68,8 @@ void appendToWitness(const std::filesystem::path& witness, const std::string& he
 [[nodiscard]] std::vector<AuditFinding> compareWithHeads(const std::string& locator,
                                                          const std::vector<std::string>& lines,
                                                          const std::string& publicKey);
-/// Lines of a witness file. Throws Error: kFileMissing; kBadData when it is empty.
+/// Lines of a witness file, but for one that was cut off at its end. Throws Error: kFileMissing; kBadData
+/// when it is empty.
 [[nodiscard]] std::vector<std::string> headsOf(const std::filesystem::path& witness);
 
 }  // namespace torsio

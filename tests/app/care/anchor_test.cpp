@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Heads of the audit trail that are kept elsewhere find what no look at the file alone can find.
+#include "app/maintenance/anchor.h"
+
 #include <gtest/gtest.h>
 
 #include "db/connection/connection.h"
@@ -198,6 +200,23 @@ TEST_F(Anchor, HeadsFromBeforeTheFirstKeyCountWithALaterOneThatIsSigned) {
   ASSERT_EQ(run("audit head" + database() + " --witness " + file("mixed") + " --key " + file("key")).code, 0);
 
   EXPECT_EQ(run(verify).code, 0);
+}
+
+TEST_F(Anchor, ALineThatWasCutOffIsNoHeadAndTakesNoOtherAlong) {
+  const std::string whole = readFile(file("witness"));
+  const std::string head = whole.substr(0, whole.size() - 1);
+  for (const std::size_t kept : {std::size_t{1}, std::size_t{12}, head.size() / 2, head.size() - 1}) {
+    writeFileAtomically(file("witness"), whole + head.substr(0, kept));
+    EXPECT_EQ(headsOf(file("witness")), std::vector<std::string>{head}) << kept;
+    appendToWitness(file("witness"), head);
+    EXPECT_EQ(readFile(file("witness")), whole + whole) << kept;
+  }
+  writeFileAtomically(file("witness"), head);
+  appendToWitness(file("witness"), head);
+  EXPECT_EQ(readFile(file("witness")), whole + whole) << "a whole line without its end stays";
+  writeFileAtomically(file("notes"), "a text of somebody");
+  appendToWitness(file("notes"), head);
+  EXPECT_EQ(readFile(file("notes")), "a text of somebody\n" + whole);
 }
 
 TEST_F(Anchor, TheKeyIsForItsOwnerAloneAndNeverReplaced) {
