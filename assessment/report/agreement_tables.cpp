@@ -59,11 +59,13 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
                           shown(&HoledReliability::semSingle), shown(&HoledReliability::semMean), ""});
   }
   table.notes = {
-      Text::tr("ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean "
-               "over all, "
-               "which is the reported score. Alpha with the interval metric. A group that is much alike "
-               "gives a low "
-               "coefficient even when raters agree well: look at the standard error of measurement (SEM)."),
+      holes
+          ? Text::tr("ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the "
+                     "mean over all, which is the reported score of who has a mark of each.")
+          : Text::tr("ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the "
+                     "mean over all, which is the reported score."),
+      Text::tr("Alpha with the interval metric. A group that is much alike gives a low coefficient even when "
+               "raters agree well: look at the standard error of measurement (SEM)."),
       Text::tr("The intervals take scores for normal. Of strongly skewed scores they hold the true "
                "coefficient in about four of five cases, not in 95 %.")};
   if (holes) {

@@ -204,9 +204,16 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
 ReportSection criteriaSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Criteria of the scoring sheet");
+  const bool whole = std::all_of(in.criterionMarks.begin(), in.criterionMarks.end(),
+                                 [](const CriterionMark& mark) { return mark.points.has_value(); });
   section.paragraphs = {
-      Text::tr("Raters gave a mark for each criterion and an overall mark. Scores, comparison and agreement "
-               "are those of the overall mark; the criteria show what it rests on and enter no test.")};
+      whole
+          ? Text::tr("Raters gave a mark for each criterion and an overall mark. Scores, comparison and "
+                     "agreement are those of the overall mark; the criteria show what it rests on and enter "
+                     "no test.")
+          : Text::tr("Raters gave an overall mark and one for each criterion that they could assess. Scores, "
+                     "comparison and agreement are those of the overall mark; the criteria show what it "
+                     "rests on and enter no test.")};
   const std::vector<TraineeCriteria> trainees = traineeCriteria(in);
   const std::vector<TraineeCriteria> groups = groupCriteria(in, trainees);
   for (std::size_t i = 0; i < in.sheets.size(); ++i) {

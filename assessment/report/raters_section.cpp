@@ -69,6 +69,8 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
     figure.provenance.n += rater.n;
   }
   figure.series = {series};
+  const bool alone =
+      std::any_of(ordered.begin(), ordered.end(), [](const RaterSeverity& rater) { return !rater.interval; });
   figure.notes = {
       allMarksGiven(in)
           ? Text::tr(
@@ -77,6 +79,9 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
           : Text::tr(
                 "Strictest first. Scores are not corrected for severity, and not every trainee is scored by "
                 "the same raters: a strict or lenient rater may change their order.")};
+  if (alone) {
+    figure.notes.push_back(Text::tr("A rater who shares a single trainee with others has no interval."));
+  }
   return figure;
 }
 

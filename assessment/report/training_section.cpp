@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kMarkDecimals = 2;
 constexpr int kVarianceDecimals = 4;
+constexpr std::size_t kOccasionsOfPaper = 3;
+constexpr std::size_t kFirstScoresFigure = 20;
 
 Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t n) {
   Provenance out;
@@ -37,7 +39,10 @@ void fixScale(const CohortInputs& in, ReportFigure& figure) {
 
 ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   ReportFigure out;
-  out.id = "figure-" + std::to_string(20 + occasion);
+  // The paper has three occasions, and its Fig. 23 is another one.
+  const bool ofPaper = in.occasions.size() == kOccasionsOfPaper;
+  out.id = occasion < kOccasionsOfPaper ? "figure-" + std::to_string(kFirstScoresFigure + occasion)
+                                        : "figure-scores-" + std::to_string(occasion + 1);
   out.title = Text::tr("Scores of the trainees %1", in.occasions[occasion]);
   out.kind = FigureKind::kGroupedBars;
   out.xLabel = Text::tr("trainee number in the group");
@@ -64,8 +69,9 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     }
     out.series.push_back(series);
   }
-  out.notes = {
-      Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.", 20 + occasion)};
+  out.notes = {ofPaper ? Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.",
+                                  kFirstScoresFigure + occasion)
+                       : Text::tr("A score is the mean over the raters.")};
   out.provenance = provenance(in, Text::tr("mean over raters"), n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
@@ -151,6 +157,7 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   mean.y.resize(in.occasions.size());
   mean.low.resize(in.occasions.size(), 0.0);
   mean.high.resize(in.occasions.size(), 0.0);
+  bool alone = false;
   for (const GroupSummary& summary : in.summaries) {
     if (summary.group != group) {
       continue;
@@ -159,6 +166,7 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
     const double half = summary.sampleVarianceOfScores && n > 1.0
                             ? tQuantile(0.975, n - 1.0) * std::sqrt(*summary.sampleVarianceOfScores / n)
                             : 0.0;
+    alone = alone || summary.trainees == 1;
     mean.y[summary.occasion] = summary.mean;
     mean.low[summary.occasion] = summary.mean - half;
     mean.high[summary.occasion] = summary.mean + half;
@@ -167,6 +175,9 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
     out.series.push_back(std::move(series));
   }
   out.series.push_back(mean);
+  if (alone) {
+    out.notes = {Text::tr("Where a single trainee has a score the mean has no interval.")};
+  }
   const std::int64_t n = out.provenance.n;
   out.provenance = provenance(in, Text::tr("mean over raters; mean over trainees with Student's t"), n);
   std::int64_t members = 0;

@@ -48,12 +48,11 @@ ReportTable classesTable(const CohortInputs& in) {
   for (const ClassScore& of : classScores(in)) {
     const RaterClass& raterClass = in.instrument.classes[of.raterClass];
     table.provenance.n += of.marks;
-    table.rows.push_back(
-        {of.model, raterClass.name,
-         formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kWeightDecimals),
-         std::to_string(of.raters), std::to_string(of.marks),
-         of.score ? Text(formatFixed(*of.score, kClassScoreDecimals))
-                  : notDefined(Text::tr("an index has no mark"))});
+    table.rows.push_back({of.model, raterClass.name,
+                          formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kWeightDecimals),
+                          std::to_string(of.raters), std::to_string(of.marks),
+                          of.score ? Text(formatFixed(*of.score, kClassScoreDecimals))
+                                   : notDefined(Text::tr("an index has no mark"))});
     table.origins.push_back({"", "", "", "", "",
                              of.score ? numberAddress({.section = "evaluation",
                                                        .item = "all",

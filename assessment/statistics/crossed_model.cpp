@@ -339,6 +339,21 @@ Eigen::Vector3d stepFrom(const Derivatives& at, const std::array<bool, kParts>& 
   return step;
 }
 
+/// The step from `variance` without the parts that stand at their lower bound and would go below it: they
+/// would stop the others, too.
+Eigen::Vector3d stepWithin(const Derivatives& at, const std::array<bool, kParts>& held, const Parts& variance,
+                           double vanishing) {
+  std::array<bool, kParts> still = held;
+  Eigen::Vector3d step = stepFrom(at, still);
+  for (const std::size_t k : {kTargets, kRaters}) {
+    if (!still[k] && variance[k] <= vanishing * variance[kResidual] && step[indexOf(k)] < 0.0) {
+      still[k] = true;
+      step = stepFrom(at, still);
+    }
+  }
+  return step;
+}
+
 /// Share of a step that keeps every variance above 0.
 double shareAboveZero(const Parts& variance, const Eigen::Vector3d& step) {
   constexpr double kOfTheWay = 0.9;
@@ -382,7 +397,7 @@ Minimum minimum(const Sums& sums) {
         out.at = derivativesAt(sums, out.variance);
       }
     }
-    const Eigen::Vector3d step = stepFrom(out.at, out.held);
+    const Eigen::Vector3d step = stepWithin(out.at, out.held, out.variance, kVanishing);
     double share = shareAboveZero(out.variance, step);
     Parts next{};
     Derivatives at;

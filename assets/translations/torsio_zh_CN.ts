@@ -6739,10 +6739,6 @@
         <translation>ICC(2,k)，全体评分者均值</translation>
     </message>
     <message>
-        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score. Alpha with the interval metric. A group that is much alike gives a low coefficient even when raters agree well: look at the standard error of measurement (SEM).</source>
-        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即所报告的得分。α 采用等距度量。若各学员水平相近，即使评分者一致性好，系数也会偏低：此时请看测量标准误 (SEM)。</translation>
-    </message>
-    <message>
         <source>Index</source>
         <translation>指标</translation>
     </message>
@@ -15491,6 +15487,34 @@ audit trail %3</source>
     <message>
         <source>the sheet was not taken back from its rater</source>
         <translation>该评分表未从评分者处收回</translation>
+    </message>
+    <message>
+        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score of who has a mark of each.</source>
+        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即每位评分者都给过评分的学员所报告的得分。</translation>
+    </message>
+    <message>
+        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score.</source>
+        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即所报告的得分。</translation>
+    </message>
+    <message>
+        <source>Alpha with the interval metric. A group that is much alike gives a low coefficient even when raters agree well: look at the standard error of measurement (SEM).</source>
+        <translation>α 采用等距度量。若各学员水平相近，即使评分者一致性好，系数也会偏低：此时请看测量标准误 (SEM)。</translation>
+    </message>
+    <message>
+        <source>Raters gave an overall mark and one for each criterion that they could assess. Scores, comparison and agreement are those of the overall mark; the criteria show what it rests on and enter no test.</source>
+        <translation>评分者给出一个总体评分，并对能够评定的每个评分项各给出一个评分。得分、比较和一致性均依据总体评分；评分项说明其依据，不进入任何检验。</translation>
+    </message>
+    <message>
+        <source>A rater who shares a single trainee with others has no interval.</source>
+        <translation>与其他评分者只共有一名学员的评分者没有区间。</translation>
+    </message>
+    <message>
+        <source>A score is the mean over the raters.</source>
+        <translation>得分为各评分者的平均。</translation>
+    </message>
+    <message>
+        <source>Where a single trainee has a score the mean has no interval.</source>
+        <translation>只有一名学员有得分时，均值没有区间。</translation>
     </message>
 </context>
 <context>

@@ -387,6 +387,38 @@ TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIs
   }
 }
 
+TEST(HostileCohort, AFourthOccasionTakesNoFigureOfThePaper) {
+  CohortInputs in = testing::demonstrationCohort();
+  in.occasions.push_back(Text::verbatim("after a month"));
+  const std::vector<TrainingMark> before = in.trainingMarks;
+  for (TrainingMark mark : before) {
+    if (mark.occasion == 2) {
+      mark.occasion = 3;
+      in.trainingMarks.push_back(mark);
+    }
+  }
+  const ReportModel report = cohortReport(scored(std::move(in)));
+  std::set<std::string> ids;
+  for (const ReportSection& section : report.sections) {
+    for (const ReportFigure& figure : section.figures) {
+      EXPECT_TRUE(ids.insert(figure.id).second) << figure.id;
+      for (const Text& note : figure.notes) {
+        EXPECT_TRUE(!note.str().starts_with("Corresponds to Fig. 2") || figure.id == "figure-23")
+            << figure.id;
+      }
+    }
+  }
+  EXPECT_TRUE(ids.contains("figure-scores-4"));
+}
+
+TEST(HostileCohort, ACriterionThatNobodyCouldAssessIsNotSaidToHaveAMark) {
+  CohortInputs in = testing::demonstrationCohort();
+  in.criterionMarks.front().points.reset();
+  EXPECT_THAT(textOfAll(in), HasSubstr("for each criterion that they could assess"));
+  EXPECT_THAT(textOfAll(testing::demonstrationCohort()),
+              HasSubstr("a mark for each criterion and an overall"));
+}
+
 TEST(HostileCohort, ADrawThatCannotBeRepeatedIsNotCalledChance) {
   CohortInputs in = testing::demonstrationCohort();
   in.allocation.method = Text::verbatim("complete permutation");

@@ -2,6 +2,7 @@
 #include "assessment/statistics/missing_marks.h"
 
 #include <cmath>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,44 @@ TEST(MixedComparison, SaysWhyItIsNotDefined) {
     trainee.after.assign(5, *meanMark(trainee.before));
   }
   EXPECT_FALSE(mixedComparison(trainees, 3));  // no residual
+}
+
+/// Three groups of ten, five raters, every seventh mark missing, everything strongly skewed.
+std::vector<MarkedTrainee> skewedStudy(std::uint64_t seed) {
+  Random random(seed);
+  const auto draw = [&] { return -std::log(1.0 - random.uniform()) - 1.0; };
+  std::vector<double> severity;
+  for (int r = 0; r < 5; ++r) {
+    severity.push_back(0.5 * draw());
+  }
+  std::vector<MarkedTrainee> out;
+  for (std::size_t i = 0; i < 30; ++i) {
+    MarkedTrainee trainee;
+    trainee.group = i % 3;
+    const double score = draw();
+    const double later = 0.8 * score + 0.5 * draw();
+    for (const double rater : severity) {
+      trainee.before.emplace_back(score);
+      const double mark = later + rater + 0.7 * draw();
+      trainee.after.push_back(random.uniform() < 0.15 ? std::nullopt : std::optional(mark));
+    }
+    out.push_back(std::move(trainee));
+  }
+  return out;
+}
+
+// On the way down a variance came near 0 where it would have to grow again, and stopped the others.
+TEST(MixedComparison, SettlesWhereAVarianceComesNearZeroOnTheWay) {
+  for (const auto& [seed, trainees, residual, criterion] :
+       {std::tuple{195U, 0.2723512733, 0.6469552655, 338.6851},
+        std::tuple{700U, 0.1084420976, 0.6572546387, 325.0764}}) {
+    const Outcome<MixedComparison> got = mixedComparison(skewedStudy(seed), 3);
+    ASSERT_TRUE(got) << seed << ": " << got.reason().str();
+    EXPECT_NEAR(got->varianceTrainees, trainees, 1e-7);  // lme4: lmer(y ~ 0 + g + x + (1 | s) + (1 | r))
+    EXPECT_EQ(got->varianceRaters, 0.0);
+    EXPECT_NEAR(got->varianceResidual, residual, 1e-7);
+    EXPECT_NEAR(got->criterion, criterion, 1e-4);
+  }
 }
 
 TEST(MixedComparison, LeavesAnEmptyGroupOut) {
