@@ -102,7 +102,7 @@ TEST(CohortLife, IsArchivedOnlyWithoutOpenSheets) {
   EXPECT_THROW(life.set(CohortState::kArchived), Error);
   for (const ScoringMatrix::Line& line :
        scoringMatrix(life.centre.as("administrator"), life.cohortId).lines) {
-    reassign(life.centre.as("administrator"), line.cells.at(0).assignmentId, {}, "not needed");
+    reassignAll(life.centre.as("administrator"), std::array{line.cells.at(0).assignmentId}, {}, "not needed");
   }
   life.set(CohortState::kArchived);
 
@@ -145,9 +145,9 @@ TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
                                                       .rubricRevisionId = life.rubric,
                                                       .dueUtc_us = testing::kStudyTime_us + kHour_us});
   EXPECT_EQ(shown(), "Volvulus") << "sheets are due by the end of the day";
-  reassign(life.centre.as("administrator"),
-           scoringMatrix(life.centre.as("administrator"), small).lines.at(0).cells.at(0).assignmentId, {},
-           "not needed");
+  const AssignmentId owed =
+      scoringMatrix(life.centre.as("administrator"), small).lines.at(0).cells.at(0).assignmentId;
+  reassignAll(life.centre.as("administrator"), std::array{owed}, {}, "not needed");
   EXPECT_EQ(shown(), "Autumn");
   life.set(CohortState::kClosed);
   life.set(CohortState::kArchived);
