@@ -107,32 +107,14 @@ AssignmentId moveSheet(SessionContext& session, const AssignmentStatus& before, 
   return now;
 }
 
-void requireReasonToMove(const std::string& reason, const Text& where) {
-  if (reason.empty()) {
-    refuse(Text::tr("taking a sheet from its rater needs a reason"), where, Text::tr("Say why"));
-  }
-}
-
 }  // namespace
-
-AssignmentId reassign(SessionContext& session, const AssignmentId& assignmentId, const RaterId& newRaterId,
-                      const std::string& reason) {
-  session.require(Operation::kStudySetup);
-  requireReasonToMove(reason, assignmentId);
-  Transaction transaction(session.connection());
-  if (!newRaterId.empty()) {
-    requireActiveRater(session, newRaterId);
-  }
-  SheetRepository sheets(session.connection());
-  const AssignmentId now = moveSheet(session, statusOfSheet(sheets, assignmentId), newRaterId, reason);
-  transaction.commit();
-  return now;
-}
 
 SheetsMoved reassignAll(SessionContext& session, std::span<const AssignmentId> assignmentIds,
                         const RaterId& newRaterId, const std::string& reason) {
   session.require(Operation::kStudySetup);
-  requireReasonToMove(reason, Text::tr("sheets"));
+  if (reason.empty()) {
+    refuse(Text::tr("taking a sheet from its rater needs a reason"), Text::tr("sheets"), Text::tr("Say why"));
+  }
   Transaction transaction(session.connection());
   if (!newRaterId.empty()) {
     requireActiveRater(session, newRaterId);

@@ -157,6 +157,7 @@ void DataTable::setColumns(const std::vector<Column>& columns) {
 
 void DataTable::setRows(std::vector<Row> rows) {
   const QString current = currentId();
+  const QStringList chosen = selectedIds();
   const bool first = model_->rowCount({}) == 0;
   model_->setRows(std::move(rows));
   if (!touched_) {
@@ -164,6 +165,9 @@ void DataTable::setRows(std::vector<Row> rows) {
   }
   if (!current.isEmpty()) {
     select(current);
+  }
+  if (chosen.size() > 1) {
+    selectAll(chosen);
   }
   showCount();
 }

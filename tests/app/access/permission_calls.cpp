@@ -264,8 +264,6 @@ std::vector<ServiceCall> studyCalls() {
        [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
       {O::kStudySetup, "createAssignments", [](SessionContext& w, Path) { (void)createAssignments(w, {}); }},
       {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
-      {O::kStudySetup, "reassign",
-       [](SessionContext& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
       {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
       {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
       {O::kStudySetup, "reassignAll", [](SessionContext& w, Path) { (void)reassignAll(w, {}, {}, "why"); }},

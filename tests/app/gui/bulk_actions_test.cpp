@@ -256,7 +256,6 @@ TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {
 TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainTrainee, 1, "contract");
-  setCentreSetting(office.centre.session(), kTwoPeopleSetting, "no");
   office.centre.addTrainees(4);
   office.centre.passTime_us(3 * kDay_us);
   auto page = office.open<MaintenancePage>("administrator");
@@ -290,6 +289,7 @@ TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
 TEST(RetentionQueue, AsksOnceForASecondPersonWhenSeveralAreErased) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainTrainee, 1, "contract");
+  setCentreSetting(office.centre.session(), kTwoPeopleSetting, "yes");
   office.centre.addTrainees(2);
   office.centre.passTime_us(3 * kDay_us);
   auto page = office.open<MaintenancePage>("administrator");

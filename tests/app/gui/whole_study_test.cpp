@@ -94,12 +94,12 @@ testing::ByHand& byHand() {
   return hand;
 }
 
-void press(QWidget& in, const QString& text) {
+void pressByHand(QWidget& in, const QString& text) {
   byHand().press();
   testing::press(in, text);
 }
 
-void type(QDialog& dialog, const QString& text) {
+void typeByHand(QDialog& dialog, const QString& text) {
   byHand().press(2);  // into the field, and the button below
   byHand().type(static_cast<std::size_t>(text.size()));
   testing::type(dialog, text);
@@ -149,21 +149,21 @@ void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
 
 void makeCurriculum(AdministratorDesk& office) {
   auto page = office.open<CurriculaPage>("administrator");
-  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
-  press(*page, QStringLiteral("New curriculum"));
+  answer([](QDialog& dialog) { typeByHand(dialog, QStringLiteral("Twist skills 2026")); });
+  pressByHand(*page, QStringLiteral("New curriculum"));
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
-  answer([](QDialog& dialog) { type(dialog, QStringLiteral("as in the paper")); });
-  press(*page, QStringLiteral("Publish"));
-  press(*page, QStringLiteral("Begin"));
+  answer([](QDialog& dialog) { typeByHand(dialog, QStringLiteral("as in the paper")); });
+  pressByHand(*page, QStringLiteral("Publish"));
+  pressByHand(*page, QStringLiteral("Begin"));
 }
 
 std::string makeCohort(AdministratorDesk& office) {
   auto page = office.open<CohortsPage>("administrator");
-  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
-  press(*page, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { typeByHand(dialog, QStringLiteral("Interns 2026")); });
+  pressByHand(*page, QStringLiteral("New cohort"));
   byHand().press();
   answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
-  press(*page, QStringLiteral("Enrol trainees"));
+  pressByHand(*page, QStringLiteral("Enrol trainees"));
   EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), static_cast<int>(kTrainees));
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
@@ -188,7 +188,7 @@ void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
       factor->setChecked(true);
     }
   }
-  press(*page, QStringLiteral("Preview balance"));
+  pressByHand(*page, QStringLiteral("Preview balance"));
   EXPECT_GE(child<DataTable>(*page, "balance").visibleRows(),
             2);  // women and men, beside what else is known of them
   QTimer::singleShot(0, [] {
@@ -196,8 +196,8 @@ void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
     ASSERT_NE(box, nullptr);
     box->button(QMessageBox::Yes)->click();
   });
-  press(*page, QStringLiteral("Lock design"));
-  press(*page, QStringLiteral("Allocate everybody"));
+  pressByHand(*page, QStringLiteral("Lock design"));
+  pressByHand(*page, QStringLiteral("Allocate everybody"));
   EXPECT_EQ(child<DataTable>(*page, "records").visibleRows(), static_cast<int>(kTrainees));
   const fs::path cards = office.centre.folder() / "cards.pdf";
   EXPECT_TRUE(page->writeCards(cards));
@@ -211,7 +211,7 @@ void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::v
     chooseCodes(dialog, chiefs);
     dialog.accept();
   });
-  press(*page, QStringLiteral("Invite raters"));
+  pressByHand(*page, QStringLiteral("Invite raters"));
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
 }
 
@@ -239,12 +239,12 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
                   .contains(QStringLiteral("room 2: the device is not fit for graded runs")));
   child<DataTable>(*page, "table").view().selectRow(0);
   answer([](QDialog& dialog) { dialog.accept(); });  // 20 minutes on the real arm
-  press(*page, QStringLiteral("Log time"));
+  pressByHand(*page, QStringLiteral("Log time"));
   answer([](QDialog& dialog) {
     dialog.findChild<QLineEdit*>()->setText(QStringLiteral("on call"));
     dialog.accept();
   });
-  press(*page, QStringLiteral("Swap turns"));
+  pressByHand(*page, QStringLiteral("Swap turns"));
   // Two that swapped, and time that was logged before any sheet of the real arm was in.
   EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 3U);
   int listed = 0;
@@ -252,7 +252,7 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
     listed = child<DataTable>(dialog, "deviations").visibleRows();
     dialog.reject();
   });
-  press(*page, QStringLiteral("Noted"));
+  pressByHand(*page, QStringLiteral("Noted"));
   EXPECT_EQ(listed, 3);
 
   office.centre.passTime_us(60'000'000);
@@ -282,9 +282,9 @@ void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& e
   auto page = office.open<CampaignsPage>("administrator");
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, evaluators);
-    type(dialog, QStringLiteral("Nine indices"));
+    typeByHand(dialog, QStringLiteral("Nine indices"));
   });
-  press(*page, QStringLiteral("New evaluation"));
+  pressByHand(*page, QStringLiteral("New evaluation"));
   ASSERT_EQ(child<DataTable>(*page, "campaigns").visibleRows(), 1);
 }
 
@@ -500,8 +500,8 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   results->showItem(QStringLiteral("figure-22"));
   EXPECT_EQ(child<DataTable>(child<FigureCard>(*results, "card"), "table").visibleRows(), 10);
   auto reports = office.open<ReportsPage>("administrator");
-  answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
-  press(*reports, QStringLiteral("Freeze"));
+  answer([](QDialog& dialog) { typeByHand(dialog, QStringLiteral("final")); });
+  pressByHand(*reports, QStringLiteral("Freeze"));
   office.shell().waitForJobs();
   ASSERT_NE(reports->inputs(), nullptr);
   ASSERT_TRUE(reports->inputs()->freeze.has_value());

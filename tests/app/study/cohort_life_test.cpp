@@ -102,7 +102,7 @@ TEST(CohortLife, IsArchivedOnlyWithoutOpenSheets) {
   EXPECT_THROW(life.set(CohortState::kArchived), Error);
   for (const ScoringMatrix::Line& line :
        scoringMatrix(life.centre.as("administrator"), life.cohortId).lines) {
-    reassign(life.centre.as("administrator"), line.cells.at(0).assignmentId, {}, "not needed");
+    reassignAll(life.centre.as("administrator"), std::array{line.cells.at(0).assignmentId}, {}, "not needed");
   }
   life.set(CohortState::kArchived);
 
@@ -120,7 +120,7 @@ TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
   const CohortId small = addCohort(life.centre.as("administrator"),
                                    {.name = "Volvulus", .groups = {{"G1", "one"}, {"G2", "two"}}});
   const std::vector<EnrolmentId> one =
-      enrolTrainees(life.centre.as("administrator"), small, {life.trainees[3]});
+      enrolTrainees(life.centre.as("administrator"), small, {life.trainees[3], life.trainees[0]});
   EXPECT_EQ(shown(), "Volvulus") << "the newest, while nobody is in a group";
   life.allocate();
   EXPECT_EQ(shown(), "Autumn") << "it runs";
@@ -137,7 +137,7 @@ TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
                                                 .firstUtc_us = testing::kStudyTime_us + 2 * kHour_us,
                                                 .duration_us = kHour_us});
   EXPECT_EQ(shown(), "Volvulus") << "somebody is expected today";
-  removeSlots(life.centre.as("administrator"), small, std::array{planned.front().id});
+  removeSlots(life.centre.as("administrator"), small, std::array{planned[0].id, planned[1].id});
   EXPECT_EQ(shown(), "Autumn");
   createAssignments(life.centre.as("administrator"), {.cohortId = small,
                                                       .occasionCodes = {"pre"},
@@ -145,9 +145,9 @@ TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
                                                       .rubricRevisionId = life.rubric,
                                                       .dueUtc_us = testing::kStudyTime_us + kHour_us});
   EXPECT_EQ(shown(), "Volvulus") << "sheets are due by the end of the day";
-  reassign(life.centre.as("administrator"),
-           scoringMatrix(life.centre.as("administrator"), small).lines.at(0).cells.at(0).assignmentId, {},
-           "not needed");
+  for (const ScoringMatrix::Line& line : scoringMatrix(life.centre.as("administrator"), small).lines) {
+    reassignAll(life.centre.as("administrator"), std::array{line.cells.at(0).assignmentId}, {}, "not needed");
+  }
   EXPECT_EQ(shown(), "Autumn");
   life.set(CohortState::kClosed);
   life.set(CohortState::kArchived);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study from the roster to the frozen data set, through the services alone.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -182,11 +183,12 @@ TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
   createAssignments(session, plan);
   const ScoringCell cell = scoringMatrix(session, study.cohortId).lines.at(0).cells.at(0);
 
-  EXPECT_THROW(reassign(session, cell.assignmentId, study.chiefs[2], ""), Error);
-  EXPECT_THROW(reassign(session, cell.assignmentId, study.chiefs[1], "ill"), Error);
-  const AssignmentId next = reassign(session, cell.assignmentId, study.chiefs[2], "ill");
+  const std::array sheets{cell.assignmentId};
+  EXPECT_THROW(reassignAll(session, sheets, study.chiefs[2], ""), Error);
+  EXPECT_THROW(reassignAll(session, sheets, study.chiefs[1], "ill"), Error);
 
-  EXPECT_FALSE(next.empty());
+  EXPECT_EQ(reassignAll(session, sheets, study.chiefs[2], "ill").moved, 1U);
+
   const ScoringMatrix matrix = scoringMatrix(session, study.cohortId);
   EXPECT_EQ(matrix.raters.size(), 3U);
   EXPECT_EQ(matrix.lines.at(0).cells.at(0).state, SheetState::kWithdrawn);
