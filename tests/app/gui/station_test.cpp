@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
@@ -455,9 +456,9 @@ TEST(StationPages, EveryPageCanBeEnteredByABeginner) {
 }
 
 TEST(StationLabels, RoundCountdownsUpSoThatZeroIsTheEnd) {
-  EXPECT_EQ(StationLabels::clock(0), QStringLiteral("00:00"));
-  EXPECT_EQ(StationLabels::clock(1), QStringLiteral("00:01"));
-  EXPECT_EQ(StationLabels::clock(20 * kMinute_us), QStringLiteral("20:00"));
+  EXPECT_EQ(clockTimeLeft(0), QStringLiteral("0:00"));
+  EXPECT_EQ(clockTimeLeft(1), QStringLiteral("0:01"));
+  EXPECT_EQ(clockTimeLeft(20 * kMinute_us), QStringLiteral("20:00"));
 }
 
 }  // namespace
