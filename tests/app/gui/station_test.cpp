@@ -128,11 +128,11 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   ASSERT_EQ(station.pageId, PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   EXPECT_TRUE(station.run().runSession()->graded());
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   EXPECT_FALSE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // no help in a graded run
   EXPECT_FALSE(station.page->leave());
   station.train(15 * kSecond_us);
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:25"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:25"));
   station.train(kMinute_us);  // hard stop
 
   ASSERT_EQ(station.pageId, PageId::kDebrief);
@@ -269,7 +269,7 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   station.press("rest");
   EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting);
   station.train(10 * kSecond_us);
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   station.press("goOn");
   EXPECT_FALSE(station.find<QPushButton>("rest")->isEnabled());  // one rest, not to be split
   station.train(40 * kSecond_us);
