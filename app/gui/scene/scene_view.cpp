@@ -24,7 +24,7 @@ namespace {
 constexpr float kGhostDepth_mm = 0.6F;
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
-constexpr float kMarkerRadius = 0.014F;
+constexpr float kMarkerRadius = 0.018F;
 
 /// Stands where the organ would be on a display without OpenGL.
 class NoSceneSentence : public QLabel {
