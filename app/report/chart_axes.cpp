@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/chart_axes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QBarCategoryAxis>
@@ -16,20 +17,55 @@ namespace torsio {
 
 namespace {
 
-/// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
-void countAlong(QValueAxis& axis, const AxisRange& range) {
+/// From one mark to the next: a whole number, of few enough marks.
+double wholeStep(double span) {
   constexpr double kMostTicks = 8.0;
-  const double span = range.high - range.low;
   double step = 1.0;
   for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
     if (span / step > kMostTicks) {
       step = wider;
     }
   }
+  return step;
+}
+
+void markWhole(QValueAxis& axis, double step) {
   axis.setTickType(QValueAxis::TicksDynamic);
   axis.setTickAnchor(0.0);
   axis.setTickInterval(step);
+}
+
+/// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
+void countAlong(QValueAxis& axis, const AxisRange& range) {
+  const double span = range.high - range.low;
+  markWhole(axis, wholeStep(span));
   axis.setRange(range.low - 0.03 * span, range.high + 0.03 * span);
+}
+
+/// Marks at whole numbers, from one mark to another: what is counted has no halves.
+void countUp(QValueAxis& axis, const AxisRange& range) {
+  const double step = wholeStep(range.high - range.low);
+  markWhole(axis, step);
+  axis.setRange(step * std::floor(range.low / step), step * std::ceil(range.high / step));
+}
+
+/// Whether a figure shows whole numbers only.
+bool counted(const ReportFigure& figure) {
+  const auto whole = [](double v) { return v == std::round(v); };
+  bool any = false;
+  for (const FigureSeries& series : figure.series) {
+    for (const auto& y : series.y) {
+      any = any || y.has_value();
+      if (y && !whole(*y)) {
+        return false;
+      }
+    }
+    if (!std::all_of(series.low.begin(), series.low.end(), whole) ||
+        !std::all_of(series.high.begin(), series.high.end(), whole)) {
+      return false;
+    }
+  }
+  return any;
 }
 
 }  // namespace
@@ -102,12 +138,17 @@ QValueAxis* ChartAxes::addValues(Qt::Alignment side) {
   auto* axis = styled(new QValueAxis, upright ? Text() : figure_.yLabel);
   const AxisRange range = valueRange();
   axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
-  axis->setTickCount(6);
-  if (!figure_.yMin || !figure_.yMax) {
-    axis->applyNiceNumbers();
+  const bool whole = counted(figure_);
+  if (whole) {
+    countUp(*axis, {axis->min(), axis->max()});
+  } else {
+    axis->setTickCount(6);
+    if (!figure_.yMin || !figure_.yMax) {
+      axis->applyNiceNumbers();
+    }
   }
   const double span = axis->max() - axis->min();
-  axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
+  axis->setLabelFormat(whole || span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
   if (upright) {
     addUprightTitle(figure_.yLabel);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,10 +19,32 @@ inline constexpr double kMostMinutes = 100'000.0;  ///< that a time of a curricu
 // `id` is its code, `requires_` and TrainingPhase::moduleId name codes. Publishing gives real ids.
 
 /// Something that keeps a draft from being published.
+/// The fields of an editor that a problem can be about.
+enum class CurriculumField : std::uint8_t {
+  kCode,
+  kTitle,
+  kScene,
+  kTarget,
+  kLimits,
+  kPrerequisites,
+  kMastery,
+  kPhases,
+  kTime
+};
+
+/// Where in a draft a problem is, for an editor that says it beside the field.
+struct CurriculumSpot {
+  enum class Part : std::uint8_t { kWhole, kModule, kArm, kOccasion };
+  Part part = Part::kWhole;
+  std::size_t row = 0;  ///< of the modules, arms or known occasions
+  CurriculumField field = CurriculumField::kCode;
+};
+
 struct CurriculumProblem {
   Text where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"
   Text what{};
   Text remedy{};
+  CurriculumSpot spot{};
 };
 
 /// Lists everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked

@@ -1493,10 +1493,6 @@
         <translation>尚未尝试</translation>
     </message>
     <message>
-        <source>Last time: interrupted after %1 s</source>
-        <translation>上次：%1 秒后中断</translation>
-    </message>
-    <message>
         <source>Unlocks: %1</source>
         <translation>解锁：%1</translation>
     </message>
@@ -1848,6 +1844,10 @@
         <translation>
             <numerusform>尚未表明已胜任。连续 %n 次成功即可表明。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Last time: interrupted after %1</source>
+        <translation>上次：%1 后中断</translation>
     </message>
 </context>
 <context>
@@ -18000,10 +18000,6 @@ MSM = 质点弹簧</translation>
         <translation>您的操作</translation>
     </message>
     <message>
-        <source>%1  ·  %2  ·  %3 s</source>
-        <translation>%1  ·  %2  ·  %3 秒</translation>
-    </message>
-    <message>
         <source>One moment: your run is compared with what was asked for and with an expert&apos;s.</source>
         <translation>请稍候：正在将您的操作与要求及专家的操作进行比较。</translation>
     </message>
@@ -18061,16 +18057,16 @@ MSM = 质点弹簧</translation>
             <numerusform>有 %n 次扭转未完成，不计入。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1  ·  %2  ·  %3</source>
+        <translation>%1  ·  %2  ·  %3</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DebriefPlot</name>
     <message>
         <source>Angle and force of the run over time</source>
         <translation>操作过程中的角度和力</translation>
-    </message>
-    <message>
-        <source>Twists: %1, in %2 s. Plus and minus zoom, arrows move, B sets a bookmark.</source>
-        <translation>扭转 %1 次，共 %2 秒。加减号缩放，方向键移动，B 添加书签。</translation>
     </message>
     <message>
         <source>Wheel zooms, dragging moves, a double click sets a bookmark</source>
@@ -18087,6 +18083,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>%1   %2°   %3 N</source>
         <translation>%1   %2°   %3 N</translation>
+    </message>
+    <message>
+        <source>Twists: %1, in %2. Plus and minus zoom, arrows move, B sets a bookmark.</source>
+        <translation>扭转 %1 次，共 %2。加减号缩放，方向键移动，B 添加书签。</translation>
     </message>
 </context>
 <context>
@@ -18226,10 +18226,6 @@ MSM = 质点弹簧</translation>
         <translation>松手等待</translation>
     </message>
     <message>
-        <source>%1: %2 s (%3 %)</source>
-        <translation>%1：%2 秒 (%3 %)</translation>
-    </message>
-    <message>
         <source>The first turn went the right way.</source>
         <translation>第一次转动方向正确。</translation>
     </message>
@@ -18304,6 +18300,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Tears of the wall: %1. A torn organ does not count as undone.</source>
         <translation>壁撕裂：%1 处。器官撕裂不算复位。</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3 %)</source>
+        <translation>%1：%2（%3 %）</translation>
     </message>
 </context>
 <context>
@@ -18604,12 +18604,12 @@ MSM = 质点弹簧</translation>
         <translation>回转</translation>
     </message>
     <message>
-        <source>%1 at %2 s (%3 of the tissue)</source>
-        <translation>%1：%2 s（组织时间 %3）</translation>
-    </message>
-    <message>
         <source>Pressure of the content in mmHg</source>
         <translation>内容物压力（mmHg）</translation>
+    </message>
+    <message>
+        <source>%1 at %2 (%3 of the tissue)</source>
+        <translation>%1，%2（组织时间 %3）</translation>
     </message>
 </context>
 <context>
@@ -20925,10 +20925,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::NextStepPage</name>
     <message>
-        <source>Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was used.</source>
-        <translation>您在 %1 的操作被中断。已记录 %2 秒并计入训练时间；未占用尝试次数。</translation>
-    </message>
-    <message>
         <source>Look at it</source>
         <translation>查看</translation>
     </message>
@@ -21075,6 +21071,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>The organ at your best twist</source>
         <translation>最佳扭转时的器官</translation>
+    </message>
+    <message>
+        <source>Your run of %1 was interrupted. The %2 that were recorded count as training time; no attempt was used.</source>
+        <translation>您在 %1 的操作被中断。已记录的 %2 计入训练时间；未占用尝试次数。</translation>
     </message>
 </context>
 <context>
@@ -24753,10 +24753,6 @@ Leave it empty to remove it.</source>
         <translation>尚无录制内容。</translation>
     </message>
     <message>
-        <source>%1   %2, %3   %4 s</source>
-        <translation>%1   %2，%3   %4 秒</translation>
-    </message>
-    <message>
         <source>Replay</source>
         <translation>回放</translation>
     </message>
@@ -25109,10 +25105,6 @@ Leave it empty to remove it.</source>
         <translation>film-strip.png</translation>
     </message>
     <message>
-        <source>%1 after %2 s</source>
-        <translation>%2 秒后：%1</translation>
-    </message>
-    <message>
         <source>Compare models</source>
         <translation>模型对比</translation>
     </message>
@@ -25143,6 +25135,22 @@ Leave it empty to remove it.</source>
     <message>
         <source>Recorded run</source>
         <translation>已录制的操作</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>The finest shadow and edges; needs a graphics card</source>
+        <translation>最细腻的阴影和边缘；需要显卡</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3   %4</source>
+        <translation>%1   %2，%3   %4</translation>
+    </message>
+    <message>
+        <source>%1 after %2</source>
+        <translation>%2 后：%1</translation>
     </message>
 </context>
 <context>

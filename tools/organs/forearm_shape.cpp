@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "sim/base/angle.h"
@@ -70,26 +69,6 @@ MonotoneCurve halfDepths(const ArmMeasures& m) {
   return alongArm(
       m, [&m](std::size_t i) { return m.girth_mm[i] / unitGirth(kWidthToDepth[i]); },
       [&m](const PalmRow& row) { return 0.5 * row.thickness * m.handThickness_mm; });
-}
-
-double distance(const RoundCone& cone, const Vec3& p) {
-  const Vec3 axis = cone.b - cone.a;
-  const double t = std::clamp(dot(p - cone.a, axis) / dot(axis, axis), 0.0, 1.0);
-  return norm(p - cone.a - t * axis) - (cone.radiusA + t * (cone.radiusB - cone.radiusA));
-}
-
-// Union of two bodies, rounded where they are nearer than `width` to each other (Quilez 2013, quadratic).
-double join(double a, double b, double width) {
-  const double h = std::max(width - std::abs(a - b), 0.0) / width;
-  return std::min(a, b) - 0.25 * width * h * h;
-}
-
-double chain(std::span<const RoundCone> cones, const Vec3& p, double width) {
-  double d = std::numeric_limits<double>::max();
-  for (const RoundCone& cone : cones) {
-    d = join(d, distance(cone, p), width);
-  }
-  return d;
 }
 
 // A finger from its crease at `crease`, splayed by `splay` towards the thumb, bent towards the palm.
@@ -169,7 +148,7 @@ double ArmShape::tube(const Vec3& p) const {
     side = (g - 1.0) / slope;
   }
   constexpr double kRounding = 14.0;
-  return -join(-side, palmEndZ_ - p.z, kRounding);  // the tube ends at the roots of the fingers
+  return -joined(-side, palmEndZ_ - p.z, kRounding);  // the tube ends at the roots of the fingers
 }
 
 double ArmShape::operator()(const Vec3& p) const {
@@ -180,21 +159,21 @@ double ArmShape::operator()(const Vec3& p) const {
   constexpr double kRim = 5.0;
   double d = tube(p);
   for (std::size_t k = 0; k < eminences_.size(); ++k) {
-    d = join(d, distance(eminences_[k], p), k < 2 ? kFleshy : kBony);
+    d = joined(d, distanceTo(eminences_[k], p), k < 2 ? kFleshy : kBony);
   }
   constexpr double kHandBegins = 45.0;  // below the wrist crease nothing of the hand is felt any more
   if (p.z > wristZ_ - kHandBegins) {
     double hand = std::numeric_limits<double>::max();
     for (const std::vector<RoundCone>& f : fingers_) {
-      hand = join(hand, chain(f, p, kJoints), kWebs);
+      hand = joined(hand, joinedChain(f, p, kJoints), kWebs);
     }
-    d = join(d, hand, kBony);
+    d = joined(d, hand, kBony);
     for (const RoundCone& knuckle : knuckles_) {
-      d = join(d, distance(knuckle, p), kBony);
+      d = joined(d, distanceTo(knuckle, p), kBony);
     }
-    d = join(d, chain(thumb_, p, kBony), kFleshy);
+    d = joined(d, joinedChain(thumb_, p, kBony), kFleshy);
   }
-  return -join(-d, p.z, kRim);  // cut at the elbow
+  return -joined(-d, p.z, kRim);  // cut at the elbow
 }
 
 }  // namespace torsio

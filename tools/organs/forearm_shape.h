@@ -6,15 +6,9 @@
 
 #include "tools/organs/curves.h"
 #include "tools/organs/forearm.h"
+#include "tools/organs/round_cone.h"
 
 namespace torsio {
-
-/// A cone with a ball at each end.
-struct RoundCone {
-  Vec3 a, b;
-  double radiusA = 0.0;
-  double radiusB = 0.0;
-};
 
 /// The skin of forearm and hand as one implicit surface; millimetres, in the frame of Arm.
 class ArmShape {

@@ -8,6 +8,7 @@
 #include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "tools/organs/forearm.h"
+#include "tools/organs/gloved_hand.h"
 #include "tools/organs/grasper.h"
 #include "tools/organs/stomach.h"
 #include "tools/organs/volvulus_organs.h"
@@ -91,7 +92,7 @@ std::string grasperJson(const Grasper& g) {
   jaws.raw("opening_deg", hundredths(degrees(g.jawOpening_rad)));
   JsonObject meshes("    ");
   meshes.text("shaft", "grasper_shaft.ply").text("upper_jaw", "grasper_jaw_upper.ply");
-  meshes.text("lower_jaw", "grasper_jaw_lower.ply");
+  meshes.text("lower_jaw", "grasper_jaw_lower.ply").text("hand", "gloved_hand.ply");
   JsonObject json;
   json.text("id", "grasper").text("title", "Straight grasper, 5 mm").text("provenance", kProvenance);
   json.text("licence", kLicence);
@@ -131,6 +132,8 @@ std::vector<ShippedFile> shippedFiles() {
       {"organs/midgut.ply", ply(makeMidgut().surface, "pack of small-bowel coils on its stalk",
                                 "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
       {"instruments/grasper.json", grasperJson(grasper)},
+      {"instruments/gloved_hand.ply", ply(makeGlovedHand(), "gloved right hand about the end of a shaft",
+                                          "a man's hand, 84 mm broad at the fingers; assumed")},
       {"instruments/grasper_shaft.ply", ply(grasper.shaft, "shaft of a grasper", grasperSize)},
       {"instruments/grasper_jaw_upper.ply", ply(grasper.upperJaw, "upper jaw of a grasper", grasperSize)},
       {"instruments/grasper_jaw_lower.ply", ply(grasper.lowerJaw, "lower jaw of a grasper", grasperSize)},

@@ -64,7 +64,7 @@ double ellipseSquare(double share, double begins, double half) {
 }
 
 // The rounded maximum of two squares of half-widths.
-double joined(double a, double b, double round) {
+double roundedMaximum(double a, double b, double round) {
   const double h = std::max(round - std::abs(a - b), 0.0);
   return std::max(a, b) + h * h / (4.0 * round);
 }
@@ -112,7 +112,7 @@ TubeOrgan makeTestis() {
     const double fades = 1.0 - rise(share, 0.7, 0.9);
     const double cord = kCord_mm * kCord_mm * fades;
     return std::sqrt(
-        std::max(joined(ellipseSquare(share, kPole, widest_mm), cord, 14.0 * fades + 0.1), 0.25));
+        std::max(roundedMaximum(ellipseSquare(share, kPole, widest_mm), cord, 14.0 * fades + 0.1), 0.25));
   };
   const auto size = [&half](double share) { return SectionSize{half(share, 10.0), half(share, 15.0)}; };
   const MonotoneCurve epididymis({0.50, 0.56, 0.62, 0.70, 0.80, 0.88, 0.94, 1.0},
@@ -183,7 +183,7 @@ TubeOrgan makeMidgut() {
     const double fades = 1.0 - rise(share, 0.6, 0.9);
     const double stalk = kStalk_mm * kStalk_mm * fades;
     return std::sqrt(
-        std::max(joined(ellipseSquare(share, kPole, widest_mm), stalk, 40.0 * fades + 0.1), 0.25));
+        std::max(roundedMaximum(ellipseSquare(share, kPole, widest_mm), stalk, 40.0 * fades + 0.1), 0.25));
   };
   const auto size = [&half](double share) {
     return SectionSize{half(share, kHalfWidth_mm), half(share, kHalfHeight_mm)};

@@ -7,8 +7,14 @@
 
 namespace torsio::gui {
 
-/// Gives a time of a recording, or a span, as every screen says it: minutes and whole seconds, "2:05". Any
-/// thread.
+// The one home of how screens say a time of a recording, or a span below an hour: minutes and seconds. What
+// is planned in whole minutes, and the second or two that something is held, are said in words. Any thread.
+
+/// Whole seconds that are over: "2:05".
 [[nodiscard]] QString clockTime(std::int64_t time_us);
+/// Whole seconds that are still to come, begun ones too: "2:05"; "0:00" when nothing is left.
+[[nodiscard]] QString clockTimeLeft(std::int64_t left_us);
+/// To the nearest tenth: "2:05.4".
+[[nodiscard]] QString clockTenths(double time_s);
 
 }  // namespace torsio::gui

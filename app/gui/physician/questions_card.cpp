@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_plot.h"
@@ -67,7 +68,7 @@ void QuestionsCard::fill() {
     const QString waits = StationLabels::waited(shell_.session().now_us() - question.askedUtc_us);
     words->setText(tr("%1, %2, at %3: waiting for %4")
                        .arg(toQString(question.trainee), toQString(Text(question.moduleTitle)),
-                            StationLabels::seconds(question.at_s), waits));
+                            clockTenths(question.at_s), waits));
     auto* look = new QPushButton(tr("Answer\u2026"), this);
     look->setObjectName(QStringLiteral("answerQuestion"));
     look->setAccessibleName(tr("Answer %1").arg(toQString(question.trainee)));

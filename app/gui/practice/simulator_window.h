@@ -102,6 +102,7 @@ class SimulatorWindow : public QMainWindow {
     QAction* automatic = nullptr;
     QAction* fast = nullptr;
     QAction* fine = nullptr;
+    QAction* best = nullptr;
     QAction* quit = nullptr;
     QAction* full = nullptr;
     QAction* about = nullptr;

@@ -52,6 +52,7 @@ void SimulatorWindow::nameActions() {
   name(a.automatic, tr("Automatic"), tr("As fine as this machine draws smoothly"));
   name(a.fast, tr("Fast"), tr("Fewer effects, more pictures a second"));
   name(a.fine, tr("Fine"), tr("Shadow, ambient occlusion and antialiasing"));
+  name(a.best, tr("Best"), tr("The finest shadow and edges; needs a graphics card"));
   menus_.quality->setTitle(tr("Quality"));
   if (setup_.embedded) {
     menus_.more->setText(tr("More"));
@@ -122,7 +123,8 @@ void SimulatorWindow::createMenus() {
   auto* group = new QActionGroup(this);
   const std::pair<QAction**, RenderQuality> choices[] = {{&a.automatic, RenderQuality::kAutomatic},
                                                          {&a.fast, RenderQuality::kFast},
-                                                         {&a.fine, RenderQuality::kFine}};
+                                                         {&a.fine, RenderQuality::kFine},
+                                                         {&a.best, RenderQuality::kBest}};
   for (const auto& [action, value] : choices) {
     *action = m.quality->addAction(QString());
     (*action)->setCheckable(true);

@@ -8,6 +8,7 @@
 #include <QMessageBox>
 
 #include "app/base/build_info.h"
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
@@ -56,10 +57,9 @@ void SimulatorWindow::chooseReplay() {
     SceneTitles titles(setup_.assets);
     QStringList lines;
     for (const RecordedTrial& trial : trials) {
-      lines << tr("%1   %2, %3   %4 s")
+      lines << tr("%1   %2, %3   %4")
                    .arg(localTime(trial.startedUtc_us), titles.scene(trial.sceneId),
-                        titles.pattern(trial.sceneId, trial.patternId),
-                        QLocale().toString(trial.duration_s, 'f', 1));
+                        titles.pattern(trial.sceneId, trial.patternId), clockTenths(trial.duration_s));
     }
     bool chosen = false;
     const QString line =

@@ -2,6 +2,7 @@
 // Pictures and film strips of what the window shows.
 #include <QLocale>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/simulator/shown_tool.h"
@@ -58,8 +59,8 @@ std::vector<StripFrame> SimulatorWindow::replayFrames() {
     playback.seek_us(moment.position_us);
     const LiveState state = playback.state();
     view_->setTissue(tool_->show(state));
-    const QString time = QLocale().toString(static_cast<double>(moment.position_us) * 1e-6, 'f', 1);
-    frames.push_back({tr("%1 after %2 s").arg(angleCaption(moment.angle_rad), time), view_->picture()});
+    const QString time = clockTenths(static_cast<double>(moment.position_us) * 1e-6);
+    frames.push_back({tr("%1 after %2").arg(angleCaption(moment.angle_rad), time), view_->picture()});
   }
   playback.seek_us(before_us);
   return frames;

@@ -90,6 +90,10 @@ InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::s
   parts.shaft = part("shaft");
   parts.upperJaw = part("upper_jaw");
   parts.lowerJaw = part("lower_jaw");
+  if (meshes.contains(QLatin1String("hand"))) {
+    parts.hand = part("hand");
+  }
+  parts.shaftLength_mm = root.value(QLatin1String("shaft_length_mm")).toDouble(parts.shaftLength_mm);
   parts.jawPivot_mm = vectorOf(jaws.value(QLatin1String("pivot_mm")));
   parts.jawOpening_deg = jaws.value(QLatin1String("opening_deg")).toDouble(parts.jawOpening_deg);
   return parts;

@@ -16,7 +16,9 @@ struct InstrumentParts {
   TriangleMesh shaft;
   TriangleMesh upperJaw;
   TriangleMesh lowerJaw;
+  TriangleMesh hand;  ///< gloved, about the end of the shaft; empty: the instrument has none
   QVector3D jawPivot_mm;
+  double shaftLength_mm = 250.0;
   double jawOpening_deg = 20.0;  ///< each jaw, fully open
 };
 

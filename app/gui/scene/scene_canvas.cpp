@@ -2,6 +2,7 @@
 #include "app/gui/scene/scene_canvas.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QGuiApplication>
 #include <QOpenGLContext>
@@ -18,12 +19,14 @@
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/tissue_look.h"
 #include "app/gui/scene/view_frame.h"
+#include "sim/device/virtual/pointer_device.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initSceneResources() {
   Q_INIT_RESOURCE(torsio_scene);
   Q_INIT_RESOURCE(torsio_light);
   Q_INIT_RESOURCE(torsio_shaders);
+  Q_INIT_RESOURCE(torsio_smooth);
 }
 
 namespace torsio::gui {
@@ -47,6 +50,14 @@ Renderer kindOf(const QString& renderer) {
     }
   }
   return Renderer::kGraphicsCard;
+}
+
+/// Of each jaw. A mouse button closes to what holds tissue, a hand may close on to nothing between the jaws.
+double shownJaw_deg(double grip, double opening_deg) {
+  const double closed = std::clamp(grip, 0.0, 1.0);
+  const double open = std::max(0.0, 1.0 - closed / kPointerClosure);
+  const double pressed = std::max(0.0, (closed - kPointerClosure) / (1.0 - kPointerClosure));
+  return open * opening_deg + (1.0 - open) * kJawHolding_deg * (1.0 - pressed);
 }
 
 }  // namespace
@@ -80,6 +91,7 @@ void SceneCanvas::readParts() {
   parts_.ghost = root_->property("ghost").value<OrganGeometry*>();
   parts_.markers = root_->property("markers").value<MarkerGeometry*>();
   parts_.surroundings = root_->property("surroundings").value<SurroundingsTexture*>();
+  parts_.shadow = root_->property("shadow").value<ShadowTexture*>();
 }
 
 void SceneCanvas::registerTypes() {
@@ -88,6 +100,7 @@ void SceneCanvas::registerTypes() {
     qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
     qmlRegisterType<SkinTexture>("Torsio.Scene", 1, 0, "SkinTexture");
     qmlRegisterType<SurroundingsTexture>("Torsio.Scene", 1, 0, "SurroundingsTexture");
+    qmlRegisterType<ShadowTexture>("Torsio.Scene", 1, 0, "ShadowTexture");
     qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
     qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
@@ -136,6 +149,9 @@ void SceneCanvas::set(const char* name, const QVariant& value) {
 
 void SceneCanvas::setInstrument(const InstrumentParts& parts) {
   jawOpening_deg_ = parts.jawOpening_deg;
+  shaftLength_mm_ = static_cast<float>(parts.shaftLength_mm);
+  hasHand_ = !parts.hand.triangles.empty();
+  set("handVisible", hasHand_ && !throughPort(surroundings_));
   set("jawPivot", parts.jawPivot_mm);
   if (root_ == nullptr) {
     return;
@@ -143,13 +159,31 @@ void SceneCanvas::setInstrument(const InstrumentParts& parts) {
   root_->property("shaft").value<InstrumentGeometry*>()->setMesh(parts.shaft);
   root_->property("upperJaw").value<InstrumentGeometry*>()->setMesh(parts.upperJaw);
   root_->property("lowerJaw").value<InstrumentGeometry*>()->setMesh(parts.lowerJaw);
+  if (hasHand_) {
+    root_->property("hand").value<InstrumentGeometry*>()->setMesh(parts.hand);
+  }
 }
 
 void SceneCanvas::setTool(const Pose& pose, double grip) {
-  set("toolPosition", toView(pose.position_m));
-  set("toolRotation", toolToView(pose.orientation));
-  const double open = 1.0 - std::clamp(grip, 0.0, 1.0);
-  set("jawAngle", kJawHolding_deg + (jawOpening_deg_ - kJawHolding_deg) * open);
+  const QVector3D tip_mm = toView(pose.position_m);
+  const QQuaternion turn = toolToView(pose.orientation);
+  set("toolPosition", tip_mm);
+  set("toolRotation", turn);
+  set("jawAngle", shownJaw_deg(grip, jawOpening_deg_));
+  placePort(tip_mm, turn.rotatedVector({0.0F, 0.0F, 1.0F}));
+}
+
+void SceneCanvas::placePort(const QVector3D& tip_mm, const QVector3D& shaft) {
+  // The wall of the abdomen stands like a dome over the organ: the port is where the shaft goes through it.
+  constexpr float kDome = 1.12F;  // radii
+  constexpr float kSleeve_mm = 50.0F;  // nearer to the tip it would hide the jaws
+  const QVector3D from = tip_mm - centre_mm_;
+  const float along = QVector3D::dotProduct(from, shaft);
+  const float reach = kDome * radius_mm_;
+  const float square = along * along - from.lengthSquared() + reach * reach;
+  const float at = square > 0.0F ? std::sqrt(square) - along : -1.0F;
+  set("portVisible", throughPort(surroundings_) && at > kSleeve_mm && at < shaftLength_mm_);
+  set("portAlong", at);
 }
 
 void SceneCanvas::setForce(const Vec3& at_m, const Vec3& force_N, float radius_mm) {
@@ -173,22 +207,36 @@ void SceneCanvas::setLook(const TissueLook& look) {
   set("scatter", look.scatter);
   set("foldDepth", look.foldDepth);
   set("poreDepth", look.poreDepth);
+  set("paintedRelief", look.paintedRelief_mm);
   set("relief", QVector3D(look.relief_mm[0], look.relief_mm[1], look.relief_mm[2]));
 }
 
-void SceneCanvas::setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
-                                  float radius_mm, float back_mm, const Theme& theme) {
+void SceneCanvas::setSurroundings(Surroundings kind, const QVector3D& centre_mm, float radius_mm,
+                                  float back_mm, const Theme& theme) {
   constexpr float kBehind = 0.12F;  // radii: nothing that is twisted reaches it
-  set("surroundingsPosition", QVector3D(centre_mm.x(), centre_mm.y(), back_mm - kBehind * radius_mm));
+  const float ground_mm = back_mm - kBehind * radius_mm;
+  surroundings_ = kind;
+  centre_mm_ = centre_mm;
+  radius_mm_ = radius_mm;
+  shadow_ = OrganShadow(centre_mm, radius_mm, ground_mm);
+  set("surroundingsPosition", QVector3D(centre_mm.x(), centre_mm.y(), ground_mm));
   set("surroundingsSize", 2.0F * kSurroundingsReach * radius_mm);
+  set("shadowShare", kSurroundingsReach / kShadowReach);
+  set("handVisible", hasHand_ && !throughPort(kind));
   if (parts_.surroundings != nullptr) {
-    parts_.surroundings->setPicture(paintSurroundings(kind, theme, organ, centre_mm, radius_mm));
+    parts_.surroundings->setPicture(paintSurroundings(kind, theme));
+  }
+}
+
+void SceneCanvas::castShadow(const OrganSurface& organ) {
+  if (parts_.shadow != nullptr) {
+    parts_.shadow->setShade(shadow_.cast(organ));
   }
 }
 
 void SceneCanvas::setTheme(const Theme& theme) {
-  set("backdropTop", theme.backdropTop);
-  set("backdropBottom", theme.backdropBottom);
+  set("backdrop", theme.backdropBottom);
+  set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
   set("latticeColour", theme.lattice);
   set("wireColour", theme.wire);
   set("graspColour", theme.grasp);
@@ -204,8 +252,10 @@ void SceneCanvas::setQuality(RenderQuality quality) {
 }
 
 void SceneCanvas::applyQuality() {
-  set("fine", quality_ == RenderQuality::kFine || (quality_ == RenderQuality::kAutomatic &&
-                                                               !renderer_.isEmpty() && control_.fine()));
+  const bool chosen = quality_ == RenderQuality::kFine || quality_ == RenderQuality::kBest;
+  const bool byItself = quality_ == RenderQuality::kAutomatic && !renderer_.isEmpty() && control_.fine();
+  set("best", quality_ == RenderQuality::kBest);
+  set("fine", chosen || byItself);
 }
 
 QImage SceneCanvas::picture() const {

@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <QVector3D>
 
+#include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/widgets/theme.h"
@@ -34,6 +35,7 @@ enum class RenderQuality {
   kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
   kFast,
   kFine,  ///< antialiasing, shadow, ambient occlusion
+  kBest,  ///< the same with as much of each as a graphics card can do; never chosen by itself
 };
 
 /// The drawing of a scene: the scene graph, its level and its frames. It knows nothing of scenes and states;
@@ -53,6 +55,7 @@ class SceneCanvas : public QObject {
     OrganGeometry* ghost = nullptr;
     MarkerGeometry* markers = nullptr;
     SurroundingsTexture* surroundings = nullptr;
+    ShadowTexture* shadow = nullptr;
   };
 
   explicit SceneCanvas(QWidget& parent);
@@ -73,9 +76,11 @@ class SceneCanvas : public QObject {
   /// the organ, by which the arrow is measured.
   void setForce(const Vec3& at_m, const Vec3& force_N, float radius_mm);
   void setLook(const TissueLook& look);
-  /// What lies behind an organ that reaches back to `back_mm`.
-  void setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
-                       float radius_mm, float back_mm, const Theme& theme);
+  /// What lies behind an organ at rest that reaches back to `back_mm`.
+  void setSurroundings(Surroundings kind, const QVector3D& centre_mm, float radius_mm, float back_mm,
+                       const Theme& theme);
+  /// The shadow of the organ as it lies now.
+  void castShadow(const OrganSurface& organ);
   void setTheme(const Theme& theme);
   void setQuality(RenderQuality quality);
 
@@ -92,11 +97,18 @@ class SceneCanvas : public QObject {
   void readParts();
   void noteFrame();
   void applyQuality();
+  void placePort(const QVector3D& tip_mm, const QVector3D& shaft);
 
   QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
   QQuickItem* root_ = nullptr;
   Parts parts_;
   double jawOpening_deg_ = 20.0;
+  float shaftLength_mm_ = 250.0F;
+  bool hasHand_ = false;
+  Surroundings surroundings_ = Surroundings::kDrape;
+  QVector3D centre_mm_;
+  float radius_mm_ = 0.0F;
+  OrganShadow shadow_;
   RenderQuality quality_ = RenderQuality::kAutomatic;
   QualityControl control_;
   QElapsedTimer sinceFrame_;

@@ -24,16 +24,7 @@ namespace {
 constexpr float kGhostDepth_mm = 0.6F;
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
-constexpr float kMarkerRadius = 0.014F;
-
-/// A little shade, so that the form is seen under the colours of a map; most of what faces the viewer has
-/// none.
-float formShade(const float (&normal)[3]) {
-  constexpr float kDeepest = 0.30F;
-  const float facing = 0.20F * normal[0] * -1.0F + 0.45F * normal[1] + 0.87F * normal[2];
-  const float away = std::clamp(0.55F - facing, 0.0F, 1.0F);
-  return 1.0F - kDeepest * away;
-}
+constexpr float kMarkerRadius = 0.018F;
 
 /// Stands where the organ would be on a display without OpenGL.
 class NoSceneSentence : public QLabel {
@@ -147,8 +138,8 @@ void SceneView::setScene(const ViewScene& view) {
 
 void SceneView::showSurroundings() {
   if (!view_.surface.vertices().empty()) {
-    canvas_->setSurroundings(view_.surroundings, view_.surface, organCentre_, organRadius_, organBack_,
-                             theme(themeKind_));
+    canvas_->setSurroundings(view_.surroundings, organCentre_, organRadius_, organBack_, theme(themeKind_));
+    canvas_->castShadow(view_.surface);
   }
 }
 
@@ -205,10 +196,6 @@ void SceneView::paintSkin() {
     view_.shear.evaluate(*shown_, shearShare_);
     for (std::size_t i = 0; i < colours_.size(); ++i) {
       colours_[i] = shearColour(shearShare_[i]);
-      const float form = formShade(view_.surface.vertices()[i].normal);
-      for (float& channel : colours_[i]) {
-        channel *= form;
-      }
     }
     view_.surface.paint(colours_);
   } else if (!view_.blood.empty()) {
@@ -223,6 +210,7 @@ void SceneView::showSkin() {
   if (!canvas_->drawn()) {
     return;
   }
+  canvas_->castShadow(view_.surface);
   const SceneCanvas::Parts& parts = canvas_->parts();
   parts.organ->updateVertices(view_.surface);
   parts.grasp->follow(view_.surface);

@@ -11,6 +11,7 @@ Rectangle {
     property alias skin: skinData
     property alias ghost: ghostGeometry
     property alias surroundings: surroundingsData
+    property alias shadow: shadowData
     property alias markers: markerGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
@@ -18,6 +19,7 @@ Rectangle {
     property alias shaft: shaftGeometry
     property alias upperJaw: upperJawGeometry
     property alias lowerJaw: lowerJawGeometry
+    property alias hand: handGeometry
 
     property vector3d cameraPosition
     property quaternion cameraRotation
@@ -29,12 +31,16 @@ Rectangle {
     property real jawAngle: 12       // each jaw, degrees
     property vector3d jawPivot
     property bool toolVisible: true
+    property bool handVisible: false
+    property bool portVisible: false
+    property real portAlong: 100     // mm from the tip: where the shaft goes through the port
 
     property vector3d surroundingsPosition
     property real surroundingsSize: 100   // mm: side of the square
+    property real shadowShare: 1          // of the square by the side of the shadow on it
+    property color backdrop: "#c9d4dc"    // beside the square
+    property color gloveColour: "#8fb3cf"
 
-    property color backdropTop: "#eef2f5"
-    property color backdropBottom: "#c9d4dc"
     property real tissueRoughness: 0.45
     property real filmAmount: 0.4
     property real filmRoughness: 0.2
@@ -42,6 +48,7 @@ Rectangle {
     property real foldDepth: 0
     property real poreDepth: 0
     property vector3d relief
+    property real paintedRelief: 0     // mm from black to white of the painted skin's fourth channel
     property bool stressVisible: false
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
@@ -63,263 +70,353 @@ Rectangle {
     property bool latticeVisible: false
     property bool graspVisible: true
     property bool fine: false        // antialiasing, shadow, ambient occlusion and the film of moisture
+    property bool best: false        // of the fine level: as much of it as a graphics card can do
 
-    gradient: Gradient {
-        GradientStop { position: 0; color: root.backdropTop }
-        GradientStop { position: 1; color: root.backdropBottom }
+    // Where the lamps stand, as the fast level's shader wants it.
+    readonly property vector3d lampDirection: Qt.vector3d(-0.27, 0.788, 0.553)
+    readonly property vector3d lensDirection: root.cameraRotation.times(Qt.vector3d(-0.54, 0.24, 0.80))
+
+    color: root.backdrop
+
+    // The fast level smooths the edges of the picture while it is put into the window; the picture itself is
+    // cut away there.
+    ShaderEffect {
+        objectName: "smoothed"
+        anchors.fill: parent
+        visible: !root.fine
+        blending: false
+        property variant source: view
+        fragmentShader: "qrc:/torsio/shaders/smooth.frag.qsb"
     }
 
-    View3D {
-        anchors.fill: parent
-        // Straight into the picture: a picture of its own would be drawn, copied, and asked for a second time
-        // after each change. Antialiasing needs one.
-        renderMode: root.fine ? View3D.Offscreen : View3D.Inline
-        camera: camera
+    Item {
+        clip: !root.fine
+        width: root.fine ? root.width : 0
+        height: root.fine ? root.height : 0
+        View3D {
+            id: view
+            width: root.width
+            height: root.height
+            renderMode: View3D.Offscreen
+            camera: camera
 
-        environment: SceneEnvironment {
-            backgroundMode: SceneEnvironment.Transparent
-            lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
-            probeExposure: root.fine ? 0.44 : 0.46
-            tonemapMode: SceneEnvironment.TonemapModeLinear
-            antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
-            antialiasingQuality: SceneEnvironment.High
-            aoStrength: root.fine ? 30 : 0
-            aoDistance: 18
-            aoSoftness: 20
-            aoSampleRate: 3
-        }
-
-        PerspectiveCamera {
-            id: camera
-            position: root.cameraPosition
-            rotation: root.cameraRotation
-            fieldOfView: root.cameraFieldOfView
-            clipNear: root.cameraNear
-            clipFar: root.cameraFar
-
-            // The lamp beside the lens goes along: no side of the organ is ever without form.
-            DirectionalLight {
-                eulerRotation: Qt.vector3d(-14, 34, 0)
-                color: "#fbf4ef"
-                brightness: 0.38
+            environment: SceneEnvironment {
+                backgroundMode: SceneEnvironment.Color
+                clearColor: root.backdrop
+                lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
+                probeExposure: root.fine ? 0.44 : 0.46
+                tonemapMode: SceneEnvironment.TonemapModeLinear
+                antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
+                antialiasingQuality: root.best ? SceneEnvironment.VeryHigh : SceneEnvironment.High
+                aoStrength: root.fine ? 30 : 0
+                aoDistance: 18
+                aoSoftness: 20
+                aoSampleRate: root.best ? 4 : 3
             }
-        }
 
-        // The operating lamp stays where the room has it.
-        DirectionalLight {
-            eulerRotation: Qt.vector3d(-52, -26, 0)
-            color: "#fff4ea"
-            brightness: root.fine ? 0.62 : 0.48
-            castsShadow: root.fine
-            shadowFactor: 38
-            shadowMapQuality: Light.ShadowMapQualityHigh
-            shadowBias: 4
-            shadowFilter: 6
-        }
-        Texture {
-            id: skinTexture
-            textureData: SkinTexture { id: skinData }
-            generateMipmaps: true
-            mipFilter: Texture.Linear
-        }
+            PerspectiveCamera {
+                id: camera
+                position: root.cameraPosition
+                rotation: root.cameraRotation
+                fieldOfView: root.cameraFieldOfView
+                clipNear: root.cameraNear
+                clipFar: root.cameraFar
 
-        // The fast level: the painted skin, and a shine.
-        PrincipledMaterial {
-            id: plainTissue
-            baseColorMap: skinTexture
-            metalness: 0
-            roughness: root.tissueRoughness * (1 - 0.45 * root.filmAmount)
-            specularAmount: 0.35
-        }
-        CustomMaterial {
-            id: livingTissue
-            shadingMode: CustomMaterial.Shaded
-            vertexShader: "qrc:/torsio/shaders/tissue.vert"
-            fragmentShader: "qrc:/torsio/shaders/tissue.frag"
-            property TextureInput skinMap: TextureInput { texture: skinTexture }
-            property real tissueRoughness: root.tissueRoughness
-            property real filmRoughness: root.filmRoughness
-            property real wetness: root.filmAmount
-            property real scatter: root.scatter
-            property real foldDepth: root.foldDepth
-            property real poreDepth: root.poreDepth
-            property real bumpBroad: root.relief.x
-            property real bumpMiddle: root.relief.y
-            property real bumpSmall: root.relief.z
-        }
-        // A map is read by its colours: no light changes them.
-        PrincipledMaterial {
-            id: stressMap
-            lighting: PrincipledMaterial.NoLighting
-        }
-
-        // What lies behind the organ, with its shadow painted on: no lamp is asked, at either level.
-        Model {
-            objectName: "surroundings"
-            source: "#Rectangle"    // 100 high, 100 wide
-            position: root.surroundingsPosition
-            scale: Qt.vector3d(0.01 * root.surroundingsSize, 0.01 * root.surroundingsSize, 1)
-            // Drawn first and leaving no depth: it hides nothing, also where the instrument comes from behind.
-            depthBias: -100000
-            castsShadows: false
-            receivesShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                depthDrawMode: Material.NeverDepthDraw
-                baseColorMap: Texture {
-                    textureData: SurroundingsTexture { id: surroundingsData }
-                    generateMipmaps: true
-                    mipFilter: Texture.Linear
+                // The lamp beside the lens goes along: no side of the organ is ever without form.
+                DirectionalLight {
+                    eulerRotation: Qt.vector3d(-14, 34, 0)
+                    color: "#fbf4ef"
+                    brightness: 0.38
                 }
             }
-        }
 
-        Model {
-            objectName: "organ"
-            geometry: OrganGeometry { id: organGeometry }
-            receivesShadows: root.fine
-            castsShadows: root.fine
-            materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
-        }
-
-        Model {
-            visible: root.wireVisible
-            geometry: WireGeometry { id: wireGeometry }
-            castsShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.wireColour
-                opacity: 0.55
+            // The operating lamp stays where the room has it.
+            DirectionalLight {
+                eulerRotation: Qt.vector3d(-52, -26, 0)
+                color: "#fff4ea"
+                brightness: root.fine ? 0.62 : 0.48
+                castsShadow: root.fine
+                shadowFactor: 38
+                shadowMapQuality: root.best ? Light.ShadowMapQualityVeryHigh : Light.ShadowMapQualityHigh
+                shadowBias: 4
+                shadowFilter: root.best ? 10 : 6
             }
-        }
-
-        Model {
-            visible: root.latticeVisible
-            geometry: RibbonGeometry { id: latticeGeometry }
-            castsShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.latticeColour
-                cullMode: Material.NoCulling
+            // Beside the materials and before them: Qt Quick 3D tells a material when its texture goes, also one
+            // that is gone already.
+            Texture {
+                id: groundTexture
+                textureData: SurroundingsTexture { id: surroundingsData }
+                generateMipmaps: true
+                mipFilter: Texture.Linear
             }
-        }
-
-        Model {
-            visible: root.graspVisible
-            geometry: RibbonGeometry { id: graspGeometry }
-            castsShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.graspColour
-                cullMode: Material.NoCulling
+            Texture {
+                id: shadowTexture
+                textureData: ShadowTexture { id: shadowData }
+                tilingModeHorizontal: Texture.ClampToEdge
+                tilingModeVertical: Texture.ClampToEdge
             }
-        }
-
-        // The pose to reach, as a film over the scene.
-        Model {
-            visible: root.ghostVisible
-            geometry: OrganGeometry { id: ghostGeometry }
-            castsShadows: false
-            receivesShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.ghostColour
-                opacity: 0.16
+            Texture {
+                id: skinTexture
+                textureData: SkinTexture { id: skinData }
+                generateMipmaps: true
+                mipFilter: Texture.Linear
             }
-        }
 
-        // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
-        Node {
-            id: forceArrow
-            visible: root.forceVisible
-            position: root.forcePosition
-            rotation: root.forceRotation
-            readonly property real head: Math.min(0.4 * root.forceLength, 5.5 * root.forceThickness)
-            readonly property real stem: root.forceLength - head
-
-            PrincipledMaterial {
-                id: forceMaterial
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.forceColour
-            }
-            Model {
-                source: "#Cylinder"     // 100 high, 100 wide
-                castsShadows: false
-                y: 0.5 * forceArrow.stem
-                scale: Qt.vector3d(0.01 * root.forceThickness, 0.01 * forceArrow.stem, 0.01 * root.forceThickness)
-                materials: forceMaterial
-            }
-            Model {
-                source: "#Cone"         // 100 high, 100 wide, standing on its base
-                castsShadows: false
-                y: forceArrow.stem
-                scale: Qt.vector3d(0.03 * root.forceThickness, 0.01 * forceArrow.head, 0.03 * root.forceThickness)
-                materials: forceMaterial
-            }
-            Model {
-                source: "#Sphere"       // the contact itself
-                castsShadows: false
-                scale: Qt.vector3d(0.018, 0.018, 0.018).times(root.forceThickness)
-                materials: forceMaterial
-            }
-        }
-
-        Model {
-            visible: root.markersVisible
-            geometry: MarkerGeometry { id: markerGeometry }
-            castsShadows: false
-            materials: PrincipledMaterial {
-                lighting: PrincipledMaterial.NoLighting
-                baseColor: root.markerColour
-                cullMode: Material.NoCulling
-            }
-        }
-
-        Node {
-            id: tool
-            position: root.toolPosition
-            rotation: root.toolRotation
-            visible: root.toolVisible
-
-            PrincipledMaterial {
-                id: plainSteel
-                baseColor: "#cfd3d8"
-                metalness: 0.95
-                roughness: 0.28
+            // The fast level: the painted skin in the light of the same lamps, without a picture of the room.
+            CustomMaterial {
+                id: plainTissue
+                shadingMode: CustomMaterial.Unshaded
+                vertexShader: "qrc:/torsio/shaders/quick_tissue.vert"
+                fragmentShader: "qrc:/torsio/shaders/quick_tissue.frag"
+                property TextureInput skinMap: TextureInput { texture: skinTexture }
+                property vector3d lampDirection: root.lampDirection
+                property vector3d lensDirection: root.lensDirection
+                property vector3d lampColour: Qt.vector3d(0.86, 0.82, 0.78)
+                property vector3d scatterWay: Qt.vector3d(0.55, 0.20, 0.14).times(root.scatter)
+                property vector3d scatterRim: Qt.vector3d(0.35, 0.06, 0.04).times(root.scatter)
+                property real wetness: root.filmAmount
+                property real relief: root.paintedRelief
             }
             CustomMaterial {
-                id: brushedSteel
+                id: livingTissue
                 shadingMode: CustomMaterial.Shaded
-                vertexShader: "qrc:/torsio/shaders/steel.vert"
-                fragmentShader: "qrc:/torsio/shaders/steel.frag"
+                vertexShader: "qrc:/torsio/shaders/tissue.vert"
+                fragmentShader: "qrc:/torsio/shaders/tissue.frag"
+                property TextureInput skinMap: TextureInput { texture: skinTexture }
+                property real tissueRoughness: root.tissueRoughness
+                property real filmRoughness: root.filmRoughness
+                property real wetness: root.filmAmount
+                property real scatter: root.scatter
+                property real foldDepth: root.foldDepth
+                property real poreDepth: root.poreDepth
+                property real bumpBroad: root.relief.x
+                property real bumpMiddle: root.relief.y
+                property real bumpSmall: root.relief.z
             }
-            PrincipledMaterial {
-                id: insulation
-                baseColor: root.shaftColour
-                metalness: 0
-                roughness: 0.42
+            // A map is read by its colours: light makes them darker, never others.
+            CustomMaterial {
+                id: stressMap
+                shadingMode: CustomMaterial.Unshaded
+                vertexShader: "qrc:/torsio/shaders/stress_map.vert"
+                fragmentShader: "qrc:/torsio/shaders/stress_map.frag"
+                property vector3d lampDirection: root.lampDirection
+            }
+
+            // What lies behind the organ, under the organ's shadow: no lamp is asked, at either level.
+            Model {
+                objectName: "surroundings"
+                source: "#Rectangle"    // 100 high, 100 wide
+                position: root.surroundingsPosition
+                scale: Qt.vector3d(0.01 * root.surroundingsSize, 0.01 * root.surroundingsSize, 1)
+                // Drawn first and leaving no depth: it hides nothing, also where the instrument comes from behind.
+                depthBias: -100000
+                castsShadows: false
+                receivesShadows: false
+                materials: CustomMaterial {
+                    shadingMode: CustomMaterial.Unshaded
+                    depthDrawMode: Material.NeverDepthDraw
+                    vertexShader: "qrc:/torsio/shaders/surroundings.vert"
+                    fragmentShader: "qrc:/torsio/shaders/surroundings.frag"
+                    property real shadowShare: root.shadowShare
+                    property real shadowDepth: 0.46
+                    property TextureInput ground: TextureInput { texture: groundTexture }
+                    property TextureInput shadow: TextureInput { texture: shadowTexture }
+                }
             }
 
             Model {
-                geometry: InstrumentGeometry { id: shaftGeometry }
+                objectName: "organ"
+                geometry: OrganGeometry { id: organGeometry }
+                receivesShadows: root.fine
                 castsShadows: root.fine
-                materials: insulation
+                materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
             }
+
             Model {
-                geometry: InstrumentGeometry { id: upperJawGeometry }
-                pivot: root.jawPivot
-                position: root.jawPivot
-                eulerRotation.x: root.jawAngle
-                castsShadows: root.fine
-                materials: root.fine ? brushedSteel : plainSteel
+                visible: root.wireVisible
+                geometry: WireGeometry { id: wireGeometry }
+                castsShadows: false
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.wireColour
+                    opacity: 0.55
+                }
             }
+
             Model {
-                geometry: InstrumentGeometry { id: lowerJawGeometry }
-                pivot: root.jawPivot
-                position: root.jawPivot
-                eulerRotation.x: -root.jawAngle
-                castsShadows: root.fine
-                materials: root.fine ? brushedSteel : plainSteel
+                visible: root.latticeVisible
+                geometry: RibbonGeometry { id: latticeGeometry }
+                castsShadows: false
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.latticeColour
+                    cullMode: Material.NoCulling
+                }
+            }
+
+            Model {
+                visible: root.graspVisible
+                geometry: RibbonGeometry { id: graspGeometry }
+                castsShadows: false
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.graspColour
+                    cullMode: Material.NoCulling
+                }
+            }
+
+            // The pose to reach, as a film over the scene.
+            Model {
+                visible: root.ghostVisible
+                geometry: OrganGeometry { id: ghostGeometry }
+                castsShadows: false
+                receivesShadows: false
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.ghostColour
+                    opacity: 0.16
+                }
+            }
+
+            // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
+            Node {
+                id: forceArrow
+                visible: root.forceVisible
+                position: root.forcePosition
+                rotation: root.forceRotation
+                readonly property real head: Math.min(0.4 * root.forceLength, 5.5 * root.forceThickness)
+                readonly property real stem: root.forceLength - head
+
+                PrincipledMaterial {
+                    id: forceMaterial
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.forceColour
+                }
+                Model {
+                    source: "#Cylinder"     // 100 high, 100 wide
+                    castsShadows: false
+                    y: 0.5 * forceArrow.stem
+                    scale: Qt.vector3d(0.01 * root.forceThickness, 0.01 * forceArrow.stem, 0.01 * root.forceThickness)
+                    materials: forceMaterial
+                }
+                Model {
+                    source: "#Cone"         // 100 high, 100 wide, standing on its base
+                    castsShadows: false
+                    y: forceArrow.stem
+                    scale: Qt.vector3d(0.03 * root.forceThickness, 0.01 * forceArrow.head, 0.03 * root.forceThickness)
+                    materials: forceMaterial
+                }
+                Model {
+                    source: "#Sphere"       // the contact itself
+                    castsShadows: false
+                    scale: Qt.vector3d(0.018, 0.018, 0.018).times(root.forceThickness)
+                    materials: forceMaterial
+                }
+            }
+
+            Model {
+                visible: root.markersVisible
+                geometry: MarkerGeometry { id: markerGeometry }
+                castsShadows: false
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.markerColour
+                    cullMode: Material.NoCulling
+                }
+            }
+
+            Node {
+                id: tool
+                position: root.toolPosition
+                rotation: root.toolRotation
+                visible: root.toolVisible
+
+                PrincipledMaterial {
+                    id: plainSteel
+                    baseColor: "#cfd3d8"
+                    metalness: 0.95
+                    roughness: 0.28
+                }
+                CustomMaterial {
+                    id: brushedSteel
+                    shadingMode: CustomMaterial.Shaded
+                    vertexShader: "qrc:/torsio/shaders/steel.vert"
+                    fragmentShader: "qrc:/torsio/shaders/steel.frag"
+                }
+                PrincipledMaterial {
+                    id: insulation
+                    baseColor: root.shaftColour
+                    metalness: 0
+                    roughness: 0.42
+                }
+
+                Model {
+                    geometry: InstrumentGeometry { id: shaftGeometry }
+                    castsShadows: root.fine
+                    materials: insulation
+                }
+                // The surgeon's hand holds the end of the shaft where nothing hides it.
+                Model {
+                    visible: root.handVisible
+                    geometry: InstrumentGeometry { id: handGeometry }
+                    castsShadows: root.fine
+                    materials: PrincipledMaterial {
+                        baseColor: root.gloveColour
+                        metalness: 0
+                        roughness: 0.38
+                        specularAmount: 0.55
+                    }
+                }
+
+                // The port in the wall of the abdomen: sleeve, head and seal round the shaft.
+                Node {
+                    visible: root.portVisible
+                    z: root.portAlong
+                    eulerRotation.x: 90
+                    PrincipledMaterial {
+                        id: portMaterial
+                        baseColor: "#b9c6cd"
+                        metalness: 0
+                        roughness: 0.25
+                    }
+                    Model {
+                        source: "#Cylinder"     // 100 high, 100 wide
+                        castsShadows: root.fine
+                        scale: Qt.vector3d(0.085, 0.56, 0.085)
+                        materials: portMaterial
+                    }
+                    Model {
+                        source: "#Cylinder"
+                        castsShadows: root.fine
+                        y: 34
+                        scale: Qt.vector3d(0.19, 0.16, 0.19)
+                        materials: portMaterial
+                    }
+                    Model {
+                        source: "#Cylinder"
+                        castsShadows: root.fine
+                        y: 44
+                        scale: Qt.vector3d(0.13, 0.06, 0.13)
+                        materials: insulation
+                    }
+                }
+
+                Model {
+                    geometry: InstrumentGeometry { id: upperJawGeometry }
+                    pivot: root.jawPivot
+                    position: root.jawPivot
+                    eulerRotation.x: root.jawAngle
+                    castsShadows: root.fine
+                    materials: root.fine ? brushedSteel : plainSteel
+                }
+                Model {
+                    geometry: InstrumentGeometry { id: lowerJawGeometry }
+                    pivot: root.jawPivot
+                    position: root.jawPivot
+                    eulerRotation.x: -root.jawAngle
+                    castsShadows: root.fine
+                    materials: root.fine ? brushedSteel : plainSteel
+                }
             }
         }
     }

@@ -2,13 +2,12 @@
 #include "app/gui/scene/surroundings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <QPainter>
 #include <QPainterPath>
-#include <QPointF>
 
+#include "app/gui/scene/neighbours.h"
 #include "app/gui/scene/tissue_look.h"
 #include "app/gui/widgets/theme.h"
 
@@ -16,169 +15,123 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kSide_px = 768;
-constexpr int kCloth_px = 256;   // folds are broad
-constexpr int kShadow_px = 192;  // and the shadow is soft
-constexpr double kShadowDepth = 0.38;
-constexpr double kShadowRight = 0.07;  // radii: the lamp stands at the upper left
-constexpr double kShadowDown = 0.08;
+constexpr int kSide_px = 1024;
+constexpr int kGround_px = 512;
+// In radii of the organ: the arm table, the towel on it, and the ring that holds the abdomen open.
+constexpr double kTable = 1.42;
+constexpr double kTowelRight = 0.62;
+constexpr double kTowelUp = 1.62;
+constexpr double kRingRight = 1.78;
+constexpr double kRingUp = 1.52;
 
-bool onDrape(Surroundings kind) {
-  return kind == Surroundings::kDrape;
+double eased(double low, double high, double value) {
+  const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
 /// Cloth is green-blue, tissue out of the light is pale or dark with the theme, never as red as the organ.
-QColor groundOf(Surroundings kind, const Theme& theme) {
-  const bool dark = theme.kind == ThemeKind::kDark;
-  if (onDrape(kind)) {
-    return dark ? QColor(0x1D, 0x38, 0x3B) : QColor(0xB3, 0xD0, 0xCE);
+QColor clothOf(const Theme& theme) {
+  return theme.kind == ThemeKind::kDark ? QColor(0x1E, 0x3E, 0x41) : QColor(0xAE, 0xCF, 0xCC);
+}
+
+QColor towelOf(const Theme& theme) {
+  return theme.kind == ThemeKind::kDark ? QColor(0x2A, 0x4A, 0x50) : QColor(0xC2, 0xDC, 0xDB);
+}
+
+QColor cavityOf(const Theme& theme) {
+  return theme.kind == ThemeKind::kDark ? QColor(0x2B, 0x24, 0x29) : QColor(0xD6, 0xCA, 0xCF);
+}
+
+/// Height of the cloth, in radii: broad folds that run down the table, and small ones across them.
+double clothHeight(double u, double v) {
+  return 0.026 * static_cast<double>(tissueNoise({1.9 * u, 0.55 * v, 0.0})) +
+         0.0075 * static_cast<double>(tissueNoise({5.2 * u + 1.5 * v, 1.7 * v - u, 7.0})) +
+         0.00045 * static_cast<double>(tissueNoise({27.0 * u, 25.0 * v, 3.0}));
+}
+
+/// How bright cloth is where the lamp comes from the upper left: slopes, and the creases of its packing.
+double clothLight(double u, double v) {
+  constexpr double kStep = 0.012;
+  constexpr double kCrease = 1.06;  // from one crease to the next
+  const double right = (clothHeight(u + kStep, v) - clothHeight(u - kStep, v)) / (2.0 * kStep);
+  const double up = (clothHeight(u, v + kStep) - clothHeight(u, v - kStep)) / (2.0 * kStep);
+  double light = 1.0 - 0.95 * right + 0.75 * up;
+  for (const double way : {u - 0.97, v + 0.35}) {
+    const double away = std::remainder(way, 2.0 * kCrease) / 0.016;
+    light += 0.035 * away * std::exp(-0.5 * away * away);  // light on one side, shade on the other
   }
-  return dark ? QColor(0x2B, 0x24, 0x29) : QColor(0xDA, 0xCF, 0xD3);
+  return light;
 }
 
-QColor outlineOf(const Theme& theme) {
-  return theme.kind == ThemeKind::kDark ? QColor(0x47, 0x3B, 0x42) : QColor(0xBD, 0xAC, 0xB3);
+/// The operating lamp's pool.
+double lampLight(double u, double v) {
+  return 1.07 - 0.17 * eased(0.35, 2.1, std::hypot(u + 0.12, v - 0.15));
 }
 
-/// Folds of cloth, or the unevenness of tissue: brightness about 1.
-QImage unevenGround(Surroundings kind, const Theme& theme) {
-  const QColor ground = groundOf(kind, theme);
-  const double depth = onDrape(kind) ? 0.075 : 0.05;
-  QImage image(kCloth_px, kCloth_px, QImage::Format_RGB32);
-  for (int y = 0; y < kCloth_px; ++y) {
+QRgb shown(const QColor& colour, double light) {
+  const auto channel = [light](int value) {
+    return static_cast<int>(std::clamp(light * value + 0.5, 0.0, 255.0));
+  };
+  return qRgb(channel(colour.red()), channel(colour.green()), channel(colour.blue()));
+}
+
+QRgb drapeAt(double u, double v, const Theme& theme) {
+  // Beyond the table it hangs down into the dark of the room.
+  const double edge = kTable + 0.03 * static_cast<double>(tissueNoise({1.3 * v, 2.0, u > 0.0 ? 1.0 : 5.0}));
+  const double over = std::abs(u) - edge;
+  const double hangs = eased(-0.02, 0.05, over);
+  double light = clothLight(u, v) * lampLight(u, v) * (1.0 - hangs * (0.34 + 0.20 * eased(0.0, 1.2, over)));
+  light += 0.07 * std::exp(-0.5 * std::pow((over + 0.05) / 0.03, 2.0));  // where it bends over the edge
+  // A towel under the limb: its hem, and a narrow shade round it.
+  const double outside = std::max(std::abs(u) - kTowelRight, std::abs(v) - kTowelUp);
+  const double towel = 1.0 - eased(-0.004, 0.010, outside);
+  light *= 1.0 - 0.16 * (1.0 - towel) * std::exp(-std::max(outside, 0.0) / 0.035);
+  light -= 0.05 * towel * std::exp(-0.5 * std::pow((outside + 0.045) / 0.006, 2.0));
+  const QColor cloth = clothOf(theme);
+  const QColor over_ = towelOf(theme);
+  const auto mixed = [towel](int a, int b) { return static_cast<int>(a + towel * (b - a)); };
+  return shown(QColor(mixed(cloth.red(), over_.red()), mixed(cloth.green(), over_.green()),
+                      mixed(cloth.blue(), over_.blue())),
+               light);
+}
+
+QRgb cavityAt(double u, double v, const Theme& theme) {
+  const double ring = std::hypot(u / kRingRight, v / kRingUp);
+  if (ring > 1.0) {
+    return shown(clothOf(theme), clothLight(u, v) * lampLight(u, v) * (0.80 + 0.10 * eased(1.0, 1.2, ring)));
+  }
+  const double uneven = 0.055 * static_cast<double>(tissueNoise({3.0 * u, 3.0 * v, 0.0})) +
+                        0.03 * static_cast<double>(tissueNoise({9.0 * u, 8.0 * v, 7.0}));
+  return shown(cavityOf(theme), (1.0 + uneven) * (lampLight(u, v) - 0.32 * eased(0.72, 1.0, ring)));
+}
+
+QImage paintGround(Surroundings kind, const Theme& theme) {
+  QImage image(kGround_px, kGround_px, QImage::Format_RGB32);
+  const auto place = [](int pixel) {
+    return static_cast<double>(kSurroundingsReach) * (2.0 * (pixel + 0.5) / kGround_px - 1.0);
+  };
+  for (int y = 0; y < kGround_px; ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < kCloth_px; ++x) {
-      const double u = 2.0 * x / kCloth_px - 1.0;
-      const double v = 2.0 * y / kCloth_px - 1.0;
-      // Cloth folds run down the table; tissue has no direction.
-      const double along = onDrape(kind) ? 0.6 : 2.4;
-      const double fold =
-          tissueNoise({3.0 * u, along * v, 0.0}) + 0.4 * tissueNoise({8.0 * u, 2.6 * along * v, 7.0});
-      const double rim = std::clamp(std::hypot(u, v) - 0.25, 0.0, 1.0);
-      const double light = 1.0 + depth * fold - 0.22 * rim;
-      const auto channel = [light](int value) {
-        return static_cast<int>(std::clamp(light * value, 0.0, 255.0));
-      };
-      line[x] = qRgb(channel(ground.red()), channel(ground.green()), channel(ground.blue()));
+    for (int x = 0; x < kGround_px; ++x) {
+      line[x] =
+          throughPort(kind) ? cavityAt(place(x), -place(y), theme) : drapeAt(place(x), -place(y), theme);
     }
   }
   return image.scaled(kSide_px, kSide_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-/// Neighbours in units of the organ's radius, y upwards, as a surgeon at the patient's right sees them.
-void drawOutlines(QPainter& painter, Surroundings kind, const Theme& theme) {
-  const QColor outline = outlineOf(theme);
-  QColor fill = outline;
-  fill.setAlphaF(0.35F);
-  painter.setPen(QPen(outline, 0.025, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(fill);
-  if (kind == Surroundings::kStomach) {
-    QPainterPath liver(QPointF(-2.6, 0.2));
-    liver.cubicTo(-2.5, 1.7, -1.0, 1.9, 0.5, 1.35);
-    liver.cubicTo(-0.1, 0.9, -0.9, 0.75, -1.2, 0.1);
-    liver.cubicTo(-1.5, -0.5, -2.4, -0.6, -2.6, 0.2);
-    painter.drawPath(liver);
-    QPainterPath spleen(QPointF(1.5, 1.1));
-    spleen.cubicTo(2.2, 1.3, 2.4, 0.4, 1.9, -0.1);
-    spleen.cubicTo(1.6, 0.1, 1.5, 0.6, 1.5, 1.1);
-    painter.drawPath(spleen);
-    QPainterPath colon(QPointF(-2.3, -1.45));
-    for (int bulge = 0; bulge < 9; ++bulge) {
-      const double x = -2.3 + 0.5 * bulge;
-      colon.quadTo(x + 0.25, -1.2, x + 0.5, -1.45);
-    }
-    for (int bulge = 9; bulge > 0; --bulge) {
-      const double x = -2.3 + 0.5 * bulge;
-      colon.quadTo(x - 0.25, -2.05, x - 0.5, -1.8);
-    }
-    colon.closeSubpath();
-    painter.drawPath(colon);
-    return;
-  }
+/// The ring of steel that holds the abdomen open.
+void drawRing(QPainter& painter, const Theme& theme) {
+  const bool dark = theme.kind == ThemeKind::kDark;
   painter.setBrush(Qt::NoBrush);
-  for (int loop = 0; loop < 7; ++loop) {
-    const double y = 1.9 - 0.62 * loop;
-    QPainterPath bowel(QPointF(-2.5, y));
-    for (int bend = 0; bend < 5; ++bend) {
-      const double x = -2.5 + 1.0 * bend;
-      const double way = (bend + loop) % 2 == 0 ? 0.34 : -0.34;
-      bowel.cubicTo(x + 0.3, y + way, x + 0.7, y + way, x + 1.0, y);
-    }
-    painter.setPen(QPen(fill, 0.46, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(bowel);
-    painter.setPen(QPen(outline, 0.02));
-    painter.drawPath(bowel.translated(0.0, 0.22));
-  }
-}
-
-/// The rim of the opened abdomen, held by a ring.
-void drawRim(QPainter& painter, const Theme& theme) {
-  const QColor steel = theme.kind == ThemeKind::kDark ? QColor(0x5A, 0x64, 0x6C) : QColor(0xF0, 0xF3, 0xF5);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.backdropBottom, 0.9));
-  painter.drawEllipse(QPointF(0.0, 0.0), 3.25, 2.95);
-  painter.setPen(QPen(steel, 0.09));
-  painter.drawEllipse(QPointF(0.0, 0.0), 2.82, 2.52);
-}
-
-/// Means over squares, three times over: nearly a bell.
-QImage softened(const QImage& sharp) {
-  constexpr int kReach = 5;
-  QImage soft = sharp;
-  for (int pass = 0; pass < 6; ++pass) {
-    const bool across = pass % 2 == 0;
-    QImage next(soft.size(), QImage::Format_Grayscale8);
-    for (int y = 0; y < soft.height(); ++y) {
-      for (int x = 0; x < soft.width(); ++x) {
-        int sum = 0;
-        for (int k = -kReach; k <= kReach; ++k) {
-          const int px = std::clamp(across ? x + k : x, 0, soft.width() - 1);
-          const int py = std::clamp(across ? y : y + k, 0, soft.height() - 1);
-          sum += soft.constScanLine(py)[px];
-        }
-        next.scanLine(y)[x] = static_cast<uchar>(sum / (2 * kReach + 1));
-      }
-    }
-    soft = next;
-  }
-  return soft;
-}
-
-/// How much of the lamp the organ takes, 0 to 255, over the square.
-QImage shadowOf(const OrganSurface& organ, const QVector3D& centre_mm, float radius_mm) {
-  QImage shade(kShadow_px, kShadow_px, QImage::Format_Grayscale8);
-  shade.fill(0);
-  QPainter painter(&shade);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(Qt::white);
-  const double scale = 0.5 * kShadow_px / (kSurroundingsReach * radius_mm);
-  const auto vertices = organ.vertices();
-  const auto at = [&](std::uint32_t i) {
-    const float* p = vertices[i].position;
-    return QPointF(0.5 * kShadow_px + scale * (p[0] - centre_mm.x() + kShadowRight * radius_mm),
-                   0.5 * kShadow_px - scale * (p[1] - centre_mm.y() - kShadowDown * radius_mm));
+  const auto ring = [&](const QColor& colour, double width, double shift) {
+    painter.setPen(QPen(colour, width));
+    painter.drawEllipse(QPointF(-shift, shift), kRingRight, kRingUp);
   };
-  for (const TriangleMesh::Triangle& triangle : organ.triangles()) {
-    const std::array<QPointF, 3> corners{at(triangle[0]), at(triangle[1]), at(triangle[2])};
-    painter.drawPolygon(corners.data(), 3);
-  }
-  painter.end();
-  return softened(shade)
-      .scaled(kSide_px, kSide_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-      .convertToFormat(QImage::Format_Grayscale8);
-}
-
-void darken(QImage& picture, const QImage& shade) {
-  for (int y = 0; y < picture.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
-    const uchar* by = shade.constScanLine(y);
-    for (int x = 0; x < picture.width(); ++x) {
-      const double light = 1.0 - kShadowDepth * by[x] / 255.0;
-      line[x] = qRgb(static_cast<int>(light * qRed(line[x])), static_cast<int>(light * qGreen(line[x])),
-                     static_cast<int>(light * qBlue(line[x])));
-    }
-  }
+  ring(QColor(0, 0, 0, dark ? 110 : 60), 0.13, -0.045);
+  ring(dark ? QColor(0x3C, 0x45, 0x4C) : QColor(0x8F, 0x9B, 0xA3), 0.105, 0.0);
+  ring(dark ? QColor(0x66, 0x72, 0x7B) : QColor(0xC9, 0xD2, 0xD8), 0.062, 0.008);
+  ring(dark ? QColor(0x9A, 0xA6, 0xAE) : QColor(0xF4, 0xF7, 0xF9), 0.020, 0.020);
 }
 
 }  // namespace
@@ -187,27 +140,33 @@ Surroundings surroundingsOf(std::string_view sceneId) {
   if (sceneId == "stomach" || sceneId.starts_with("gastric")) {
     return Surroundings::kStomach;
   }
-  if (sceneId == "intestine" || sceneId == "small-bowel-loop" || sceneId == "sigmoid" ||
-      sceneId == "midgut") {
+  if (sceneId == "sigmoid") {
+    return Surroundings::kPelvis;
+  }
+  if (sceneId == "intestine" || sceneId == "small-bowel-loop" || sceneId == "midgut") {
     return Surroundings::kIntestine;
   }
   return Surroundings::kDrape;
 }
 
-QImage paintSurroundings(Surroundings kind, const Theme& theme, const OrganSurface& organ,
-                         const QVector3D& centre_mm, float radius_mm) {
-  QImage picture = unevenGround(kind, theme).convertToFormat(QImage::Format_RGB32);
-  if (!onDrape(kind)) {
+bool throughPort(Surroundings kind) noexcept {
+  return kind != Surroundings::kDrape;
+}
+
+QImage paintSurroundings(Surroundings kind, const Theme& theme) {
+  QImage picture = paintGround(kind, theme).convertToFormat(QImage::Format_RGB32);
+  if (throughPort(kind)) {
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0.5 * kSide_px, 0.5 * kSide_px);
-    const double scale = 0.5 * kSide_px / kSurroundingsReach;
+    const double scale = 0.5 * kSide_px / static_cast<double>(kSurroundingsReach);
     painter.scale(scale, -scale);
-    drawOutlines(painter, kind, theme);
-    drawRim(painter, theme);
-  }
-  if (radius_mm > 0.0F) {
-    darken(picture, shadowOf(organ, centre_mm, radius_mm));
+    QPainterPath opening;
+    opening.addEllipse(QPointF(0.0, 0.0), kRingRight, kRingUp);
+    painter.setClipPath(opening);
+    drawNeighbours(painter, kind, theme);
+    painter.setClipping(false);
+    drawRing(painter, theme);
   }
   return picture;
 }

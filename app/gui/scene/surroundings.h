@@ -5,10 +5,7 @@
 #include <string_view>
 
 #include <QImage>
-#include <QVector3D>
 #include <QtQuick3D/QQuick3DTextureData>
-
-#include "app/gui/scene/organ_surface.h"
 
 namespace torsio::gui {
 
@@ -19,19 +16,22 @@ enum class Surroundings : std::uint8_t {
   kDrape,      ///< a limb or a testis on a draped table
   kStomach,    ///< the opened abdomen: liver, spleen and colon in outline
   kIntestine,  ///< the opened abdomen: loops of bowel in outline
+  kPelvis,     ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
 };
 
 /// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape.
 [[nodiscard]] Surroundings surroundingsOf(std::string_view sceneId);
 
 /// Half of the side of the painted square, in radii of the organ.
-inline constexpr float kSurroundingsReach = 4.0F;
+inline constexpr float kSurroundingsReach = 3.2F;
 
-/// Paints the square behind an organ seen from the front, its centre behind `centre_mm`: cloth or tissue,
-/// outlines, and the shadow that the lamp throws of the organ at rest. The same picture on every machine; its
-/// lightness follows the theme's backdrop, so that what stands out from that stands out from this.
-[[nodiscard]] QImage paintSurroundings(Surroundings kind, const Theme& theme, const OrganSurface& organ,
-                                       const QVector3D& centre_mm, float radius_mm);
+/// Whether an instrument comes to the organ through a port, as into an abdomen.
+[[nodiscard]] bool throughPort(Surroundings kind) noexcept;
+
+/// Paints the square behind an organ seen from the front: cloth or tissue in the light of the operating lamp,
+/// and outlines. The same picture on every machine; its lightness follows the theme's backdrop, so that what
+/// stands out from that stands out from this. The organ's shadow is not on it (OrganShadow).
+[[nodiscard]] QImage paintSurroundings(Surroundings kind, const Theme& theme);
 
 /// The painted square as a picture for the graphics card. GUI thread.
 class SurroundingsTexture : public QQuick3DTextureData {

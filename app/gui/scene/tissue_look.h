@@ -26,6 +26,7 @@ struct TissueLook {
   float scatter = 1.0F;              ///< how far light wanders in it, 0 stone .. 1 blood-filled tissue
   float foldDepth = 0.0F;            ///< of circular folds: steepest slope
   float poreDepth = 0.0F;            ///< of pores, mm
+  float paintedRelief_mm = 0.3F;     ///< height of what is painted: fibres, pores, vessels under the skin
   std::array<float, 3> relief_mm{};  ///< height of waves of 7.3, 2.6 and 0.85 mm
 };
 

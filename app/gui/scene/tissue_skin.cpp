@@ -46,6 +46,12 @@ struct FlatPiece {
   float strength = 0.0F;
 };
 
+/// How far a point lies in a vessel and in the blush round it, 0 to 1.
+struct Blood {
+  float inside = 0.0F;
+  float round = 0.0F;
+};
+
 class Painter {
  public:
   Painter(const Scene& scene, const TissueLook& look, TissueSkin& skin)
@@ -81,11 +87,14 @@ class Painter {
       }
       const auto width = static_cast<std::size_t>(skin_.charts.width);
       const std::size_t row = i / width;
-      const Light colour = colourAt(pointAt(last, centre(i - row * width), centre(row)));
+      const SkinPoint point = pointAt(last, centre(i - row * width), centre(row));
+      const Blood blood = bloodAt(flatPlace(point.rest_m));
+      const Light colour = colourAt(point, blood);
       for (std::size_t k = 0; k < 3; ++k) {
         const float c = std::clamp(colour[k], 0.0F, 1.0F);
         skin_.rgba[4 * i + k] = encodedTable()[static_cast<std::size_t>(std::lround(c * 4095.0F))];
       }
+      skin_.rgba[4 * i + 3] = static_cast<std::uint8_t>(std::lround(255.0F * heightAt(point, blood)));
     }
   }
 
@@ -295,7 +304,7 @@ class Painter {
     return point;
   }
 
-  Light colourAt(const SkinPoint& point) const {
+  Light colourAt(const SkinPoint& point, const Blood& blood) const {
     constexpr double kGrain_m = 0.0011;
     Light colour{};
     const float grain =
@@ -308,7 +317,24 @@ class Painter {
     if (point.side > 0.0F) {
       colour = withFibres(colour, point);
     }
-    return withVessels(colour, point);
+    return withVessels(colour, blood);
+  }
+
+  /// 0 to 1: what the lamp meets where no shader makes relief. Waves of some pixels only, nothing glitters.
+  [[nodiscard]] float heightAt(const SkinPoint& point, const Blood& blood) const {
+    const auto wave = [&](double length_m, double shift) {
+      return tissueNoise(point.rest_m / length_m + Vec3{shift, -shift, 2.0 * shift});
+    };
+    float height = 0.5F;
+    if (look_.kind == TissueKind::kSkin) {
+      // Fields of the skin: zero lines of a wave stretched round the limb are creases.
+      const Vec3 stretched{point.rest_m.x / 0.0034, point.rest_m.y / 0.0034, point.rest_m.z / 0.0016};
+      height += 0.16F * std::min(1.0F, 3.0F * std::abs(tissueNoise(stretched))) - 0.08F;
+      height += 0.16F * wave(0.0075, 3.0) + 0.07F * wave(0.0014, 5.0);
+    } else {
+      height += 0.24F * wave(0.0073, 1.0) + 0.12F * wave(0.0026, 7.0);
+    }
+    return std::clamp(height + 0.14F * blood.inside, 0.0F, 1.0F);
   }
 
   Light withFibres(Light colour, const SkinPoint& point) const {
@@ -343,10 +369,8 @@ class Painter {
     return colour;
   }
 
-  Light withVessels(Light colour, const SkinPoint& point) const {
-    float inside = 0.0F;
-    float round = 0.0F;
-    const std::array<float, 2> place = flatPlace(point.rest_m);
+  [[nodiscard]] Blood bloodAt(const std::array<float, 2>& place) const {
+    Blood blood;
     for (const FlatPiece& v : near_) {
       const float x = place[0] - v.from[0];
       const float y = place[1] - v.from[1];
@@ -358,11 +382,16 @@ class Painter {
         continue;
       }
       const float distance = std::sqrt(distance2);
-      inside = std::max(inside, v.strength * (1.0F - ease(v.radius - v.soft, v.radius + v.soft, distance)));
-      round = std::max(round, v.strength * (1.0F - ease(0.0F, v.reach, distance)));
+      blood.inside =
+          std::max(blood.inside, v.strength * (1.0F - ease(v.radius - v.soft, v.radius + v.soft, distance)));
+      blood.round = std::max(blood.round, v.strength * (1.0F - ease(0.0F, v.reach, distance)));
     }
-    colour = scaled(colour, palette_.blush, palette_.blushShare * round);
-    return scaled(colour, palette_.vessel, palette_.vesselShare * inside);
+    return blood;
+  }
+
+  Light withVessels(Light colour, const Blood& blood) const {
+    colour = scaled(colour, palette_.blush, palette_.blushShare * blood.round);
+    return scaled(colour, palette_.vessel, palette_.vesselShare * blood.inside);
   }
 
   const Scene& scene_;

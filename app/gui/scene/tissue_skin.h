@@ -14,7 +14,7 @@ namespace torsio::gui {
 /// What an organ's skin looks like, painted once at rest: it sticks to the tissue however that is twisted.
 struct TissueSkin {
   SkinCharts charts;
-  std::vector<std::uint8_t> rgba;             ///< sRGB, rows of the map from the top; alpha is 255
+  std::vector<std::uint8_t> rgba;  ///< sRGB, rows of the map from the top; alpha: height of the relief
   std::vector<std::array<float, 3>> rest_mm;  ///< of each vertex of the mesh, view frame
   std::vector<float> arc_mm;                  ///< of each vertex, along the organ
 };

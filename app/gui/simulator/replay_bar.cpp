@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/trial_playback.h"
@@ -19,14 +20,6 @@ namespace {
 
 constexpr double kSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int kSliderStep_us = 10'000;
-
-QString tenthsTime(std::int64_t time_us) {
-  const std::int64_t tenths = time_us / 100'000;
-  return QStringLiteral("%1:%2.%3")
-      .arg(tenths / 600)
-      .arg((tenths / 10) % 60, 2, 10, QLatin1Char('0'))
-      .arg(tenths % 10);
-}
 
 }  // namespace
 
@@ -94,8 +87,9 @@ void ReplayBar::show(const TrialPlayback* playback) {
   if (!position_->isSliderDown()) {
     position_->setValue(static_cast<int>(playback->position_us() / kSliderStep_us));
   }
-  const QString text =
-      tenthsTime(playback->position_us()) + QStringLiteral(" / ") + tenthsTime(playback->duration_us());
+  const QString text = clockTenths(1e-6 * static_cast<double>(playback->position_us())) +
+                       QStringLiteral(" / ") +
+                       clockTenths(1e-6 * static_cast<double>(playback->duration_us()));
   if (time_->text() != text) {
     time_->setText(text);
   }

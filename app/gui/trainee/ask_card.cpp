@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -67,7 +68,7 @@ void AskCard::setRun(const TrialId& trialId) {
 
 void AskCard::setMoment(double at_s) {
   at_s_ = at_s;
-  ask_->setText(tr("As&k about %1").arg(StationLabels::seconds(at_s)));
+  ask_->setText(tr("As&k about %1").arg(clockTenths(at_s)));
 }
 
 void AskCard::ask() {
@@ -80,14 +81,14 @@ void AskCard::ask() {
     askPhysician(shell_.session(), trialId_, at_s, whom_->currentData().toString().toStdString(),
                  text_->text().trimmed().toStdString());
     setRun(trialId_);
-    shell_.notify(tr("Sent to %1: %2").arg(name, StationLabels::seconds(at_s)));
+    shell_.notify(tr("Sent to %1: %2").arg(name, clockTenths(at_s)));
     Q_EMIT asked(at_s);
   });
 }
 
 void AskCard::addQuestion(const OwnQuestion& question) {
   auto* head = plainLabel(this, "quiet");
-  const QString moment = StationLabels::seconds(question.at_s);
+  const QString moment = clockTenths(question.at_s);
   const QString physician = toQString(question.physician);
   head->setText(question.answered
                     ? (question.answerEditedUtc_us != 0 ? tr("%1  \u00b7  %2 answered on %3, edited since")

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
@@ -195,7 +196,7 @@ void DebriefPage::addBookmarkAt(double at_s) {
   attempt(shell(), [&] {
     addBookmark(shell().session(), debrief_.trialId, at_s, {});
     showBookmark(at_s);
-    shell().notify(tr("Bookmark at %1").arg(StationLabels::seconds(at_s)));
+    shell().notify(tr("Bookmark at %1").arg(clockTenths(at_s)));
   });
 }
 
@@ -216,9 +217,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
   auto* look = linkButton(this);
   look->setObjectName(QStringLiteral("look"));
   look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // stands in line with the sentence above it
-  look->setText(
-      tr("Look at %1 to %2")
-          .arg(StationLabels::seconds(finding.when.from_s), StationLabels::seconds(finding.when.to_s)));
+  look->setText(tr("Look at %1 to %2").arg(clockTenths(finding.when.from_s), clockTenths(finding.when.to_s)));
   const Seconds when = finding.when;
   connect(look, &QPushButton::clicked, this, [this, when] {
     plot_->show(when);
@@ -267,9 +266,8 @@ void DebriefPage::fillTexts(bool any) {
   const std::string& title = debrief_.moduleTitle.empty() ? debrief_.phaseLabel : debrief_.moduleTitle;
   heading_->setTexts(
       any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
-      any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
-                .arg(mode, StationLabels::when(debrief_.startedUtc_us))
-                .arg(debrief_.duration_s, 0, 'f', 0)
+      any ? tr("%1  \u00b7  %2  \u00b7  %3")
+                .arg(mode, StationLabels::when(debrief_.startedUtc_us), clockTenths(debrief_.duration_s))
       : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
                    : tr("After your first run you see here what was good and what to work on."));
 }

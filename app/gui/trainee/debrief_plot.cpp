@@ -11,6 +11,7 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "sim/base/angle.h"
 
@@ -85,7 +86,7 @@ QString DebriefPlot::reading() const {
   const QString angle =
       locale.toString(degrees(own.angle_rad[at]), 'f', 0).replace(QLatin1Char('-'), QChar(0x2212));
   return tr("%1   %2\u00b0   %3 N")
-      .arg(StationLabels::seconds(position_s_), angle, locale.toString(own.force_N[at], 'f', 2));
+      .arg(clockTenths(position_s_), angle, locale.toString(own.force_N[at], 'f', 2));
 }
 
 void DebriefPlot::show(const Seconds& when) {
@@ -107,9 +108,9 @@ void DebriefPlot::showAll() {
 
 void DebriefPlot::retranslate() {
   setAccessibleName(tr("Angle and force of the run over time"));
-  setAccessibleDescription(tr("Twists: %1, in %2 s. Plus and minus zoom, arrows move, B sets a bookmark.")
+  setAccessibleDescription(tr("Twists: %1, in %2. Plus and minus zoom, arrows move, B sets a bookmark.")
                                .arg(debrief_.twists.size())
-                               .arg(debrief_.duration_s, 0, 'f', 0));
+                               .arg(clockTenths(debrief_.duration_s)));
   setToolTip(tr("Wheel zooms, dragging moves, a double click sets a bookmark"));
   update();
 }
@@ -193,7 +194,7 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
   painter.setPen(theme_->quietText);
   for (double t = std::ceil(range_.from_s / step) * step; t <= range_.to_s; t += step) {
     painter.drawText(QRectF(xOf(t) - 40.0, force.area.bottom() + 4.0, 80.0, 18.0), Qt::AlignHCenter,
-                     StationLabels::seconds(t));
+                     clockTenths(t));
   }
 }
 

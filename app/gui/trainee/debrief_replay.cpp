@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/icons.h"
@@ -243,10 +244,9 @@ void DebriefReplay::showTime() {
   if (recordings_ == nullptr) {
     return;
   }
-  time_->setText(
-      tr("%1 of %2")
-          .arg(StationLabels::seconds(position_s()),
-               StationLabels::seconds(static_cast<double>(recordings_->own.duration_us()) * 1e-6)));
+  time_->setText(tr("%1 of %2")
+                     .arg(clockTenths(position_s()),
+                          clockTenths(static_cast<double>(recordings_->own.duration_us()) * 1e-6)));
 }
 
 void DebriefReplay::showTransport() {

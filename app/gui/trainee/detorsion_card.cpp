@@ -13,6 +13,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/trainee/detorsion_plot.h"
 #include "app/gui/trainee/station_parts.h"
@@ -99,9 +100,8 @@ QStringList DetorsionCard::secondsText(const DetorsionStory& story) {
   for (const std::size_t doing : order) {
     const double spent_s = story.spent_s[doing];
     if (spent_s >= kWorthTelling_s) {
-      out << tr("%1: %2 s (%3 %)")
-                 .arg(names[doing], locale.toString(spent_s, 'f', 1),
-                      locale.toString(100.0 * spent_s / whole_s, 'f', 0));
+      out << tr("%1: %2 (%3 %)")
+                 .arg(names[doing], clockTenths(spent_s), locale.toString(100.0 * spent_s / whole_s, 'f', 0));
     }
   }
   return out;

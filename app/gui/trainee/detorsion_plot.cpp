@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "sim/base/angle.h"
 #include "sim/scene/hollow_organ.h"
@@ -148,8 +149,8 @@ QString DetorsionPlot::momentSign(DetorsionMoment moment) {
 }
 
 QString DetorsionPlot::momentText(const DetorsionStory::Event& event) const {
-  return tr("%1 at %2 s (%3 of the tissue)")
-      .arg(momentName(event.what), QLocale().toString(event.at_s, 'f', 1),
+  return tr("%1 at %2 (%3 of the tissue)")
+      .arg(momentName(event.what), clockTenths(event.at_s),
            DetorsionPanel::clockText(event.at_s * story_.timeScale));
 }
 

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/session_story.h"
@@ -145,10 +146,9 @@ void NextStepPage::fillNotices() {
     notices_->addWidget(frame);
   };
   for (const RecoveredTrial& trial : recovered_) {
-    add(tr("Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was "
+    add(tr("Your run of %1 was interrupted. The %2 that were recorded count as training time; no attempt was "
            "used.")
-            .arg(StationLabels::when(trial.startedUtc_us))
-            .arg(trial.recorded_s, 0, 'f', 0),
+            .arg(StationLabels::when(trial.startedUtc_us), clockTenths(trial.recorded_s)),
         tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {
@@ -246,7 +246,7 @@ void NextStepPage::fillSession() {
                       QLocale()
                           .toString(degrees(best->twist.target_rad), 'f', 0)
                           .replace(QLatin1Char('-'), QChar(0x2212)),
-                      StationLabels::seconds(best->twist.when.to_s), toQString(Text(best->moduleTitle)));
+                      clockTenths(best->twist.when.to_s), toQString(Text(best->moduleTitle)));
   }
   sessionWords_->setText(lines.join(QLatin1Char('\n')));
   lookAtBest_->setText(tr("Look at it"));

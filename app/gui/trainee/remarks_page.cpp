@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/remark_words.h"
@@ -166,10 +167,10 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
     head->addSpacing(3 * kSpace);
   }
   auto* who = plainLabel(remarks_, "quiet");
-  who->setText(remark.question ? tr("You asked, at %1").arg(StationLabels::seconds(remark.at_s))
+  who->setText(remark.question ? tr("You asked, at %1").arg(clockTenths(remark.at_s))
                : remark.own    ? tr("You, %1").arg(StationLabels::when(remark.writtenUtc_us))
                : reply         ? tr("Physician, %1").arg(StationLabels::when(remark.writtenUtc_us))
-                               : tr("Physician, at %1").arg(StationLabels::seconds(remark.at_s)));
+                               : tr("Physician, at %1").arg(clockTenths(remark.at_s)));
   head->addWidget(who, 1);
   if (!remark.read) {
     auto* read = linkButton(remarks_);

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/readout_panel.h"
@@ -66,7 +67,7 @@ void RunPage::showState() {
   rest_->setVisible(runs);
   stop_->setEnabled(runs);
   if (!runSession_) {
-    countdown_->setText(StationLabels::clock(0));
+    countdown_->setText(clockTimeLeft(0));
     stage_->setCurrentIndex(1);
     noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
     noticeFigure_->clear();
@@ -82,7 +83,7 @@ void RunPage::showState() {
   const TrainingRun& run = runSession_->run();
   const RunPhase& phase = run.phase();
   const bool real = phase.arm == PhaseKind::kReal;
-  countdown_->setText(StationLabels::clock(run.remainingInPhase_us()));
+  countdown_->setText(clockTimeLeft(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
   progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
   const int number = static_cast<int>(run.phaseIndex()) + 1;
@@ -93,7 +94,7 @@ void RunPage::showState() {
   rest_->setVisible(runs && run.plan().restAllowance_us > 0);
   rest_->setEnabled(run.mayRest() && !opening_.going());
   rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
-                     ? tr("&Rest (%1 left)").arg(StationLabels::clock(run.restLeft_us()))
+                     ? tr("&Rest (%1 left)").arg(clockTimeLeft(run.restLeft_us()))
                      : tr("&Rest (used up)"));
   const Scene* scene = scene_->controller().scene();
   const bool undone = scene != nullptr && scene->hollow != nullptr;
@@ -123,7 +124,7 @@ bool RunPage::showNotice() {
   }
   if (run.state() == RunState::kResting) {
     noticeTitle_->setText(tr("Rest"));
-    noticeFigure_->setText(StationLabels::clock(run.restLeft_us()));
+    noticeFigure_->setText(clockTimeLeft(run.restLeft_us()));
     noticeText_->setText(
         tr("Your training clock stands still. Training goes on by itself when the rest is used up."));
     goOn_->setText(tr("&Go on now"));
@@ -131,14 +132,14 @@ bool RunPage::showNotice() {
   }
   if (run.state() == RunState::kHandOver) {
     noticeTitle_->setText(real ? tr("Go to the real arm") : tr("Come to the simulator"));
-    noticeFigure_->setText(StationLabels::clock(run.handOverLeft_us()));
+    noticeFigure_->setText(clockTimeLeft(run.handOverLeft_us()));
     noticeText_->setText(tr("The next phase starts by itself: %1").arg(toQString(phase.label)));
     goOn_->setText(tr("I am &ready"));
     return true;
   }
   if (real) {
     noticeTitle_->setText(tr("Train on the real arm"));
-    noticeFigure_->setText(StationLabels::clock(run.remainingInPhase_us()));
+    noticeFigure_->setText(clockTimeLeft(run.remainingInPhase_us()));
     noticeText_->setText(tr("This timer logs your training time. Nothing is recorded by the simulator."));
   }
   return real;

@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/recording/competence_text.h"
 #include "assessment/metrics/metric_cards.h"
@@ -137,19 +138,6 @@ QString StationLabels::quantity(const std::string& metric, double value) {
   return unit == QStringLiteral("\u00b0") ? figure + unit : tr("%1 %2", "value and unit").arg(figure, unit);
 }
 
-QString StationLabels::clock(std::int64_t left_us) {
-  const std::int64_t seconds = (std::max<std::int64_t>(0, left_us) + 999'999) / 1'000'000;
-  return QStringLiteral("%1:%2")
-      .arg(seconds / 60, 2, 10, QLatin1Char('0'))
-      .arg(seconds % 60, 2, 10, QLatin1Char('0'));
-}
-
-QString StationLabels::seconds(double at_s) {
-  const auto tenths = static_cast<std::int64_t>(std::llround(10.0 * at_s));  // 59.96 s are 1:00.0
-  const double within_s = 0.1 * static_cast<double>(tenths % 600);
-  return QStringLiteral("%1:%2").arg(tenths / 600).arg(within_s, 4, 'f', 1, QLatin1Char('0'));
-}
-
 QString StationLabels::minutes(std::int64_t span_us) {
   if (span_us < 60'000'000) {
     return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
@@ -254,7 +242,7 @@ QString StationLabels::lastResult(const ModuleStep& step) {
   }
   const Attempt& last = *step.last;
   if (last.interrupted) {
-    return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
+    return tr("Last time: interrupted after %1").arg(clockTenths(last.duration_s));
   }
   if (isUntwisting(last)) {
     return tr("Last time: %1").arg(result(last));

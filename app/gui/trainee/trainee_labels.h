@@ -25,10 +25,6 @@ class StationLabels {
   [[nodiscard]] static QString unitOf(const std::string& metric);
   [[nodiscard]] static QString metric(const std::string& id);
 
-  /// "00:00" of a countdown: minutes and seconds, rounded up.
-  [[nodiscard]] static QString clock(std::int64_t left_us);
-  /// "0:12.4" on a trace.
-  [[nodiscard]] static QString seconds(double at_s);
   [[nodiscard]] static QString minutes(std::int64_t span_us);
   /// How long something has waited: "3 h".
   [[nodiscard]] static QString waited(std::int64_t span_us);

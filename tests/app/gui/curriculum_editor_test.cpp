@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -19,6 +20,7 @@
 
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/exercise_editor.h"
 #include "app/gui/administrator/curriculum/standard_dialog.h"
 #include "app/gui/administrator/study/power_dialog.h"
 #include "app/gui/base/language.h"
@@ -157,6 +159,43 @@ TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
 
   expected.modules[0].title = "Pronate gently";
   EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), curriculumJson(expected));
+}
+
+TEST(CurriculumEditor, SaysBesideTheFieldWhatIsWrongWithIt) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  page->resize(1162, 716);
+  page->show();
+  auto& editor = child<CurriculumEditor>(*page, "editor");
+  const auto hints = [&editor] {
+    QList<QLabel*> shown = editor.findChildren<QLabel*>(QStringLiteral("fieldHint"));
+    shown.removeIf([](const QLabel* hint) { return hint->isHidden(); });
+    return shown;
+  };
+  ASSERT_TRUE(hints().isEmpty());
+
+  auto* title = named<QLineEdit>(*page, "Title");
+  title->selectAll();
+  QTest::keyClick(title, Qt::Key_Delete);
+  QApplication::processEvents();
+
+  ASSERT_EQ(hints().size(), 1);
+  const QLabel* hint = hints().front();
+  EXPECT_TRUE(hint->text().contains(QLatin1String("has no title"))) << hint->text().toStdString();
+  const int below = hint->mapTo(page.get(), QPoint()).y() - title->mapTo(page.get(), QPoint()).y();
+  EXPECT_GE(below, title->height());
+  EXPECT_LE(below, 2 * title->height());
+
+  // It is about that exercise alone, and goes when the title is there again.
+  auto* exercises = editor.findChild<ExerciseEditor*>();
+  ASSERT_NE(exercises, nullptr);
+  exercises->select(1);
+  EXPECT_TRUE(hints().isEmpty());
+  exercises->select(0);
+  EXPECT_EQ(hints().size(), 1);
+  QTest::keyClicks(title, QStringLiteral("Pronate"));
+  EXPECT_TRUE(hints().isEmpty());
 }
 
 TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {

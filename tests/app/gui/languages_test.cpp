@@ -256,6 +256,13 @@ void retranslated() {
   }
 }
 
+/// A span of a minute or more in bare seconds, or minutes with a nought before them: clock_time.h says 1:15.
+bool saysASpanOtherwise(const QString& text) {
+  static const QRegularExpression kOtherwise(
+      QStringLiteral("(^|[^\\d.:])([6-9]\\d|\\d{3,})([.,]\\d+)? s($|[ .,;)])|(^|[^\\d])0\\d:\\d\\d[.]\\d"));
+  return kOtherwise.match(text).hasMatch();
+}
+
 using Findings = std::map<QString, std::set<QString>>;
 
 /// The typeface of the program, and two that stand for what a machine puts in its place: another drawing, and
@@ -284,6 +291,7 @@ class Walk {
   Findings cut;       // pseudo language
   Findings doubled;   // keys that two things of one screen want, and titles that are told twice
   Findings clipped;   // English and Chinese
+  Findings spans;     // times that the clock of every other screen would say otherwise
   int screens = 0;
 
   Walk() {
@@ -319,6 +327,11 @@ class Walk {
     findDoubled(name, window);
     for (const QString& text : testing::clippedTexts(window)) {
       clipped[name].insert(text);
+    }
+    for (const QString& text : seenTexts(window)) {
+      if (saysASpanOtherwise(text)) {
+        spans[name].insert(text);
+      }
     }
     {
       LanguageSwitch chinese;
@@ -395,6 +408,7 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.cut.empty()) << told(walk.cut);
   EXPECT_TRUE(walk.doubled.empty()) << told(walk.doubled);
   EXPECT_TRUE(walk.clipped.empty()) << told(walk.clipped);
+  EXPECT_TRUE(walk.spans.empty()) << told(walk.spans);
 }
 
 TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {

@@ -160,7 +160,7 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
     // faces the viewer, and the same hue, darker, where it turns away.
     int whole = 0;
     int organ = 0;
-    int other = 0;  // edges of what lies around the organ
+    int other = 0;  // edges of what lies around the organ, and where the fast level smooths its own
     for (int y = 0; y < rest.height(); ++y) {
       for (int x = 0; x < rest.width(); ++x) {
         const QColor c = rest.pixelColor(x, y);
@@ -175,7 +175,7 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
     }
     EXPECT_GT(organ, rest.width() * rest.height() / 20) << quality;
     EXPECT_GT(whole, organ / 2) << quality;
-    EXPECT_LT(other, organ / 1000) << quality;
+    EXPECT_LT(other, organ / 200) << quality;
   }
 }
 

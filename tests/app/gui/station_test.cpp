@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
@@ -127,11 +128,11 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   ASSERT_EQ(station.pageId, PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   EXPECT_TRUE(station.run().runSession()->graded());
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   EXPECT_FALSE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // no help in a graded run
   EXPECT_FALSE(station.page->leave());
   station.train(15 * kSecond_us);
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:25"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:25"));
   station.train(kMinute_us);  // hard stop
 
   ASSERT_EQ(station.pageId, PageId::kDebrief);
@@ -268,7 +269,7 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   station.press("rest");
   EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting);
   station.train(10 * kSecond_us);
-  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
+  EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   station.press("goOn");
   EXPECT_FALSE(station.find<QPushButton>("rest")->isEnabled());  // one rest, not to be split
   station.train(40 * kSecond_us);
@@ -455,9 +456,9 @@ TEST(StationPages, EveryPageCanBeEnteredByABeginner) {
 }
 
 TEST(StationLabels, RoundCountdownsUpSoThatZeroIsTheEnd) {
-  EXPECT_EQ(StationLabels::clock(0), QStringLiteral("00:00"));
-  EXPECT_EQ(StationLabels::clock(1), QStringLiteral("00:01"));
-  EXPECT_EQ(StationLabels::clock(20 * kMinute_us), QStringLiteral("20:00"));
+  EXPECT_EQ(clockTimeLeft(0), QStringLiteral("0:00"));
+  EXPECT_EQ(clockTimeLeft(1), QStringLiteral("0:01"));
+  EXPECT_EQ(clockTimeLeft(20 * kMinute_us), QStringLiteral("20:00"));
 }
 
 }  // namespace

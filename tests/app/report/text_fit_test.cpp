@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/text_fit.h"
 
+#include <memory>
 #include <numeric>
 
 #include <QBuffer>
+#include <QChart>
 #include <QPdfWriter>
+#include <QValueAxis>
 #include <gtest/gtest.h>
 
+#include "app/report/chart_builder.h"
 #include "app/report/chart_look.h"
 #include "app/report/table_layout.h"
 #include "app/report/typeface.h"
@@ -77,6 +81,39 @@ TEST(UprightTitle, SaysItsWholeTitleBesideAPlotOfAnyHeight) {
   UprightTitle high(words, {}, nullptr);
   high.place(QRectF(40.0, 20.0, 500.0, 400.0));
   EXPECT_EQ(high.lines().size(), 1);
+}
+
+const QValueAxis* valuesOf(const QChart& chart) {
+  for (const QAbstractAxis* axis : chart.axes(Qt::Vertical)) {
+    if (const auto* values = qobject_cast<const QValueAxis*>(axis)) {
+      return values;
+    }
+  }
+  return nullptr;
+}
+
+TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
+  ReportFigure figure;
+  figure.kind = FigureKind::kGroupedBars;
+  figure.categories = {std::string("first"), std::string("second"), std::string("third")};
+  FigureSeries twists;
+  twists.name = std::string("twists");
+  twists.y = {1.0, 0.0, 3.0};
+  figure.series = {twists};
+
+  const std::unique_ptr<QChart> counts = buildChart(figure);
+  figure.series.front().y = {1.5, 0.0, 3.0};
+  const std::unique_ptr<QChart> means = buildChart(figure);
+
+  const QValueAxis* axis = valuesOf(*counts);
+  ASSERT_NE(axis, nullptr);
+  EXPECT_EQ(axis->tickType(), QValueAxis::TicksDynamic);
+  EXPECT_EQ(axis->tickInterval(), 1.0);
+  EXPECT_EQ(axis->labelFormat(), QStringLiteral("%.0f"));
+  EXPECT_EQ(axis->min(), 0.0);
+  EXPECT_EQ(axis->max(), 3.0);
+  ASSERT_NE(valuesOf(*means), nullptr);
+  EXPECT_EQ(valuesOf(*means)->labelFormat(), QStringLiteral("%.1f"));
 }
 
 TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {

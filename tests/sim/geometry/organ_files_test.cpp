@@ -192,6 +192,16 @@ TEST(GrasperFiles, AgreeWithTheirDescription) {
       EXPECT_NEAR(report.boxMax_m.x, kMillimetre_m * json.at("shaft_radius_mm").get<double>(), 1e-6);
       continue;
     }
+    if (part == "hand") {
+      // It holds the end of the shaft, far from the jaws, and is a hand's size.
+      const double end_m = kMillimetre_m * json.at("shaft_length_mm").get<double>();
+      EXPECT_GT(report.boxMin_m.z, 0.5 * end_m);
+      EXPECT_LT(report.boxMin_m.z, end_m);
+      EXPECT_LT(report.boxMin_m.y, 0.0);
+      EXPECT_GT(report.boxMax_m.y, 0.0);
+      EXPECT_LT(report.boxMax_m.y - report.boxMin_m.y, 0.15);
+      continue;
+    }
     EXPECT_NEAR(report.boxMin_m.z, 0.0, 1e-6) << part;  // the tip is the origin
     EXPECT_EQ(report.boxMin_m.y > 0.0, part == "upper_jaw");
     EXPECT_EQ(report.boxMax_m.y < 0.0, part == "lower_jaw");

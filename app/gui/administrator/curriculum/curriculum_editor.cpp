@@ -104,10 +104,12 @@ QWidget* CurriculumEditor::pointsTab() {
 }
 
 void CurriculumEditor::addPointRow(std::size_t point) {
-  PointRow row{new QCheckBox, numberField(0.0, kMostMinutes, 1)};
+  PointRow row{new QCheckBox, numberField(0.0, kMostMinutes, 1), sentence(nullptr, false)};
+  setLook(row.hint, "caution", true);
   row.after->setMinimumWidth(24 * kSpace);
   pointGrid_->addWidget(row.wanted, static_cast<int>(point), 0);
   pointGrid_->addWidget(row.after, static_cast<int>(point), 1);
+  pointGrid_->addWidget(row.hint, static_cast<int>(point), 2);
   connect(row.wanted, &QCheckBox::toggled, this, [this, point] { takePoint(point); });
   connect(row.after, &QDoubleSpinBox::valueChanged, this, [this, point] { takePoint(point); });
   points_.push_back(row);
@@ -120,6 +122,7 @@ void CurriculumEditor::setOccasions(Occasions occasions) {
   for (const PointRow& row : points_) {
     delete row.wanted;
     delete row.after;
+    delete row.hint;
   }
   points_.clear();
   occasions_ = std::move(occasions);
@@ -190,14 +193,28 @@ void CurriculumEditor::judge() {
   problems_ = curriculumProblems(content_, assets_, occasions_);
   problemList_->clear();
   for (const CurriculumProblem& problem : problems_) {
-    problemList_->addItem(
-        tr("%1 %2. %3.").arg(toQString(problem.where), toQString(problem.what), toQString(problem.remedy)));
+    problemList_->addItem(problemSentence(problem));
   }
   if (problems_.empty()) {
     problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
   }
   setTabText(3, problems_.empty() ? tr("Check: complete")
                                   : tr("Check: %n to mend", nullptr, static_cast<int>(problems_.size())));
+  showHints();
+}
+
+void CurriculumEditor::showHints() {
+  exercises_->showProblems(problems_);
+  groups_->showProblems(problems_);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    QStringList sentences;
+    for (const CurriculumProblem& problem : problems_) {
+      if (problem.spot.part == CurriculumSpot::Part::kOccasion && problem.spot.row == i) {
+        sentences << problemSentence(problem);
+      }
+    }
+    points_[i].hint->setText(sentences.join(QLatin1Char('\n')));
+  }
 }
 
 void CurriculumEditor::retranslate() {

@@ -47,6 +47,7 @@ class CurriculumEditor : public QTabWidget {
   struct PointRow {
     QCheckBox* wanted;
     QDoubleSpinBox* after;
+    QLabel* hint;  // what is wrong with it
   };
 
   QWidget* pointsTab();
@@ -56,6 +57,7 @@ class CurriculumEditor : public QTabWidget {
   void namePoints();
   void changed();
   void judge();
+  void showHints();
 
   std::filesystem::path assets_;
   Occasions occasions_;

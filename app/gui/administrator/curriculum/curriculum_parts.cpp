@@ -11,10 +11,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QStringList>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -148,6 +150,36 @@ void FormTexts::title(QFormLayout* form, const char* source, QLayout* beside) {
 void FormTexts::retranslate(const char* context) {
   for (const auto& [label, source] : labels_) {
     nameField(label, QCoreApplication::translate(context, source));
+  }
+}
+
+QString problemSentence(const CurriculumProblem& problem) {
+  return QCoreApplication::translate("torsio::gui::CurriculumEditor", "%1 %2. %3.")
+      .arg(toQString(problem.where), toQString(problem.what), toQString(problem.remedy));
+}
+
+void FieldHints::add(QFormLayout* form, CurriculumField field) {
+  QLabel* label = sentence(nullptr, false);
+  setLook(label, "caution", true);
+  label->setObjectName(QStringLiteral("fieldHint"));
+  label->hide();
+  form->addRow(QString(), label);
+  labels_.emplace_back(field, label);
+}
+
+void FieldHints::show(const std::vector<CurriculumProblem>& problems, CurriculumSpot::Part part,
+                      std::size_t row) {
+  for (const auto& [field, label] : labels_) {
+    QStringList sentences;
+    for (const CurriculumProblem& problem : problems) {
+      const CurriculumSpot& spot = problem.spot;
+      if (spot.part != part || spot.row != row || spot.field != field) {
+        continue;
+      }
+      sentences << problemSentence(problem);
+    }
+    label->setText(sentences.join(QLatin1Char('\n')));
+    label->setVisible(!sentences.isEmpty());
   }
 }
 

@@ -8,6 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include <QString>
+
+#include "app/study/curriculum_content.h"
+
 class QBoxLayout;
 class QComboBox;
 class QDoubleSpinBox;
@@ -62,6 +66,21 @@ class FormTexts {
 
  private:
   std::vector<std::pair<QLabel*, const char*>> labels_;
+};
+
+/// What is wrong and what to do, in one line.
+[[nodiscard]] QString problemSentence(const CurriculumProblem& problem);
+
+/// Sentences under the fields of a form that say what is wrong with them; hidden while nothing is.
+class FieldHints {
+ public:
+  /// The next row of the form is for what is wrong with the field above it.
+  void add(QFormLayout* form, CurriculumField field);
+  /// Says what is wrong with one module or arm of the draft.
+  void show(const std::vector<CurriculumProblem>& problems, CurriculumSpot::Part part, std::size_t row);
+
+ private:
+  std::vector<std::pair<CurriculumField, QLabel*>> labels_;
 };
 
 }  // namespace torsio::gui

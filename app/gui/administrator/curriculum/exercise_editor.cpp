@@ -84,15 +84,20 @@ QWidget* ExerciseEditor::form() {
   form->setContentsMargins(0, 0, kSpace, 0);
   texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_.field(), QT_TR_NOOP("Code")}});
   form->addRow(QString(), code_.problem());
+  hints_.add(form, CurriculumField::kCode);
+  hints_.add(form, CurriculumField::kTitle);
   texts_.row(form, {{scene_, QT_TR_NOOP("Organ")}, {pattern_, QT_TR_NOOP("Twist")}});
+  hints_.add(form, CurriculumField::kScene);
   texts_.row(form, mode_, QT_TR_NOOP("Counts as"));
   texts_.row(form, {{target_, QT_TR_NOOP("Target angle")},
                     {tolerance_, QT_TR_NOOP("Tolerance")},
                     {hold_, QT_TR_NOOP("Hold for")}});
+  hints_.add(form, CurriculumField::kTarget);
   texts_.row(form, twists_, QT_TR_NOOP("Twists at least"));
   texts_.row(form, {{force_, QT_TR_NOOP("Force up to")},
                     {torque_, QT_TR_NOOP("Torque up to")},
                     {attempts_, QT_TR_NOOP("Attempts")}});
+  hints_.add(form, CurriculumField::kLimits);
   target_->setSuffix(QStringLiteral("\u00B0"));
   tolerance_->setSuffix(QStringLiteral("\u00B0"));
   hold_->setSuffix(QStringLiteral(" s"));
@@ -110,8 +115,10 @@ QWidget* ExerciseEditor::form() {
   }
   texts_.title(form, QT_TR_NOOP("Opens only after these are mastered"));
   form->addRow(after_);
+  hints_.add(form, CurriculumField::kPrerequisites);
   texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"), mastery_->buttons());
   form->addRow(mastery_);
+  hints_.add(form, CurriculumField::kMastery);
   return fields;
 }
 
@@ -190,6 +197,7 @@ void ExerciseEditor::showContent() {
   if (filling_) {
     return;
   }
+  showHints();
   const TrainingModule* module = exercise();
   const bool change = module != nullptr && !readOnly_;
   mastery_->setEditable(change);
@@ -217,6 +225,15 @@ void ExerciseEditor::showContent() {
   showPrerequisites(*module);
   mastery_->setRules(module->mastery);
   filling_ = false;
+}
+
+void ExerciseEditor::showProblems(const std::vector<CurriculumProblem>& problems) {
+  problems_ = problems;
+  showHints();
+}
+
+void ExerciseEditor::showHints() {
+  hints_.show(problems_, CurriculumSpot::Part::kModule, static_cast<std::size_t>(std::max(0, list_->row())));
 }
 
 void ExerciseEditor::showPlaces(const TrainingModule& module) {

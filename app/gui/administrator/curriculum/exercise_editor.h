@@ -38,6 +38,8 @@ class ExerciseEditor : public QWidget {
   /// Everything can be looked at and nothing changed.
   void setReadOnly(bool readOnly);
   void retranslate();
+  /// Says beside its fields what is wrong with the chosen exercise.
+  void showProblems(const std::vector<CurriculumProblem>& problems);
 
  Q_SIGNALS:
   void edited();
@@ -47,6 +49,7 @@ class ExerciseEditor : public QWidget {
   void connectFields();
   void connectLists();
   void showContent();
+  void showHints();
   void showPlaces(const TrainingModule& module);
   void showPrerequisites(const TrainingModule& module);
   void take(const std::function<void(TrainingModule&)>& change);
@@ -65,6 +68,8 @@ class ExerciseEditor : public QWidget {
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;
+  FieldHints hints_;
+  std::vector<CurriculumProblem> problems_;
 
   CodeField code_;
   OrderedList* list_ = nullptr;

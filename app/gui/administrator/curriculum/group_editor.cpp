@@ -97,6 +97,8 @@ QWidget* GroupEditor::form() {
   form->setContentsMargins(0, 0, kSpace, 0);
   texts_.row(form, {{label_, QT_TR_NOOP("Name of the group")}, {code_.field(), QT_TR_NOOP("Code")}});
   form->addRow(QString(), code_.problem());
+  hints_.add(form, CurriculumField::kCode);
+  hints_.add(form, CurriculumField::kTitle);
   rest_->setMaximumWidth(16 * kSpace);
   auto* rest = new QHBoxLayout;
   rest->setSpacing(2 * kSpace);
@@ -111,6 +113,7 @@ QWidget* GroupEditor::form() {
   phases_->setColumnWidth(kMinutes, 10 * kSpace);
   phases_->setColumnWidth(kExercise, 20 * kSpace);
   form->addRow(phases_);
+  hints_.add(form, CurriculumField::kPhases);
   form->addRow(buttonRow({addPhase_, removePhase_, phaseUp_, phaseDown_}));
   form->addRow(totals_);
   return fields;
@@ -141,6 +144,7 @@ void GroupEditor::showContent() {
   if (filling_) {
     return;
   }
+  showHints();
   const StudyArm* arm = group();
   const bool change = arm != nullptr && !readOnly_;
   for (QWidget* field : std::initializer_list<QWidget*>{label_, code_.field(), rest_, splittable_, phases_,
@@ -161,6 +165,15 @@ void GroupEditor::showContent() {
   splittable_->setEnabled(change && arm->restAllowance_us > 0);
   filling_ = false;
   showPhases(*arm, phases_->currentRow());
+}
+
+void GroupEditor::showProblems(const std::vector<CurriculumProblem>& problems) {
+  problems_ = problems;
+  showHints();
+}
+
+void GroupEditor::showHints() {
+  hints_.show(problems_, CurriculumSpot::Part::kArm, static_cast<std::size_t>(std::max(0, list_->row())));
 }
 
 void GroupEditor::showPhases(const StudyArm& arm, int current) {

@@ -37,6 +37,8 @@ class GroupEditor : public QWidget {
   /// Everything can be looked at and nothing changed.
   void setReadOnly(bool readOnly);
   void retranslate();
+  /// Says beside its fields what is wrong with the chosen group.
+  void showProblems(const std::vector<CurriculumProblem>& problems);
 
  Q_SIGNALS:
   void edited();
@@ -44,6 +46,7 @@ class GroupEditor : public QWidget {
  private:
   QWidget* form();
   void showContent();
+  void showHints();
   void showPhases(const StudyArm& arm, int current);
   void addPhaseRow(int row, const TrainingPhase& phase);
   void showTotals(const StudyArm& arm);
@@ -64,6 +67,8 @@ class GroupEditor : public QWidget {
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;
+  FieldHints hints_;
+  std::vector<CurriculumProblem> problems_;
 
   CodeField code_;
   OrderedList* list_ = nullptr;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/neighbours.h"
+
+#include <cmath>
+#include <vector>
+
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPointF>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// Of a body in the half-dark.
+struct Tone {
+  QColor rim;
+  QColor body;
+  QColor gleam;
+};
+
+Tone toneOf(const Theme& theme, int hue) {
+  // Little colour: what is treated must be the only thing that looks like living tissue.
+  const bool dark = theme.kind == ThemeKind::kDark;
+  const auto tone = [&](int saturation, int value) { return QColor::fromHsv(hue, saturation, value); };
+  return dark ? Tone{tone(38, 36), tone(40, 62), tone(32, 86)}
+              : Tone{tone(24, 152), tone(20, 196), tone(11, 226)};
+}
+
+/// A hollow organ along a line: rim, body, and a gleam where the lamp meets it.
+void drawTube(QPainter& painter, const QPainterPath& line, double width, const Tone& tone) {
+  painter.setBrush(Qt::NoBrush);
+  const auto stroke = [&](const QColor& colour, double wide, const QPointF& shift) {
+    painter.setPen(QPen(colour, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(line.translated(shift));
+  };
+  stroke(tone.rim, width, {});
+  stroke(tone.body, 0.88 * width, {});
+  QColor gleam = tone.gleam;
+  constexpr int kSteps = 5;  // narrower and brighter towards the middle: a soft light
+  for (int step = 1; step <= kSteps; ++step) {
+    gleam.setAlpha(34);
+    stroke(gleam, width * (0.66 - 0.11 * step), {-0.10 * width, 0.12 * width});
+  }
+}
+
+void drawBody(QPainter& painter, const QPainterPath& outline, const Tone& tone) {
+  const QRectF box = outline.boundingRect();
+  QLinearGradient light(box.bottomLeft(), box.topRight());  // y upwards: from the upper left
+  light.setColorAt(0.0, tone.gleam);
+  light.setColorAt(0.45, tone.body);
+  light.setColorAt(1.0, tone.rim);
+  painter.setBrush(light);
+  painter.setPen(QPen(tone.rim, 0.025, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(outline);
+}
+
+/// Colon: pouch beside pouch along a line.
+void drawColon(QPainter& painter, const QPainterPath& line, double width, const Tone& tone) {
+  drawTube(painter, line, width, tone);
+  constexpr double kPouch = 0.24;
+  const double length = line.length();
+  const int pouches = static_cast<int>(length / kPouch);
+  QColor crease = tone.rim;
+  crease.setAlpha(150);
+  painter.setPen(QPen(crease, 0.022, Qt::SolidLine, Qt::RoundCap));
+  for (int k = 1; k < pouches; ++k) {
+    const double share = line.percentAtLength(length * k / pouches);
+    const QPointF at = line.pointAtPercent(share);
+    const double way = line.angleAtPercent(share) * 3.14159265358979 / 180.0;  // y downwards
+    const QPointF across(0.42 * width * std::sin(way), 0.42 * width * std::cos(way));
+    const QPointF along(0.05 * std::cos(way), -0.05 * std::sin(way));
+    QPainterPath fold(at + across);
+    fold.quadTo(at + along, at - across * 0.25);
+    painter.drawPath(fold);
+  }
+}
+
+/// Packed small bowel: rows that meander, the nearer ones over the farther ones.
+void drawBowel(QPainter& painter, double left, double right, double top, double bottom, const Tone& tone) {
+  constexpr double kRow = 0.36;
+  constexpr double kWidth = 0.40;
+  const int rows = std::max(1, static_cast<int>(std::lround((top - bottom) / kRow)));
+  for (int row = 0; row < rows; ++row) {
+    const double y = top - kRow * row;
+    const double phase = 1.7 * row + 0.6 * (row % 3);
+    QPainterPath line(QPointF(left, y));
+    constexpr int kPieces = 60;
+    for (int k = 1; k <= kPieces; ++k) {
+      const double x = left + (right - left) * k / kPieces;
+      line.lineTo(x, y + 0.17 * std::sin(3.3 * x + phase) + 0.09 * std::sin(7.1 * x - 2.0 * phase));
+    }
+    drawTube(painter, line, kWidth, tone);
+  }
+}
+
+void drawUpperAbdomen(QPainter& painter, const Theme& theme) {
+  QPainterPath spleen(QPointF(1.25, 1.30));
+  spleen.cubicTo(1.95, 1.45, 2.1, 0.55, 1.62, -0.05);
+  spleen.cubicTo(1.32, 0.2, 1.2, 0.8, 1.25, 1.30);
+  drawBody(painter, spleen, toneOf(theme, 320));
+  QPainterPath colon(QPointF(-2.0, -0.75));
+  colon.cubicTo(-1.2, -1.45, 0.9, -1.5, 1.9, -0.55);
+  drawColon(painter, colon, 0.46, toneOf(theme, 20));
+  QPainterPath liver(QPointF(-2.2, -0.35));
+  liver.cubicTo(-2.3, 1.7, -0.9, 1.95, 0.72, 1.42);
+  liver.cubicTo(0.2, 0.98, -0.62, 0.98, -0.98, 0.42);
+  liver.cubicTo(-1.25, -0.12, -1.7, -0.55, -2.2, -0.35);
+  drawBody(painter, liver, toneOf(theme, 350));
+  QPainterPath gallbladder(QPointF(-1.22, 0.10));
+  gallbladder.cubicTo(-1.1, -0.30, -0.86, -0.34, -0.84, -0.06);
+  gallbladder.cubicTo(-0.84, 0.16, -1.04, 0.30, -1.22, 0.10);
+  drawBody(painter, gallbladder, toneOf(theme, 95));
+}
+
+void drawPelvis(QPainter& painter, const Theme& theme) {
+  drawBowel(painter, -2.0, 1.0, 1.30, 0.55, toneOf(theme, 350));
+  QPainterPath descending(QPointF(1.42, 1.75));
+  descending.cubicTo(1.62, 0.9, 1.52, 0.1, 1.35, -0.35);
+  descending.cubicTo(1.22, -0.68, 0.78, -0.70, 0.42, -0.78);
+  drawColon(painter, descending, 0.42, toneOf(theme, 20));
+  QPainterPath rectum(QPointF(-0.30, -0.80));
+  rectum.cubicTo(-0.30, -1.05, 0.05, -1.15, 0.0, -1.75);
+  drawColon(painter, rectum, 0.46, toneOf(theme, 20));
+  QPainterPath bladder(QPointF(-1.25, -1.70));
+  bladder.cubicTo(-1.35, -0.95, -0.42, -0.98, -0.36, -1.70);
+  bladder.closeSubpath();
+  drawBody(painter, bladder, toneOf(theme, 40));
+}
+
+}  // namespace
+
+void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
+  switch (kind) {
+    case Surroundings::kDrape:
+      return;
+    case Surroundings::kStomach:
+      drawUpperAbdomen(painter, theme);
+      return;
+    case Surroundings::kPelvis:
+      drawPelvis(painter, theme);
+      return;
+    case Surroundings::kIntestine:
+      break;
+  }
+  QPainterPath colon(QPointF(-1.50, -1.6));
+  colon.cubicTo(-1.70, -0.4, -1.68, 0.7, -1.45, 1.12);
+  colon.cubicTo(-0.7, 1.45, 0.7, 1.45, 1.45, 1.12);
+  colon.cubicTo(1.68, 0.7, 1.70, -0.4, 1.50, -1.6);
+  drawBowel(painter, -1.6, 1.6, 1.00, -1.60, toneOf(theme, 350));
+  drawColon(painter, colon, 0.40, toneOf(theme, 20));
+}
+
+}  // namespace torsio::gui
