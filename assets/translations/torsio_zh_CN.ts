@@ -14001,8 +14001,8 @@ audit trail %3</source>
         <translation>此录制有评分，却没有评分时点</translation>
     </message>
     <message>
-        <source>Name its occasion in the map: trial 1, trial 2</source>
-        <translation>请在映射文件中写明评分时点：trial 1、trial 2</translation>
+        <source>Name its occasion in the map: first, second</source>
+        <translation>请在映射文件中写明评分时点：first、second</translation>
     </message>
     <message>
         <source>%1 marked %2 twice at one occasion</source>

@@ -357,7 +357,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
   EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
   expectExports(*reports, office.shell(), office.centre.folder());
-  EXPECT_EQ(office.centre.audited("report.export_coded"), 5);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 6);
   EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
