@@ -16,7 +16,6 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/person.h"
 #include "assessment/report/number_format.h"
-#include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
@@ -107,9 +106,12 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
       contents.figures.push_back(&figure);
     }
   }
-  const StudyAnalysis study = data.inputs.trainingMarks.empty() ? StudyAnalysis{} : analyseStudy(data.inputs);
-  for (const Text& paragraph : methodsSection(data.inputs, study).paragraphs) {
-    contents.methods.push_back(paragraph);
+  // As the report says them: the analysis behind them takes seconds for thousands of marks.
+  const auto methods = std::find_if(report.sections.begin(), report.sections.end(), [](const auto& section) {
+    return section.title == "Methods and limits";
+  });
+  if (methods != report.sections.end()) {
+    contents.methods = methods->paragraphs;
   }
   return contents;
 }

@@ -332,7 +332,7 @@ void requireSingleMarks(const ForeignMap& map) {
                      [&](const ForeignRecording& one) { return one.name == mark.recording; });
     if (recording->occasion.empty()) {
       refuse(Text::tr("this recording has a mark and no occasion"), map.name + ", " + mark.recording,
-             Text::tr("Name its occasion in the map: trial 1, trial 2"));
+             Text::tr("Name its occasion in the map: first, second"));
     }
     if (!given.insert(recording->person + "\n" + mark.rater + "\n" + recording->occasion).second) {
       refuse(Text::tr("%1 marked %2 twice at one occasion", mark.rater, recording->person),

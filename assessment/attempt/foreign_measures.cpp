@@ -29,8 +29,8 @@ TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sam
     while (at + 2 < times_us.size() && times_us[at + 1] <= now_us) {
       ++at;
     }
-    const double share = static_cast<double>(now_us - times_us[at]) /
-                         static_cast<double>(times_us[at + 1] - times_us[at]);
+    const double share =
+        static_cast<double>(now_us - times_us[at]) / static_cast<double>(times_us[at + 1] - times_us[at]);
     const Vec3 from = tipOf(samples[at]);
     trace.times_us.push_back(now_us);
     trace.tip_m.push_back(from + share * (tipOf(samples[at + 1]) - from));
@@ -40,8 +40,8 @@ TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sam
 }
 
 bool hasLongGap(const TrialHeader& header, std::span<const std::int64_t> times_us) {
-  const double longest_us = std::max(1e6 * kLargestGap_s,
-                                     kSamplesInGap * static_cast<double>(header.tickPeriod_us));
+  const double longest_us =
+      std::max(1e6 * kLargestGap_s, kSamplesInGap * static_cast<double>(header.tickPeriod_us));
   for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
     if (static_cast<double>(times_us[i + 1] - times_us[i]) > longest_us) {
       return true;

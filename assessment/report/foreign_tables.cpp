@@ -85,9 +85,8 @@ ReportTable foreignCourses(const CohortInputs& in, const std::vector<const Trial
                                           Text::tr("Learning of every trainee on other equipment"),
                                           Text::tr("exponential learning curve"));
   table.individual = true;
-  table.columns = {Text::tr("Group"),          Text::tr("Trainee"),        Text::tr("Measure"),
-                   Text::tr("Runs"),           Text::tr("First"),          Text::tr("Last"),
-                   Text::tr("Left in the end")};
+  table.columns = {Text::tr("Group"), Text::tr("Trainee"), Text::tr("Measure"),        Text::tr("Runs"),
+                   Text::tr("First"), Text::tr("Last"),    Text::tr("Left in the end")};
   for (auto& [key, values] : courses) {
     for (const ForeignMetric& metric : kForeignMetrics) {
       const std::vector<double>& course = values[metric.id];
@@ -107,8 +106,8 @@ ReportTable foreignCourses(const CohortInputs& in, const std::vector<const Trial
       table.provenance.n += std::ssize(course);
     }
   }
-  table.notes = {Text::tr(
-      "Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.")};
+  table.notes = {
+      Text::tr("Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.")};
   return table;
 }
 

@@ -254,6 +254,13 @@
             <numerusform>Written: %1 (%n files). Hash: %2</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The tables below, the paths and forces of %n recordings, parameters of the tissue models, curriculum and definitions of metrics, in a new folder. No recordings that Torsio could replay.</source>
+        <translation>
+            <numerusform>The tables below, the paths and forces of %n recording, parameters of the tissue models, curriculum and definitions of metrics, in a new folder. No recordings that Torsio could replay.</numerusform>
+            <numerusform>The tables below, the paths and forces of %n recordings, parameters of the tissue models, curriculum and definitions of metrics, in a new folder. No recordings that Torsio could replay.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::FigureCanvas</name>

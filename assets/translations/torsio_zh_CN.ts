@@ -14658,511 +14658,507 @@ audit trail %3</source>
     </message>
     <message>
         <source>a data set for another record needs codes, and is no BIDS</source>
-        <translation type="unfinished"></translation>
+        <translation>供另一记录使用的数据集须用编码，且不能是 BIDS</translation>
     </message>
     <message>
         <source>Take frictionless or ro-crate, and not pseudonymised</source>
-        <translation type="unfinished"></translation>
+        <translation>请选 frictionless 或 ro-crate，且不要假名化</translation>
     </message>
     <message>
         <source>single marks may not be seen yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚不可查看单项评分</translation>
     </message>
     <message>
         <source>Freeze the data when every sheet is in, or export as the owner of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>所有评分表收齐后冻结数据，或以文件所有者身份导出</translation>
     </message>
     <message>
         <source>Writing recording %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写出第 %1 个录制，共 %2 个</translation>
     </message>
     <message>
         <source>Reading %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取 %1</translation>
     </message>
     <message>
         <source>not every mark may be shown yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚有评分不可显示</translation>
     </message>
     <message>
         <source>this is no study of a data set of Torsio</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是 Torsio 数据集的研究文件</translation>
     </message>
     <message>
         <source>Export the data set anew, with --whole</source>
-        <translation type="unfinished"></translation>
+        <translation>请用 --whole 重新导出该数据集</translation>
     </message>
     <message>
         <source>the study of the data set is damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>数据集的研究文件已损坏</translation>
     </message>
     <message>
         <source>&apos;%1&apos; means nothing here</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”在此没有意义</translation>
     </message>
     <message>
         <source>the study knows nobody under the code %1</source>
-        <translation type="unfinished"></translation>
+        <translation>研究文件中没有编码为 %1 的人员</translation>
     </message>
     <message>
         <source>the place is more than 200 m away</source>
-        <translation type="unfinished"></translation>
+        <translation>位置超出 200 m</translation>
     </message>
     <message>
         <source>Look at the unit that the map states</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查映射文件中写明的单位</translation>
     </message>
     <message>
         <source>this is no object of JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是 JSON 对象</translation>
     </message>
     <message>
         <source>Look at the example of a map</source>
-        <translation type="unfinished"></translation>
+        <translation>请参照映射文件示例</translation>
     </message>
     <message>
         <source>the map has a word that means nothing here</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件中有一个在此没有意义的词</translation>
     </message>
     <message>
         <source>Look at its spelling</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查拼写</translation>
     </message>
     <message>
         <source>the map must say this</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件必须写明此项</translation>
     </message>
     <message>
         <source>Write it into the map; nothing is guessed</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入映射文件；程序不作猜测</translation>
     </message>
     <message>
         <source>this is no text</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是文本</translation>
     </message>
     <message>
         <source>Put it in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>请加引号</translation>
     </message>
     <message>
         <source>the map must say this number</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件必须写明此数值</translation>
     </message>
     <message>
         <source>Write it without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>请不加引号书写</translation>
     </message>
     <message>
         <source>%1 names of columns belong here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应有 %1 个列名</translation>
     </message>
     <message>
         <source>Name each of them once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个只写一次</translation>
     </message>
     <message>
         <source>a list belongs here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为列表</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is none of: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不属于：%2</translation>
     </message>
     <message>
         <source>Name one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>请写其中之一</translation>
     </message>
     <message>
         <source>either the file has times, or the map states the rate</source>
-        <translation type="unfinished"></translation>
+        <translation>或者文件带有时间，或者映射文件写明采样率</translation>
     </message>
     <message>
         <source>Leave one of the two out</source>
-        <translation type="unfinished"></translation>
+        <translation>请去掉两者之一</translation>
     </message>
     <message>
         <source>State the rate: these files have no time</source>
-        <translation type="unfinished"></translation>
+        <translation>请写明采样率：此类文件不含时间</translation>
     </message>
     <message>
         <source>this is no rate</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是采样率</translation>
     </message>
     <message>
         <source>State lines a second, up to 10000</source>
-        <translation type="unfinished"></translation>
+        <translation>请写明每秒行数，最大 10000</translation>
     </message>
     <message>
         <source>these files have no time</source>
-        <translation type="unfinished"></translation>
+        <translation>此类文件不含时间</translation>
     </message>
     <message>
         <source>State rate_Hz instead</source>
-        <translation type="unfinished"></translation>
+        <translation>请改写 rate_Hz</translation>
     </message>
     <message>
         <source>the open and the closed jaw read the same</source>
-        <translation type="unfinished"></translation>
+        <translation>钳口张开与闭合的读数相同</translation>
     </message>
     <message>
         <source>State what the file says of each</source>
-        <translation type="unfinished"></translation>
+        <translation>请分别写明文件中的读数</translation>
     </message>
     <message>
         <source>these files say nothing of the jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>此类文件不含钳口信息</translation>
     </message>
     <message>
         <source>Leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>请去掉此项</translation>
     </message>
     <message>
         <source>the map knows nobody called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件中没有名为“%1”的人员</translation>
     </message>
     <message>
         <source>Enter them in its lists</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入其列表</translation>
     </message>
     <message>
         <source>Enter it under &quot;groups&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入“groups”</translation>
     </message>
     <message>
         <source>this name stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>此名称出现两次</translation>
     </message>
     <message>
         <source>Name each person once</source>
-        <translation type="unfinished"></translation>
+        <translation>每人只写一次</translation>
     </message>
     <message>
         <source>this file stands twice</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件出现两次</translation>
     </message>
     <message>
         <source>Name each recording once</source>
-        <translation type="unfinished"></translation>
+        <translation>每个录制只写一次</translation>
     </message>
     <message>
         <source>this is no time</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是时间</translation>
     </message>
     <message>
         <source>Write 2026-01-05T08:00:00Z (UTC)</source>
-        <translation type="unfinished"></translation>
+        <translation>请写作 2026-01-05T08:00:00Z（UTC）</translation>
     </message>
     <message>
         <source>the map lists no recording</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件未列出任何录制</translation>
     </message>
     <message>
         <source>List at least one</source>
-        <translation type="unfinished"></translation>
+        <translation>请至少列出一个</translation>
     </message>
     <message>
         <source>a whole number belongs here</source>
-        <translation type="unfinished"></translation>
+        <translation>此处应为整数</translation>
     </message>
     <message>
         <source>Look at the scale of the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查评分的量表</translation>
     </message>
     <message>
         <source>only JIGSAWS has such a file</source>
-        <translation type="unfinished"></translation>
+        <translation>只有 JIGSAWS 有此类文件</translation>
     </message>
     <message>
         <source>Name a table instead</source>
-        <translation type="unfinished"></translation>
+        <translation>请改写表格文件</translation>
     </message>
     <message>
         <source>this recording has a mark and no occasion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name its occasion in the map: trial 1, trial 2</source>
-        <translation type="unfinished"></translation>
+        <translation>此录制有评分，却没有评分时点</translation>
     </message>
     <message>
         <source>%1 marked %2 twice at one occasion</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在同一评分时点对 %2 评分两次</translation>
     </message>
     <message>
         <source>Give each of the recordings an occasion of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>请为每个录制写明各自的评分时点</translation>
     </message>
     <message>
         <source>there is no such layout of recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此种录制格式</translation>
     </message>
     <message>
         <source>Take jigsaws, rosma, perktutor or csv</source>
-        <translation type="unfinished"></translation>
+        <translation>请选 jigsaws、rosma、perktutor 或 csv</translation>
     </message>
     <message>
         <source>the map is no JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件不是 JSON</translation>
     </message>
     <message>
         <source>Look at its quotes, commas and brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查引号、逗号与括号</translation>
     </message>
     <message>
         <source>the line ends before the score</source>
-        <translation type="unfinished"></translation>
+        <translation>该行在分数之前结束</translation>
     </message>
     <message>
         <source>It needs the recording&apos;s name, a skill and the total</source>
-        <translation type="unfinished"></translation>
+        <translation>须有录制名称、水平与总分</translation>
     </message>
     <message>
         <source>there is no mark of any recording of the map</source>
-        <translation type="unfinished"></translation>
+        <translation>没有映射文件所列录制的评分</translation>
     </message>
     <message>
         <source>Look at the names of the recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查录制名称</translation>
     </message>
     <message>
         <source>the map lists no recording &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件未列出录制“%1”</translation>
     </message>
     <message>
         <source>Enter it in the map</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入映射文件</translation>
     </message>
     <message>
         <source>the map lists no rater &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>映射文件未列出评分者“%1”</translation>
     </message>
     <message>
         <source>Enter them in the map</source>
-        <translation type="unfinished"></translation>
+        <translation>请写入映射文件</translation>
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此文件</translation>
     </message>
     <message>
         <source>Look at the names in the map</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查映射文件中的名称</translation>
     </message>
     <message>
         <source>Look at its rights</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查其权限</translation>
     </message>
     <message>
         <source>these numbers are no rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>这些数值不构成旋转</translation>
     </message>
     <message>
         <source>Look at the line, and at the form of rotation that the map names</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查该行，以及映射文件写明的旋转形式</translation>
     </message>
     <message>
         <source>the time does not rise</source>
-        <translation type="unfinished"></translation>
+        <translation>时间没有递增</translation>
     </message>
     <message>
         <source>Put the lines in order, and take out those that stand twice</source>
-        <translation type="unfinished"></translation>
+        <translation>请按时间排序，并去掉重复的行</translation>
     </message>
     <message>
         <source>the recording has fewer than two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>录制不足两行</translation>
     </message>
     <message>
         <source>Look at the instrument and the columns that the map names</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查映射文件写明的器械与列</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是数值</translation>
     </message>
     <message>
         <source>Write numbers with a decimal point; leave out lines without a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>数值请用小数点；没有位姿的行请去掉</translation>
     </message>
     <message>
         <source>JIGSAWS has no instrument &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>JIGSAWS 没有器械“%1”</translation>
     </message>
     <message>
         <source>Name master left, master right, slave left or slave right</source>
-        <translation type="unfinished"></translation>
+        <translation>请写 master left、master right、slave left 或 slave right</translation>
     </message>
     <message>
         <source>JIGSAWS has rotation matrices</source>
-        <translation type="unfinished"></translation>
+        <translation>JIGSAWS 使用旋转矩阵</translation>
     </message>
     <message>
         <source>Name their form: matrix rows or matrix columns</source>
-        <translation type="unfinished"></translation>
+        <translation>请写明形式：matrix rows 或 matrix columns</translation>
     </message>
     <message>
         <source>the line has %1 numbers, not 76</source>
-        <translation type="unfinished"></translation>
+        <translation>该行有 %1 个数值，而非 76 个</translation>
     </message>
     <message>
         <source>Take the kinematics files of JIGSAWS as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>请直接使用 JIGSAWS 的运动学文件</translation>
     </message>
     <message>
         <source>the line has %1 values and the header %2</source>
-        <translation type="unfinished"></translation>
+        <translation>该行有 %1 个值，表头有 %2 个</translation>
     </message>
     <message>
         <source>Give every line as many values as there are columns</source>
-        <translation type="unfinished"></translation>
+        <translation>每行的值数须与列数相同</translation>
     </message>
     <message>
         <source>there is not one column &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有唯一的列“%1”</translation>
     </message>
     <message>
         <source>Look at the names in the map and in the first line</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查映射文件与首行中的名称</translation>
     </message>
     <message>
         <source>ROSMA has quaternions, x y z w</source>
-        <translation type="unfinished"></translation>
+        <translation>ROSMA 使用四元数，顺序为 x y z w</translation>
     </message>
     <message>
         <source>Name their form: quaternion xyzw, or none</source>
-        <translation type="unfinished"></translation>
+        <translation>请写明形式：quaternion xyzw 或 none</translation>
     </message>
     <message>
         <source>%1 has not one column of %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有唯一的列 %2 %3</translation>
     </message>
     <message>
         <source>Name an instrument of the file: MTML, MTMR, PSM1 or PSM2</source>
-        <translation type="unfinished"></translation>
+        <translation>请写文件中的器械：MTML、MTMR、PSM1 或 PSM2</translation>
     </message>
     <message>
         <source>Perk Tutor has matrices of 16 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Perk Tutor 使用 16 个数值的矩阵</translation>
     </message>
     <message>
         <source>sequences of Slicer are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>不读取 Slicer 的序列文件</translation>
     </message>
     <message>
         <source>Save the transforms as XML in Perk Tutor</source>
-        <translation type="unfinished"></translation>
+        <translation>请在 Perk Tutor 中把变换存为 XML</translation>
     </message>
     <message>
         <source>the transform has %1 numbers, not 16</source>
-        <translation type="unfinished"></translation>
+        <translation>变换有 %1 个数值，而非 16 个</translation>
     </message>
     <message>
         <source>Take the files of Perk Tutor as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>请直接使用 Perk Tutor 的文件</translation>
     </message>
     <message>
         <source>Storing recording %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>正在存入第 %1 个录制，共 %2 个</translation>
     </message>
     <message>
         <source>the record has somebody under this code already</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中已有使用此编码的人员</translation>
     </message>
     <message>
         <source>Import into an empty record</source>
-        <translation type="unfinished"></translation>
+        <translation>请导入到空记录中</translation>
     </message>
     <message>
         <source>the record has no class of raters &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中没有评分者类别“%1”</translation>
     </message>
     <message>
         <source>Take intern, deputy_chief, chief or another of its classes</source>
-        <translation type="unfinished"></translation>
+        <translation>请选 intern、deputy_chief、chief 或记录中的其他类别</translation>
     </message>
     <message>
         <source>the curriculum has nothing under this code</source>
-        <translation type="unfinished"></translation>
+        <translation>课程中没有此编码</translation>
     </message>
     <message>
         <source>the record has this recording already</source>
-        <translation type="unfinished"></translation>
+        <translation>记录中已有此录制</translation>
     </message>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在写出 %1</translation>
     </message>
     <message>
         <source>fewer than 20 samples a second were recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒录制不足 20 个采样</translation>
     </message>
     <message>
         <source>samples are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少采样</translation>
     </message>
     <message>
         <source>not applicable: foreign recording</source>
-        <translation type="unfinished"></translation>
+        <translation>不适用：外来录制</translation>
     </message>
     <message>
         <source>Median time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>时间中位数（s）</translation>
     </message>
     <message>
         <source>Median path of the tip (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>尖端路径中位数（m）</translation>
     </message>
     <message>
         <source>path of the tip (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>尖端路径（m）</translation>
     </message>
     <message>
         <source>Median idle time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>停顿时间中位数（s）</translation>
     </message>
     <message>
         <source>idle time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>停顿时间（s）</translation>
     </message>
     <message>
         <source>Recordings of other equipment by group and phase</source>
-        <translation type="unfinished"></translation>
+        <translation>其他设备的录制，按组与阶段</translation>
     </message>
     <message>
         <source>Force, torque and twist do not apply: no organ answered, and nothing can be computed again.</source>
-        <translation type="unfinished"></translation>
+        <translation>力、扭矩与扭转不适用：没有器官作出反应，也无法重新计算。</translation>
     </message>
     <message>
         <source>Learning of every trainee on other equipment</source>
-        <translation type="unfinished"></translation>
+        <translation>各学员在其他设备上的学习</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>量</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>首次</translation>
     </message>
     <message>
         <source>Last</source>
-        <translation type="unfinished"></translation>
+        <translation>末次</translation>
     </message>
     <message>
         <source>Left in the end</source>
-        <translation type="unfinished"></translation>
+        <translation>最终水平</translation>
     </message>
     <message>
         <source>Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.</source>
-        <translation type="unfinished"></translation>
+        <translation>逐个学员拟合；三参数曲线至少需要八次操作。</translation>
     </message>
     <message>
         <source>other equipment made this recording: there is no organ to be shown or computed again</source>
-        <translation type="unfinished"></translation>
+        <translation>此录制来自其他设备：没有可显示或重新计算的器官</translation>
     </message>
     <message>
         <source>Look at its metrics and at its path in a data set</source>
-        <translation type="unfinished"></translation>
+        <translation>请查看其指标，以及数据集中的路径</translation>
     </message>
     <message>
         <source>the wall was torn: that is not undone</source>
@@ -15515,6 +15511,10 @@ audit trail %3</source>
     <message>
         <source>Where a single trainee has a score the mean has no interval.</source>
         <translation>只有一名学员有得分时，均值没有区间。</translation>
+    </message>
+    <message>
+        <source>Name its occasion in the map: first, second</source>
+        <translation>请在映射文件中写明评分时点：first、second</translation>
     </message>
 </context>
 <context>
@@ -19380,6 +19380,68 @@ MSM = 质点弹簧</translation>
             <numerusform>已写入：%1（%n 个文件）。哈希值：%2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Data set to be published (Frictionless)</source>
+        <translation>供发布的数据集（Frictionless）</translation>
+    </message>
+    <message>
+        <source>Data set to be published (RO-Crate)</source>
+        <translation>供发布的数据集（RO-Crate）</translation>
+    </message>
+    <message>
+        <source>Data set to be published (BIDS)</source>
+        <translation>供发布的数据集（BIDS）</translation>
+    </message>
+    <message>
+        <source>How users cite the data; may be empty</source>
+        <translation>使用者如何引用；可留空</translation>
+    </message>
+    <message>
+        <source>Person or centre that publishes; may be empty</source>
+        <translation>发布的个人或中心；可留空</translation>
+    </message>
+    <message>
+        <source>%1 lines a second</source>
+        <translation>每秒 %1 行</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>标题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Licence (SPDX)</source>
+        <translation>许可证（SPDX）(&amp;L)</translation>
+    </message>
+    <message>
+        <source>C&amp;itation</source>
+        <translation>引用方式(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Publis&amp;her</source>
+        <translation>发布者(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tra&amp;jectories</source>
+        <translation>轨迹(&amp;J)</translation>
+    </message>
+    <message numerus="yes">
+        <source>The tables below, the paths and forces of %n recordings, parameters of the tissue models, curriculum and definitions of metrics, in a new folder. No recordings that Torsio could replay.</source>
+        <translation>
+            <numerusform>下列表格、%n 个录制的路径与力、组织模型参数、课程与指标定义，写入新文件夹。不含 Torsio 可重放的录制。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paths tell how somebody moves: publish them only with consent for that.</source>
+        <translation>路径反映一个人的动作方式：须获得相应同意方可发布。</translation>
+    </message>
+    <message>
+        <source>New folder for the data set</source>
+        <translation>数据集的新文件夹</translation>
+    </message>
+    <message>
+        <source>dataset-%1</source>
+        <translation>dataset-%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::FigureCanvas</name>
@@ -22653,10 +22715,6 @@ Leave it empty to remove it.</source>
         <translation>导出(&amp;X)…</translation>
     </message>
     <message>
-        <source>Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted</source>
-        <translation>工作簿、SPSS 与 R 数据表、学习系统成绩；可选择假名化</translation>
-    </message>
-    <message>
         <source>Recordings (%1) and marks (%2) written to %3</source>
         <translation>已将 %1 条录制和 %2 项评分写入 %3</translation>
     </message>
@@ -22667,6 +22725,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Every number back to its marks, criteria, scoring sheet, recording and program. In the preview, press a number itself.</source>
         <translation>将每个数值追溯到其评分、评分项、评分标准、录制和程序。在预览中可直接点按数值。</translation>
+    </message>
+    <message>
+        <source>Workbook, tables for SPSS and R, data sets, scores for a learning system; pseudonymised if wanted</source>
+        <translation>工作簿、SPSS 与 R 表格、数据集、学习系统成绩；可按需假名化</translation>
     </message>
 </context>
 <context>

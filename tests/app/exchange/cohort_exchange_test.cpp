@@ -65,6 +65,30 @@ TEST(CohortExchange, KeepsWhoTookOutWhatWhyAndTheHash) {
   EXPECT_THAT(entry.newJson, HasSubstr("workbook"));
 }
 
+TEST(CohortExchange, LeavesAndNotesNothingWhenItIsGivenUp) {
+  SmallStudy study;
+  const ExchangeData data = exchangeData(study.centre.as("administrator"), study.request, study.digests);
+  const auto before = study.centre.rowCounts();
+  const std::filesystem::path folder = study.centre.folder();
+  const auto givenUpAtTrials = [](const Progress& progress) {
+    if (progress.step.str() == "Writing Recorded runs") {
+      throw Error(ErrorCode::kUsage, Text::verbatim("given up"), "", "");
+    }
+  };
+  const auto same = [](const Text& text) { return text.str(); };
+  SessionContext& session = study.centre.as("administrator");
+  EXPECT_THROW(exportTables(session, data, TableFormat::kCsv, folder / "new", givenUpAtTrials), Error);
+  EXPECT_THROW(exportWorkbook(session, data, same, folder / "a.xlsx", givenUpAtTrials), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.xlsx"));
+  // What was there before stays.
+  std::filesystem::create_directories(folder / "old");
+  writeFileAtomically(folder / "old" / "mine.txt", "mine");
+  EXPECT_THROW(exportTables(session, data, TableFormat::kSpss, folder / "old", givenUpAtTrials), Error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "old"), {}), 1);
+  EXPECT_EQ(study.centre.rowCounts(), before);
+}
+
 TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
   SmallStudy study;
   const ExchangeData data = exchangeData(study.centre.as("statistician"), study.request, study.digests);

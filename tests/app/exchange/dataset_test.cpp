@@ -222,6 +222,16 @@ TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
   EXPECT_FALSE(fs::exists(folder));
 
   contents = wholeContents(set);
+  contents.progress = [](const Progress& progress) {
+    if (progress.step.str() == "Writing recording 2 of 2") {
+      throw Error(ErrorCode::kUsage, Text::verbatim("given up"), "", "");
+    }
+  };
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kRoCrate, folder), Error);
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kBids, folder), Error);
+  EXPECT_FALSE(fs::exists(folder));
+
+  contents = wholeContents(set);
   for (const char* licence : {"", "all rights", "CC BY"}) {
     contents.about.licence = licence;
     EXPECT_THROW(writeDataset(contents, DatasetLayout::kFrictionless, folder), Error) << licence;

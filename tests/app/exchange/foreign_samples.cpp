@@ -116,8 +116,7 @@ std::filesystem::path writeForeignStudy(const std::filesystem::path& folder, con
       {"frame", "base of the robot, right-handed, z up"},
       {"unit", layout == "perktutor" ? "mm" : "m"},
       {"groups", {{{"code", "N"}, {"label", "novices"}}, {{"code", "E"}, {"label", "experts"}}}},
-      {"people",
-       {{{"name", "B"}, {"group", "N"}, {"level", "novice"}}, {{"name", "C"}, {"group", "E"}}}}};
+      {"people", {{{"name", "B"}, {"group", "N"}, {"level", "novice"}}, {{"name", "C"}, {"group", "E"}}}}};
   std::string text;
   if (layout == "csv") {
     text = foreignCsv();

@@ -244,6 +244,13 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     exported.writeTo(folder / "tables");
     shell.waitForJobs();
     child<QComboBox>(dialog, "format").setCurrentIndex(4);
+    EXPECT_TRUE(
+        child<QLabel>(dialog, "what").text().contains(QStringLiteral("Paths tell how somebody moves")));
+    child<QLineEdit>(dialog, "title").setText(QStringLiteral("Twists"));
+    exported.writeTo(folder / "set");
+    shell.waitForJobs();
+    EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("set")));
+    child<QComboBox>(dialog, "format").setCurrentIndex(7);
     exported.writeTo(folder / "grades.csv");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
@@ -253,6 +260,7 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
   EXPECT_EQ(readFile(folder / "cohort.xlsx").substr(0, 2), "PK");
   EXPECT_TRUE(fs::exists(folder / "tables" / "scores.sav"));
   EXPECT_EQ(readFile(folder / "grades.csv").substr(0, 23), "ID number,Email address");
+  EXPECT_TRUE(fs::exists(folder / "set" / "datapackage.json"));
 }
 
 void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
@@ -349,7 +357,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
   EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
   expectExports(*reports, office.shell(), office.centre.folder());
-  EXPECT_EQ(office.centre.audited("report.export_coded"), 5);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 6);
   EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }

@@ -2,6 +2,7 @@
 #include "app/gui/administrator/reporting/export_dialog.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include <QCheckBox>
@@ -43,6 +44,11 @@ ExportDialog::ExportDialog(ShellContext& shell, const ReportRequest& request,
       pseudonymised_(new QCheckBox(tr("&Pseudonymised"), this)),
       freeText_(new QCheckBox(tr("Keep what people &wrote"), this)),
       reason_(new QLineEdit(this)),
+      title_(new QLineEdit(this)),
+      licence_(new QComboBox(this)),
+      citation_(new QLineEdit(this)),
+      creator_(new QLineEdit(this)),
+      rate_(new QComboBox(this)),
       what_(sentence(this, false)),
       table_(new QComboBox(this)),
       rows_(new QTableWidget(this)),
@@ -69,6 +75,9 @@ void ExportDialog::build() {
   form_->addItem(tr("Tables for SPSS (.sav)"), static_cast<int>(Form::kSpss));
   form_->addItem(tr("Tables for R (.csv and a script)"), static_cast<int>(Form::kR));
   form_->addItem(tr("Tables (.csv)"), static_cast<int>(Form::kCsv));
+  form_->addItem(tr("Data set to be published (Frictionless)"), static_cast<int>(Form::kFrictionless));
+  form_->addItem(tr("Data set to be published (RO-Crate)"), static_cast<int>(Form::kRoCrate));
+  form_->addItem(tr("Data set to be published (BIDS)"), static_cast<int>(Form::kBids));
   if (shell_.may(Operation::kReportExportNamed)) {
     form_->addItem(tr("Scores for a learning system (Moodle, .csv)"), static_cast<int>(Form::kGradebook));
   }
@@ -88,6 +97,7 @@ void ExportDialog::build() {
   form->addRow(QString(), pseudonymised_);
   form->addRow(QString(), freeText_);
   form->addRow(tr("&Reason"), reason_);
+  buildDataset(*form);
   form->addRow(tr("What is in it"), what_);
   form->addRow(tr("First rows &of"), table_);
   auto* column = new QVBoxLayout(this);
@@ -110,8 +120,71 @@ void ExportDialog::build() {
   connect(freeText_, &QCheckBox::toggled, this, &ExportDialog::read);
 }
 
+void ExportDialog::buildDataset(QFormLayout& form) {
+  layout_ = &form;
+  title_->setObjectName(QStringLiteral("title"));
+  licence_->setObjectName(QStringLiteral("licence"));
+  citation_->setObjectName(QStringLiteral("citation"));
+  rate_->setObjectName(QStringLiteral("rate"));
+  licence_->setEditable(true);
+  licence_->addItems(
+      {QStringLiteral("CC-BY-4.0"), QStringLiteral("CC-BY-NC-4.0"), QStringLiteral("CC0-1.0")});
+  citation_->setPlaceholderText(tr("How users cite the data; may be empty"));
+  creator_->setPlaceholderText(tr("Person or centre that publishes; may be empty"));
+  for (const int rate_Hz : {10, 100, 1000}) {
+    rate_->addItem(tr("%1 lines a second").arg(rate_Hz), rate_Hz);
+  }
+  rate_->setCurrentIndex(1);
+  form.addRow(tr("&Title"), title_);
+  form.addRow(tr("&Licence (SPDX)"), licence_);
+  form.addRow(tr("C&itation"), citation_);
+  form.addRow(tr("Publis&her"), creator_);
+  form.addRow(tr("Tra&jectories"), rate_);
+  connect(rate_, &QComboBox::currentIndexChanged, this, &ExportDialog::showTable);
+}
+
 ExportDialog::Form ExportDialog::chosen() const {
   return static_cast<Form>(form_->currentData().toInt());
+}
+
+bool ExportDialog::isDataset() const {
+  return chosen() == Form::kFrictionless || chosen() == Form::kRoCrate || chosen() == Form::kBids;
+}
+
+DatasetRequest ExportDialog::dataset() const {
+  DatasetRequest request;
+  request.about.title = title_->text().trimmed().toStdString();
+  request.about.licence = licence_->currentText().trimmed().toStdString();
+  request.about.citation = citation_->text().trimmed().toStdString();
+  request.about.creator = creator_->text().trimmed().toStdString();
+  request.layout = chosen() == Form::kBids      ? DatasetLayout::kBids
+                   : chosen() == Form::kRoCrate ? DatasetLayout::kRoCrate
+                                                : DatasetLayout::kFrictionless;
+  request.rate_Hz = rate_->currentData().toInt();
+  return request;
+}
+
+QStringList ExportDialog::contents() const {
+  QStringList words;
+  if (chosen() == Form::kGradebook) {
+    words << tr(
+        "A line for each trainee, known by staff number and mail address, and a score for each "
+        "occasion. It names people.");
+    return words;
+  }
+  words << tr("Nobody is named. Marks and means that may not be shown yet are left out, as in the report.");
+  for (const Text& sentence : pseudonymSentences(*data_)) {
+    words << toQString(sentence);
+  }
+  if (isDataset()) {
+    words << tr(
+        "The tables below, the paths and forces of %n recordings, parameters of the tissue models, "
+        "curriculum and definitions of metrics, in a new folder. No recordings that Torsio could "
+        "replay.",
+        nullptr, static_cast<int>(data_->inputs.trials.size()));
+    words << tr("Paths tell how somebody moves: publish them only with consent for that.");
+  }
+  return words;
 }
 
 void ExportDialog::read() {
@@ -129,6 +202,9 @@ void ExportDialog::read() {
       [this, fresh] {
         data_ = fresh;
         save_->setEnabled(true);
+        if (!title_->isModified()) {  // without names the cohort has another title
+          title_->setText(toQString(data_->inputs.title));
+        }
         const QSignalBlocker quiet(table_);
         const int before = std::max(0, table_->currentIndex());
         table_->clear();
@@ -150,18 +226,10 @@ void ExportDialog::showTable() {
   freeText_->setVisible(!grades);
   table_->setEnabled(!grades);
   rows_->setVisible(!grades);
-  QStringList words;
-  if (grades) {
-    words << tr(
-        "A line for each trainee, known by staff number and mail address, and a score for each "
-        "occasion. It names people.");
-  } else {
-    words << tr("Nobody is named. Marks and means that may not be shown yet are left out, as in the report.");
-    for (const Text& sentence : pseudonymSentences(*data_)) {
-      words << toQString(sentence);
-    }
+  for (QWidget* field : std::initializer_list<QWidget*>{title_, licence_, citation_, creator_, rate_}) {
+    layout_->setRowVisible(field, isDataset());
   }
-  what_->setText(words.join(QLatin1Char(' ')));
+  what_->setText(contents().join(QLatin1Char(' ')));
   const std::vector<const ExportTable*> tables = tablesOf(data_->set);
   const ExportTable& shown = *tables.at(static_cast<std::size_t>(std::max(0, table_->currentIndex())));
   const int count = std::min(kFirstRows, static_cast<int>(shown.rows.size()));
@@ -189,8 +257,10 @@ void ExportDialog::askPlace() {
   const QString name = data_ ? toQString(data_->inputs.title) : QString();
   const QString place =
       book ? askFileToSave(this, tr("Save workbook"), name + QStringLiteral(".xlsx"), tr("Workbook (*.xlsx)"))
-      : grades
-          ? askFileToSave(this, tr("Save scores"), name + QStringLiteral(".csv"), tr("Table (*.csv)"))
+      : grades ? askFileToSave(this, tr("Save scores"), name + QStringLiteral(".csv"), tr("Table (*.csv)"))
+      : isDataset()
+          ? askFileToSave(this, tr("New folder for the data set"), tr("dataset-%1").arg(name),
+                          tr("Folder (*)"))
           : askFileToSave(this, tr("New folder for the tables"), tr("tables-%1").arg(name), tr("Folder (*)"));
   if (!place.isEmpty()) {
     writeTo(toPath(place));
@@ -203,24 +273,35 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
   }
   request_.reason = reason_->text().trimmed().toStdString();
   data_->request.reason = request_.reason;
+  if (isDataset() && !attempt(shell_, [this] { requireWhole(dataset().about); })) {
+    return;
+  }
+  done_->clear();
   auto written = std::make_shared<ExchangeFiles>();
   shell_.run(
       tr("Writing the export"),
       [written, place, given = data_, request = request_, digests = digests_, form = chosen(),
-       wording = wordingIn(language_)](SessionContext& session, const ProgressCallback&) {
+       wanted = dataset(),
+       wording = wordingIn(language_)](SessionContext& session, const ProgressCallback& progress) {
         switch (form) {
           case Form::kWorkbook:
             *written = exportWorkbook(
-                session, *given, [&](const Text& text) { return wording(text).toStdString(); }, place);
+                session, *given, [&](const Text& text) { return wording(text).toStdString(); }, place,
+                progress);
             break;
           case Form::kSpss:
-            *written = exportTables(session, *given, TableFormat::kSpss, place);
+            *written = exportTables(session, *given, TableFormat::kSpss, place, progress);
             break;
           case Form::kR:
-            *written = exportTables(session, *given, TableFormat::kR, place);
+            *written = exportTables(session, *given, TableFormat::kR, place, progress);
             break;
           case Form::kCsv:
-            *written = exportTables(session, *given, TableFormat::kCsv, place);
+            *written = exportTables(session, *given, TableFormat::kCsv, place, progress);
+            break;
+          case Form::kFrictionless:
+          case Form::kRoCrate:
+          case Form::kBids:
+            *written = exportDataset(session, *given, wanted, place, progress);
             break;
           case Form::kGradebook:
             *written = exportGradebook(session, request, *digests, place);

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -26,7 +27,7 @@ class ExportDialog : public QDialog {
 
  public:
   /// Entries of the list of formats, in their order.
-  enum class Form { kWorkbook, kSpss, kR, kCsv, kGradebook };
+  enum class Form { kWorkbook, kSpss, kR, kCsv, kFrictionless, kRoCrate, kBids, kGradebook };
 
   /// `language`: of the workbook, one of reportLanguages().
   ExportDialog(ShellContext& shell, const ReportRequest& request, std::shared_ptr<TrialDigests> digests,
@@ -40,7 +41,12 @@ class ExportDialog : public QDialog {
   void read();
   void showTable();
   void askPlace();
+  void buildDataset(QFormLayout& form);
   [[nodiscard]] Form chosen() const;
+  [[nodiscard]] bool isDataset() const;
+  [[nodiscard]] DatasetRequest dataset() const;
+  /// What the chosen form holds and what it never does, as sentences.
+  [[nodiscard]] QStringList contents() const;
 
   ShellContext& shell_;
   ExchangeRequest request_;
@@ -51,6 +57,12 @@ class ExportDialog : public QDialog {
   QCheckBox* pseudonymised_;
   QCheckBox* freeText_;
   QLineEdit* reason_;
+  QLineEdit* title_;
+  QComboBox* licence_;
+  QLineEdit* citation_;
+  QLineEdit* creator_;
+  QComboBox* rate_;
+  QFormLayout* layout_ = nullptr;
   QLabel* what_;
   QComboBox* table_;
   QTableWidget* rows_;

@@ -350,8 +350,8 @@ void ReportsPage::retranslate() {
                      tr("Choose a cohort, freeze its data, look through the report, and write it."));
   pdf_->setText(tr("Save &PDF\u2026"));
   other_->setText(tr("E&xport\u2026"));
-  other_->setToolTip(
-      tr("Workbook, tables for SPSS and R, scores for a learning system; pseudonymised if wanted"));
+  other_->setToolTip(tr(
+      "Workbook, tables for SPSS and R, data sets, scores for a learning system; pseudonymised if wanted"));
   csv_->setText(tr("Save &numbers (CSV)\u2026"));
   origin_->setText(tr("Follow a numbe&r\u2026"));
   origin_->setToolTip(

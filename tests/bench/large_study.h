@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sim/base/ids.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio::bench {
+
+/// Stores a cohort of three groups through the repositories: 3,333 trainees with three recordings and thirty
+/// marks each, 10,000 trials and 100,000 marks in all. Returns it.
+CohortId fillLargeStudy(testing::StudyCentre& centre);
+
+}  // namespace torsio::bench
