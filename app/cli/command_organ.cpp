@@ -46,8 +46,7 @@ OrganImportRequest importRequest(const OrganImportArguments& arguments) {
   OrganImportRequest request;
   request.assets = assetsFolder();
   request.file = arguments.file;
-  request.scale_m =
-      arguments.scale ? *arguments.scale * kMetresPerMillimetre : lengthUnit_m(arguments.unit);
+  request.scale_m = arguments.scale ? *arguments.scale * kMetresPerMillimetre : lengthUnit_m(arguments.unit);
   if (!arguments.fixedEnd.empty() && !arguments.freeEnd.empty()) {
     request.ends.fixedEnd_m = vectorFrom(arguments.fixedEnd) * request.scale_m;
     request.ends.freeEnd_m = vectorFrom(arguments.freeEnd) * request.scale_m;

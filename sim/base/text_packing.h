@@ -40,7 +40,8 @@ class TextPacker {
   std::string bytes_;
 };
 
-/// Reads what TextPacker wrote. Bytes that are missing or out of range read as 0 and empty: sizes are checked.
+/// Reads what TextPacker wrote. Bytes that are missing or out of range read as 0 and empty: sizes are
+/// checked.
 class TextUnpacker {
  public:
   explicit TextUnpacker(const std::string& bytes) : bytes_(bytes) {}

@@ -84,7 +84,8 @@ OrganFile organOfHead(const Json& head) {
 }
 
 /// Takes the surface out of the bytes behind the head; false when there are more or less of them.
-bool takeSurface(std::string_view bytes, std::uint64_t vertices, std::uint64_t triangles, TriangleMesh& mesh) {
+bool takeSurface(std::string_view bytes, std::uint64_t vertices, std::uint64_t triangles,
+                 TriangleMesh& mesh) {
   constexpr std::uint64_t kMost = 2 * std::uint64_t{kMostTriangles};
   if (vertices > kMost || triangles > kMost ||
       bytes.size() != vertices * kVertexBytes + triangles * kTriangleBytes) {

@@ -29,7 +29,9 @@ Text coded(const OrganWarning& warning) {
 OrganFinding findingOf(const Error& refusal) {
   OrganFinding finding;
   finding.weight = FindingWeight::kRefusal;
-  finding.code = beginsWithCode(refusal.happened()) ? refusal.happened().substr(0, kCodeLength) : "M00";
+  finding.code = beginsWithCode(refusal.happened())             ? refusal.happened().substr(0, kCodeLength)
+                 : refusal.code() == ErrorCode::kFileUnreadable ? "M05"
+                                                                : "M00";
   finding.what = refusal.happenedText();
   finding.where = refusal.whereText();
   finding.remedy = refusal.remedyText();

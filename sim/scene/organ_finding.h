@@ -36,7 +36,8 @@ struct OrganWarning {
 /// Says a warning with its code: "M20 the organ is 1.7 times as long as wide".
 [[nodiscard]] Text coded(const OrganWarning& warning);
 
-/// Makes a finding of a refusal whose sentence begins with the code of a rule; "M00" where it has none.
+/// Makes a finding of a refusal whose sentence begins with the code of a rule; where it has none,
+/// "M05" for a file that cannot be read, else "M00".
 [[nodiscard]] OrganFinding findingOf(const Error& refusal);
 
 /// Makes the Error{kBadMesh} of a refusal; `file` names the organ.

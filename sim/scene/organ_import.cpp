@@ -88,10 +88,9 @@ void addIgnored(const MeshExtras& ignored, std::vector<OrganFinding>& findings) 
   if (all == 0) {
     return;
   }
-  OrganFinding finding =
-      note("M21", Text::tr("left out: %1 {texture|textures}, %2 bones, %3 animations",
-                           std::to_string(ignored.textures), std::to_string(ignored.bones),
-                           std::to_string(ignored.animations)));
+  OrganFinding finding = note("M21", Text::tr("left out: %1 {texture|textures}, %2 bones, %3 animations",
+                                              std::to_string(ignored.textures), std::to_string(ignored.bones),
+                                              std::to_string(ignored.animations)));
   finding.value = static_cast<double>(all);
   findings.push_back(std::move(finding));
 }
@@ -110,9 +109,9 @@ void mendHoles(const OrganImportRequest& request, TriangleMesh& mesh, std::vecto
   if (closed.count == 0) {
     return;
   }
-  OrganFinding finding = note("M11", Text::tr("%1 {hole|holes} closed, the largest %2 mm across",
-                                              std::to_string(closed.count),
-                                              shortNumber(1000.0 * closed.widest_m)));
+  OrganFinding finding =
+      note("M11", Text::tr("%1 {hole|holes} closed, the largest %2 mm across", std::to_string(closed.count),
+                           shortNumber(1000.0 * closed.widest_m)));
   finding.value = static_cast<double>(closed.count);
   if (closed.widest_m > kSmallHole * side_m) {
     finding.weight = FindingWeight::kWarning;
@@ -127,12 +126,12 @@ void addVolume(const OrganImportRequest& request, double volume_ml, std::vector<
     if (usual.anatomy != request.anatomy || (volume_ml >= usual.least_ml && volume_ml <= usual.most_ml)) {
       continue;
     }
-    findings.push_back({"M09", FindingWeight::kRefusal,
-                        Text::tr("the organ holds %1 ml; such an organ holds %2 to %3 ml",
-                                 shortNumber(volume_ml), shortNumber(usual.least_ml),
-                                 shortNumber(usual.most_ml)),
-                        request.file.filename().string(), volume_ml,
-                        Text::tr("Check the unit of the file, and which organ it is")});
+    findings.push_back(
+        {"M09", FindingWeight::kRefusal,
+         Text::tr("the organ holds %1 ml; such an organ holds %2 to %3 ml", shortNumber(volume_ml),
+                  shortNumber(usual.least_ml), shortNumber(usual.most_ml)),
+         request.file.filename().string(), volume_ml,
+         Text::tr("Check the unit of the file, and which organ it is")});
   }
 }
 

@@ -28,11 +28,11 @@ struct OrganImportRequest {
 /// What became of it.
 struct OrganImport {
   bool accepted = false;
-  OrganFile organ;                      ///< complete when accepted
-  std::vector<OrganFinding> findings;   ///< refusals first, then warnings, then notes
+  OrganFile organ;                     ///< complete when accepted
+  std::vector<OrganFinding> findings;  ///< refusals first, then warnings, then notes
   MeshRepairs repairs;
   OrganMeasures measures;
-  std::optional<double> volume_ml;      ///< none: the surface encloses nothing
+  std::optional<double> volume_ml;           ///< none: the surface encloses nothing
   std::optional<double> leastDeterminant60;  ///< none: it was not twisted
 };
 

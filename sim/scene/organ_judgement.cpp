@@ -128,8 +128,8 @@ class MeanRadius {
   std::vector<double> radii_m_;
 };
 
-/// Tells whether a point of an end stands off the end section, as a branch does; the flat or rounded end itself
-/// does not, nor what lies beyond a cut that was asked for.
+/// Tells whether a point of an end stands off the end section, as a branch does; the flat or rounded end
+/// itself does not, nor what lies beyond a cut that was asked for.
 bool isBeyond(const SectionLattice& lattice, LatticePart part, const Vec3& p, double width_m) {
   constexpr double kOfWidth = 0.25;
   const bool fixed = part == LatticePart::kFixedCap;
@@ -221,15 +221,17 @@ Text askForEnds() {
 }
 
 void judgeShape(const OrganMeasures& m, const OrganLimits& limits, Findings& findings) {
-  findings.atLeast(m.elongation, limits.leastElongation, limits.usualElongation,
-                   finding("M20",
-                           Text::tr("the organ is %1 times as long as wide; a twist needs a length of at least %2",
-                                    shortNumber(m.elongation), shortNumber(limits.usualElongation)),
-                           Text::tr("Choose an organ that is longer than wide, or name its ends")));
-  findings.atMost(m.branch, limits.mostBranch, limits.usualBranch,
-                  finding("M20",
-                          Text::tr("the organ branches: %1 of its surface stands off its section", percent(m.branch)),
-                          askForEnds()));
+  findings.atLeast(
+      m.elongation, limits.leastElongation, limits.usualElongation,
+      finding("M20",
+              Text::tr("the organ is %1 times as long as wide; a twist needs a length of at least %2",
+                       shortNumber(m.elongation), shortNumber(limits.usualElongation)),
+              Text::tr("Choose an organ that is longer than wide, or name its ends")));
+  findings.atMost(
+      m.branch, limits.mostBranch, limits.usualBranch,
+      finding("M20",
+              Text::tr("the organ branches: %1 of its surface stands off its section", percent(m.branch)),
+              askForEnds()));
   findings.atMost(m.beyond, limits.mostBeyond, limits.usualBeyond,
                   finding("M20",
                           Text::tr("the organ branches: %1 of its surface lies beyond the ends of its axis",
@@ -240,18 +242,20 @@ void judgeShape(const OrganMeasures& m, const OrganLimits& limits, Findings& fin
                           Text::tr("the organ is flat: its sections are %1 times as broad as thick",
                                    shortNumber(m.flatness)),
                           Text::tr("Choose an organ with rounder sections")));
-  findings.atMost(m.overlap, limits.mostOverlap, 0.0,
-                  finding("M22",
-                          Text::tr("sections run into each other in %1 of the organ: it bends more sharply than it "
-                                   "is wide",
-                                   percent(m.overlap)),
-                          Text::tr("Name the ends of the organ, or take a part of it that bends less")));
-  findings.atMost(m.widthRatio, limits.mostWidthRatio, limits.usualWidthRatio,
-                  finding("M25",
-                          Text::tr("the organ is %1 times as wide in one place as in another: all of the twist goes "
-                                   "into the narrow part",
-                                   shortNumber(m.widthRatio)),
-                          Text::tr("Take one part of it, or name the ends of that part")));
+  findings.atMost(
+      m.overlap, limits.mostOverlap, 0.0,
+      finding("M22",
+              Text::tr("sections run into each other in %1 of the organ: it bends more sharply than it "
+                       "is wide",
+                       percent(m.overlap)),
+              Text::tr("Name the ends of the organ, or take a part of it that bends less")));
+  findings.atMost(
+      m.widthRatio, limits.mostWidthRatio, limits.usualWidthRatio,
+      finding("M25",
+              Text::tr("the organ is %1 times as wide in one place as in another: all of the twist goes "
+                       "into the narrow part",
+                       shortNumber(m.widthRatio)),
+              Text::tr("Take one part of it, or name the ends of that part")));
 }
 
 /// `triangles`: of the organ; `turned`: of the surface that was twisted.
@@ -280,7 +284,8 @@ void judgeTwist(const OrganMeasures& m, std::size_t triangles, std::size_t turne
 
 }  // namespace
 
-OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options, const OrganLimits& limits) {
+OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
+                          const OrganLimits& limits) {
   OrganJudgement judgement;
   OrganMeasures& measures = judgement.measures;
   std::size_t triangles = whole.triangles.size();

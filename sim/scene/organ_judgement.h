@@ -10,7 +10,8 @@
 
 namespace torsio {
 
-/// Most triangles of the surface that is measured and twisted: the time of a lattice grows faster than its mesh.
+/// Most triangles of the surface that is measured and twisted: the time of a lattice grows faster than its
+/// mesh.
 inline constexpr std::size_t kJudgedTriangles = 100'000;
 
 /// Limits of what the lattice of ridges and sections can describe; docs/organs.md says what organs measure.
@@ -34,15 +35,15 @@ struct OrganLimits {
 /// Measures of an organ as the lattice sees it.
 struct OrganMeasures {
   double length_m = 0.0;
-  double widest_m = 0.0;           ///< diameter of the round section of the same area
-  double elongation = 0.0;         ///< length over widest
-  double flatness = 1.0;           ///< long over short side, median over the sections
-  double overlap = 0.0;            ///< share of the places on the sections that run into the next one
-  double branch = 0.0;             ///< share of the surface farther off its section than its radius
-  double beyond = 0.0;             ///< share of the surface beyond ends that are not cut
-  double widthRatio = 1.0;         ///< widest over narrowest, middle four fifths
-  double leastDeterminant60 = 1.0; ///< of det F at 60 degrees either way
-  std::size_t crossings60 = 0;     ///< new pairs of triangles that cross then, the worse way
+  double widest_m = 0.0;            ///< diameter of the round section of the same area
+  double elongation = 0.0;          ///< length over widest
+  double flatness = 1.0;            ///< long over short side, median over the sections
+  double overlap = 0.0;             ///< share of the places on the sections that run into the next one
+  double branch = 0.0;              ///< share of the surface farther off its section than its radius
+  double beyond = 0.0;              ///< share of the surface beyond ends that are not cut
+  double widthRatio = 1.0;          ///< widest over narrowest, middle four fifths
+  double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
+  std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
   std::size_t crossingsAtRest = 0;
 };
 
@@ -55,9 +56,9 @@ struct OrganJudgement {
 };
 
 /// Judges an organ before it is accepted: builds its lattice, measures it and twists it by 60 degrees either
-/// way about its own axis, its free end gripped. A surface of more than kJudgedTriangles is thinned to so many
-/// for that. `whole`: of requireOrgan. A mesh without a lattice is refused with what the lattice says. Some
-/// seconds for a million triangles.
+/// way about its own axis, its free end gripped. A surface of more than kJudgedTriangles is thinned to so
+/// many for that. `whole`: of requireOrgan. A mesh without a lattice is refused with what the lattice says.
+/// Some seconds for a million triangles.
 [[nodiscard]] OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
                                         const OrganLimits& limits = {});
 

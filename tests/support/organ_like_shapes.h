@@ -49,7 +49,9 @@ inline TriangleMesh surfaceOf(const Vec3& low_m, const Vec3& high_m, double step
   SampleGrid grid;
   grid.origin = low_m;
   grid.step = step_m;
-  const auto points = [step_m](double side_m) { return static_cast<std::size_t>(std::ceil(side_m / step_m)) + 1; };
+  const auto points = [step_m](double side_m) {
+    return static_cast<std::size_t>(std::ceil(side_m / step_m)) + 1;
+  };
   grid.count = {points(high_m.x - low_m.x), points(high_m.y - low_m.y), points(high_m.z - low_m.z)};
   return zeroSurface(grid, 1.5, field);
 }

@@ -88,8 +88,8 @@ std::optional<pid_t> started(const std::vector<std::string>& words, int answer) 
   const int copy = fcntl(answer, F_DUPFD_CLOEXEC, kMeshAnswerFile + 1);
   posix_spawn_file_actions_adddup2(&files, copy, kMeshAnswerFile);
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    posix_spawn_file_actions_addopen(&files, number, "/dev/null", number == STDIN_FILENO ? O_RDONLY : O_WRONLY,
-                                     0);
+    posix_spawn_file_actions_addopen(&files, number, "/dev/null",
+                                     number == STDIN_FILENO ? O_RDONLY : O_WRONLY, 0);
   }
   std::vector<std::string> kept = words;
   std::vector<char*> arguments;
@@ -149,7 +149,8 @@ RawMesh readMeshApart(const std::filesystem::path& file, double scale_m, const M
   }
   if (WIFSIGNALED(*status)) {
     refuseReading(
-        where, Text::tr("M05 the importer crashed on this file (signal %1)", std::to_string(WTERMSIG(*status))),
+        where,
+        Text::tr("M05 the importer crashed on this file (signal %1)", std::to_string(WTERMSIG(*status))),
         Text::tr("Export the mesh again, or in another format"));
   }
   return meshOfMail(answer.bytes(), where);

@@ -13,7 +13,7 @@ namespace torsio {
 namespace {
 
 constexpr int kMostPasses = 40;
-constexpr double kLeastCosine = 0.3;  // between a triangle's normal before and after a collapse
+constexpr double kLeastCosine = 0.3;   // between a triangle's normal before and after a collapse
 constexpr double kShareOfEdges = 0.3;  // of the edges, the shortest, that a pass tries
 
 /// One pass of collapses over a surface: neighbours of a collapsed edge are left alone until the next.
@@ -80,7 +80,8 @@ class ThinningPass {
       }
     }
     const auto before = [](const Edge& x, const Edge& y) {
-      return x.length2 != y.length2 ? x.length2 < y.length2 : std::pair(x.low, x.high) < std::pair(y.low, y.high);
+      return x.length2 != y.length2 ? x.length2 < y.length2
+                                    : std::pair(x.low, x.high) < std::pair(y.low, y.high);
     };
     const auto tried = static_cast<std::ptrdiff_t>(kShareOfEdges * static_cast<double>(edges.size()));
     std::nth_element(edges.begin(), edges.begin() + tried, edges.end(), before);
@@ -100,8 +101,8 @@ class ThinningPass {
     }
   }
 
-  /// Tells whether the edge may go: its ends share two neighbours and no more, which keeps the topology, and no
-  /// triangle turns over when `high` moves to `low`.
+  /// Tells whether the edge may go: its ends share two neighbours and no more, which keeps the topology, and
+  /// no triangle turns over when `high` moves to `low`.
   bool mayCollapse(std::uint32_t low, std::uint32_t high) {
     around_.clear();
     eachNeighbour(low, [this](std::uint32_t v) { around_.push_back(v); });

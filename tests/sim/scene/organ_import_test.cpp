@@ -164,7 +164,8 @@ TEST(OrganImport, ClosesHolesWhenAskedAndSaysSo) {
 }
 
 TEST(OrganImport, ComparesTheVolumeWithThatOfItsAnatomy) {
-  OrganImportRequest request = importOf(testing::prism(testing::circleOutline(0.008, 36), 0.1, 24), "thin.ply");
+  OrganImportRequest request =
+      importOf(testing::prism(testing::circleOutline(0.008, 36), 0.1, 24), "thin.ply");
   EXPECT_TRUE(importOrgan(request).accepted);
   request.anatomy = "stomach";
 
@@ -225,7 +226,8 @@ TEST(OrganImport, OutlivesAnImporterThatDoesNot) {
 }
 
 TEST(OrganImport, KeepsToItsMemory) {
-  OrganImportRequest request = importOf(testing::prism(testing::circleOutline(0.03, 400), 0.2, 300), "large.ply");
+  OrganImportRequest request =
+      importOf(testing::prism(testing::circleOutline(0.03, 400), 0.2, 300), "large.ply");
   request.reading.memory_MB = 10;
 
   const OrganImport import = importOrgan(request);

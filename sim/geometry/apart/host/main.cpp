@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio-mesh FILE SCALE MEMORY_MB PROCESSOR_S: reads a mesh file for Torsio within limits and leaves it, or the
-// refusal, in the file that it was given. Started by Torsio, never by hand.
+// torsio-mesh FILE SCALE MEMORY_MB PROCESSOR_S: reads a mesh file for Torsio within limits and leaves it, or
+// the refusal, in the file that it was given. Started by Torsio, never by hand.
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -9,8 +10,6 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
-
-#include <csignal>
 
 #include "sim/base/error.h"
 #include "sim/geometry/apart/mesh_mail.h"
@@ -78,9 +77,10 @@ std::string answerTo(const std::string& file, double scale_m, const std::string&
 
 int main(int argc, char** argv) {
   constexpr int kWords = 5;
-  if (argc != kWords || !torsio::bind(std::strtoull(argv[3], nullptr, 10), std::strtoull(argv[4], nullptr, 10))) {
+  if (argc != kWords ||
+      !torsio::bind(std::strtoull(argv[3], nullptr, 10), std::strtoull(argv[4], nullptr, 10))) {
     return EXIT_FAILURE;
   }
   return torsio::leave(torsio::answerTo(argv[1], std::strtod(argv[2], nullptr), argv[3])) ? EXIT_SUCCESS
-                                                                                         : EXIT_FAILURE;
+                                                                                          : EXIT_FAILURE;
 }
