@@ -48,6 +48,7 @@ void buildProgram(CLI::App& program) {
   addDataset(program);
   addLearning(program);
   addMetrics(program);
+  addOrgan(program);
   addPower(program);
   addRecord(program);
   addReplay(program);

@@ -60,6 +60,9 @@ void runRecord(const RecordArguments& arguments) {
                                {"pattern", scene.pattern.id},
                                {"samples", summary.samples},
                                {"content_hash", summary.contentHash}};
+    for (const OrganWarning& warning : scene.organWarnings) {
+      out["organ_warnings"].push_back(coded(warning).str());
+    }
     std::cout << out.dump(2) << '\n';
     return;
   }

@@ -23,6 +23,7 @@
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/organ_file.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -112,6 +113,9 @@ void addOrgan(nlohmann::ordered_json& result, const Scene& scene, const TwistArg
   result["organ"] = arguments.organ.organ;
   if (scene.repairs.any()) {
     result["repairs"] = scene.repairs.text();
+  }
+  for (const OrganWarning& warning : scene.organWarnings) {
+    result["organ_warnings"].push_back(coded(warning).str());
   }
 }
 
@@ -365,7 +369,10 @@ void checkWallArguments(const TwistArguments& arguments) {
 }
 
 void runTwist(TwistArguments arguments) {
-  checkWallArguments(arguments);
+  const bool organFile = isOrganFile(arguments.organ.organ);  // which may say its wall
+  if (!organFile) {
+    checkWallArguments(arguments);
+  }
   if (arguments.ends.empty() && arguments.poisson) {
     throw Error(ErrorCode::kUsage, Text::verbatim("a pattern is computed without Poisson's ratio"),
                 Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
@@ -390,7 +397,17 @@ void runTwist(TwistArguments arguments) {
   if (arguments.ends.empty()) {
     request.model = modelChoice(arguments.model);
   }
+  request.tellOnly = arguments.allowFold;
   const Scene scene = loadScene(request);
+  for (const OrganWarning& warning : scene.organWarnings) {
+    std::cerr << "Warning: " << coded(warning) << '\n';
+  }
+  if (scene.wall_m && !arguments.ends.empty() && !arguments.reference && arguments.wall.empty()) {
+    arguments.wall = std::to_string(1000.0 * *scene.wall_m);
+  }
+  if (organFile) {
+    checkWallArguments(arguments);
+  }
   const double setUp_ms = millisecondsSince(started);
   arguments.ends.empty() ? runPattern(arguments, scene, setUp_ms) : runRod(arguments, scene, setUp_ms);
 }

@@ -26,6 +26,7 @@ void addExport(CLI::App& program);
 void addDataset(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
+void addOrgan(CLI::App& program);
 void addPower(CLI::App& program);
 void addRecord(CLI::App& program);
 void addReplay(CLI::App& program);

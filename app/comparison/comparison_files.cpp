@@ -137,6 +137,10 @@ std::string courseCsv(const ComparisonResult& result) {
 std::string comparisonJson(const ComparisonResult& result) {
   Json json;
   json["organ"] = result.organ;
+  json["organ_warnings"] = Json::array();
+  for (const OrganWarning& warning : result.organWarnings) {
+    json["organ_warnings"].push_back(coded(warning).str());
+  }
   json["ridges"] = result.ridges;
   json["sections"] = result.sections;
   json["mesh_vertices"] = result.vertices;

@@ -247,6 +247,9 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   ReportSection honesty;
   honesty.title = Text::tr("What these figures do not say");
   honesty.paragraphs = comparisonLimits();
+  for (const OrganWarning& warning : result.organWarnings) {
+    honesty.paragraphs.push_back(Text::tr("The organ was accepted with a warning: %1.", coded(warning)));
+  }
   report.sections = {speed, accuracy, honesty};
   return report;
 }

@@ -333,6 +333,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   checkOptions(options);
   ComparisonResult result;
   result.organ = scene.title;
+  result.organWarnings = scene.organWarnings;
   result.ridges = scene.lattice().ridges();
   result.sections = scene.lattice().sections();
   result.vertices = scene.mesh.vertices_m.size();

@@ -81,6 +81,7 @@ struct ModelResult {
 
 struct ComparisonResult {
   std::string organ;
+  std::vector<OrganWarning> organWarnings;  ///< with which a user's organ was accepted
   int ridges = 0;
   int sections = 0;
   std::size_t vertices = 0;

@@ -36,6 +36,7 @@
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 #include "sim/base/text_list.h"
+#include "sim/scene/scene.h"
 
 namespace torsio {
 
@@ -188,6 +189,9 @@ class Tracer {
                {Text::tr("started"), formatUtc(trial.header.startedUtc_us)},
                {Text::tr("organ"), trial.header.sceneId + ", " + trial.header.organHash},
                {Text::tr("parameters of the model"), trial.header.parameterHash}}};
+      for (const OrganWarning& warning : recordedOrganWarnings(trial.header.parametersJson)) {
+        step.madeOf.push_back({Text::tr("warning about the organ"), coded(warning).str()});
+      }
     }
     return step;
   }

@@ -22,9 +22,11 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "sim/base/text_list.h"
+#include "sim/scene/scene.h"
 
 namespace torsio {
 
@@ -152,6 +154,19 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   }
 }
 
+/// What has to be known of organs of the centre's own on which trials of the cohort were recorded.
+void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
+  std::vector<OrganWarning> told;
+  for (const std::string& parameters : TrialRepository(connection).warnedParameters(cohortId)) {
+    for (const OrganWarning& warning : recordedOrganWarnings(parameters)) {
+      if (std::find(told.begin(), told.end(), warning) == told.end()) {
+        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a trial"), coded(warning));
+        told.push_back(warning);
+      }
+    }
+  }
+}
+
 /// Whether two people were asked for, and what was signed.
 void addSafeguards(SessionContext& session, const CohortId& cohortId, const FreezeId& frozenId,
                    const Occasions& occasions, CohortInputs& inputs) {
@@ -245,6 +260,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);
+  addOrganWarnings(connection, cohort.id, inputs);
   addSafeguards(session, cohort.id, request.frozenId, training.occasions, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);

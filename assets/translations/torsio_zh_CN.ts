@@ -15516,6 +15516,214 @@ audit trail %3</source>
         <source>Name its occasion in the map: first, second</source>
         <translation>请在映射文件中写明评分时点：first、second</translation>
     </message>
+    <message>
+        <source>The organ was accepted with a warning: %1.</source>
+        <translation>该器官是带警告接受的：%1。</translation>
+    </message>
+    <message>
+        <source>Warning about the organ of a trial</source>
+        <translation>关于某次试验所用器官的警告</translation>
+    </message>
+    <message>
+        <source>warning about the organ</source>
+        <translation>关于器官的警告</translation>
+    </message>
+    <message>
+        <source>M05 the importer needs more than %1 MB of memory for this file</source>
+        <translation>M05 读取此文件需要超过 %1 MB 内存</translation>
+    </message>
+    <message>
+        <source>Decimate the surface, or export the mesh again</source>
+        <translation>请减少面片数量，或重新导出网格</translation>
+    </message>
+    <message>
+        <source>M05 the importer gave no answer to this file</source>
+        <translation>M05 读取程序对此文件没有给出结果</translation>
+    </message>
+    <message>
+        <source>Export the mesh again, or in another format</source>
+        <translation>请重新导出网格，或改用其他格式</translation>
+    </message>
+    <message>
+        <source>M05 the system gives no memory to read the file</source>
+        <translation>M05 系统无法提供读取此文件所需的内存</translation>
+    </message>
+    <message>
+        <source>M05 the program that reads meshes cannot be started: %1</source>
+        <translation>M05 无法启动读取网格的程序：%1</translation>
+    </message>
+    <message>
+        <source>Install Torsio again</source>
+        <translation>请重新安装 Torsio</translation>
+    </message>
+    <message>
+        <source>M05 the importer did not come to an end with this file within %1 s</source>
+        <translation>M05 读取程序在 %1 秒内未能读完此文件</translation>
+    </message>
+    <message>
+        <source>M05 the importer crashed on this file (signal %1)</source>
+        <translation>M05 读取程序在此文件上崩溃（信号 %1）</translation>
+    </message>
+    <message>
+        <source>Import the mesh again with torsio organ import</source>
+        <translation>请用 torsio organ import 重新导入网格</translation>
+    </message>
+    <message>
+        <source>this is no organ file of Torsio</source>
+        <translation>这不是 Torsio 的器官文件</translation>
+    </message>
+    <message>
+        <source>the organ file was written by a later version</source>
+        <translation>该器官文件由更新的版本写成</translation>
+    </message>
+    <message>
+        <source>the organ file is cut short</source>
+        <translation>器官文件不完整</translation>
+    </message>
+    <message>
+        <source>the organ file was damaged or changed</source>
+        <translation>器官文件已损坏或被改动</translation>
+    </message>
+    <message>
+        <source>the organ file has no head that can be read</source>
+        <translation>器官文件的文件头无法读取</translation>
+    </message>
+    <message>
+        <source>the wall must be 0.1 to 50 mm thick</source>
+        <translation>壁厚必须在 0.1 至 50 mm 之间</translation>
+    </message>
+    <message>
+        <source>Give its thickness in millimetres</source>
+        <translation>请以毫米给出壁厚</translation>
+    </message>
+    <message>
+        <source>%1 doubled or flat {face|faces} removed</source>
+        <translation>已删除 %1 个重复或无面积的面</translation>
+    </message>
+    <message>
+        <source>%1 {face|faces} turned that faced the wrong way</source>
+        <translation>已翻转 %1 个朝向错误的面</translation>
+    </message>
+    <message>
+        <source>the surface was inside out and was turned</source>
+        <translation>表面内外颠倒，已翻转</translation>
+    </message>
+    <message>
+        <source>%1 small separate {piece|pieces} left out</source>
+        <translation>已略去 %1 个小的分离部分</translation>
+    </message>
+    <message>
+        <source>%1 inner {shell|shells} left out</source>
+        <translation>已略去 %1 个内壳</translation>
+    </message>
+    <message>
+        <source>Give the thickness of the wall instead</source>
+        <translation>请改为给出壁厚</translation>
+    </message>
+    <message>
+        <source>left out: %1 {texture|textures}, %2 bones, %3 animations</source>
+        <translation>已略去：%1 个纹理、%2 个骨骼、%3 个动画</translation>
+    </message>
+    <message>
+        <source>%1 {hole|holes} closed, the largest %2 mm across</source>
+        <translation>已封闭 %1 个孔，最大的宽 %2 mm</translation>
+    </message>
+    <message>
+        <source>Look whether the organ ends there, or close it in a mesh editor</source>
+        <translation>请确认器官是否在该处终止，或在网格编辑软件中封闭</translation>
+    </message>
+    <message>
+        <source>the organ holds %1 ml; such an organ holds %2 to %3 ml</source>
+        <translation>该器官容积为 %1 ml；此类器官为 %2 至 %3 ml</translation>
+    </message>
+    <message>
+        <source>Check the unit of the file, and which organ it is</source>
+        <translation>请核对文件的单位，以及它是哪个器官</translation>
+    </message>
+    <message>
+        <source>the whole organ</source>
+        <translation>整个器官</translation>
+    </message>
+    <message>
+        <source>Name the ends of the organ, or cut off what is none of it</source>
+        <translation>请指定器官的两端，或去掉不属于它的部分</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as long as wide; a twist needs a length of at least %2</source>
+        <translation>器官的长度是宽度的 %1 倍；扭转要求至少 %2 倍</translation>
+    </message>
+    <message>
+        <source>Choose an organ that is longer than wide, or name its ends</source>
+        <translation>请选择长大于宽的器官，或指定其两端</translation>
+    </message>
+    <message>
+        <source>the organ branches: %1 of its surface stands off its section</source>
+        <translation>器官有分支：其表面的 %1 偏离所属截面</translation>
+    </message>
+    <message>
+        <source>the organ branches: %1 of its surface lies beyond the ends of its axis</source>
+        <translation>器官有分支：其表面的 %1 位于轴线两端之外</translation>
+    </message>
+    <message>
+        <source>the organ is flat: its sections are %1 times as broad as thick</source>
+        <translation>器官过扁：其截面的宽度是厚度的 %1 倍</translation>
+    </message>
+    <message>
+        <source>Choose an organ with rounder sections</source>
+        <translation>请选择截面较圆的器官</translation>
+    </message>
+    <message>
+        <source>sections run into each other in %1 of the organ: it bends more sharply than it is wide</source>
+        <translation>器官有 %1 的部位截面相互重叠：其弯曲比自身宽度更急</translation>
+    </message>
+    <message>
+        <source>Name the ends of the organ, or take a part of it that bends less</source>
+        <translation>请指定器官的两端，或取其弯曲较缓的一段</translation>
+    </message>
+    <message>
+        <source>the organ is %1 times as wide in one place as in another: all of the twist goes into the narrow part</source>
+        <translation>器官最宽处是最窄处的 %1 倍：扭转全部落在狭窄的部分</translation>
+    </message>
+    <message>
+        <source>Take one part of it, or name the ends of that part</source>
+        <translation>请取其中一部分，或指定该部分的两端</translation>
+    </message>
+    <message>
+        <source>Repair the surface in a mesh editor</source>
+        <translation>请在网格编辑软件中修复表面</translation>
+    </message>
+    <message>
+        <source>twisted by 60 degrees, det F, the local volume ratio, falls to %1</source>
+        <translation>扭转 60 度时，det F（局部体积比）降至 %1</translation>
+    </message>
+    <message>
+        <source>twisted by 60 degrees, the surface crosses itself in %1 {pair|pairs} of triangles</source>
+        <translation>扭转 60 度时，表面有 %1 对三角形相互穿插</translation>
+    </message>
+    <message>
+        <source>the pattern &apos;%1&apos; needs an anatomy that this organ is not known to have</source>
+        <translation>扭转方式“%1”所需的解剖结构，此器官未说明具备</translation>
+    </message>
+    <message>
+        <source>this was done on a mesh of the user&apos;s, which is not given</source>
+        <translation>此记录是在用户自己的网格上进行的，而该网格没有给出</translation>
+    </message>
+    <message>
+        <source>Give the mesh or organ file</source>
+        <translation>请给出该网格或器官文件</translation>
+    </message>
+    <message>
+        <source>Own organ</source>
+        <translation>自备器官</translation>
+    </message>
+    <message>
+        <source>Twist about its own axis the other way, 60 degrees</source>
+        <translation>绕自身轴线反向扭转 60 度</translation>
+    </message>
+    <message>
+        <source>Twist about its own axis, 60 degrees</source>
+        <translation>绕自身轴线扭转 60 度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -24715,6 +24923,10 @@ Leave it empty to remove it.</source>
         <source>Recorded: %1. Replay shows it again</source>
         <translation>已录制：%1。可用“回放”重新观看</translation>
     </message>
+    <message>
+        <source>This organ was accepted with a warning, which stays with every recording: %1</source>
+        <translation>该器官是带警告接受的，警告将随每次记录保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SimulatorWindow</name>
@@ -24789,10 +25001,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Open organ</source>
         <translation>打开器官</translation>
-    </message>
-    <message>
-        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
-        <translation>网格文件 (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -25213,6 +25421,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1 after %2</source>
         <translation>%2 后：%1</translation>
+    </message>
+    <message>
+        <source>Organs and meshes (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
+        <translation>器官和网格 (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
     </message>
 </context>
 <context>

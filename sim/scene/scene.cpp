@@ -7,8 +7,12 @@
 
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
+#include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/organ_file.h"
+#include "sim/scene/organ_import.h"
+#include "sim/scene/organ_judgement.h"
 #include "sim/scene/pattern_axes.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
@@ -37,50 +41,117 @@ std::size_t placeOfPattern(const SceneDescription& scene, const std::string& id)
   return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
 
-/// The scene asked for, or, for a user's mesh, the one that has the pattern.
-SceneDescription describe(const SceneRequest& request) {
-  SceneDescription scene = readSceneFile(request.assets, request.id);
-  if (placeOfPattern(scene, request.pattern) < scene.patterns.size()) {
-    return scene;
+/// An organ of the user's, checked and judged.
+struct UsersOrgan {
+  OrganFile file;
+  MeshRepairs repairs;
+  bool anatomyKnown = false;  ///< an organ file says what it is, or that nothing is known
+};
+
+/// Judges a mesh; its faults are warnings, or the reason to refuse it.
+std::vector<OrganWarning> judged(const OrganFile& organ, const SceneRequest& request) {
+  OrganJudgement judgement = judgeOrgan(organ.mesh, latticeFor(organ.ends));
+  if (!twistsAsAWhole(request.assets, organ.anatomy)) {
+    allowPartialTwist(judgement);
   }
-  std::vector<std::string> known = idsOf(scene);
-  if (request.organFile) {
-    known.clear();
-    for (const std::string& id : sceneIds(request.assets)) {
-      SceneDescription other = readSceneFile(request.assets, id);
-      if (placeOfPattern(other, request.pattern) < other.patterns.size()) {
-        return other;
+  for (OrganFinding& finding : judgement.findings) {
+    if (finding.weight == FindingWeight::kRefusal) {
+      if (!request.tellOnly) {
+        throw refusalOf(finding, request.organFile->string());
       }
-      for (std::string& pattern : idsOf(other)) {
-        known.push_back(std::move(pattern));
-      }
+      finding.weight = FindingWeight::kWarning;
     }
   }
-  throw Error(ErrorCode::kBadParameter,
-              request.organFile ? Text::tr("no scene has a pattern '%1'", request.pattern)
-                                : Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern),
-              "", Text::tr("Choose one of %1.", listed(known)));
+  return warningsAmong(judgement.findings);
 }
 
-/// A mesh of the user's: its ends are found unless they are given.
-void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
+UsersOrgan loadUsersOrgan(const SceneRequest& request) {
+  const fs::path& file = *request.organFile;
   if (request.fixedEnd_m.has_value() != request.freeEnd_m.has_value()) {
     throw Error(ErrorCode::kUsage, Text::tr("one end of the organ is given without the other"), "",
                 Text::tr("Give both ends."));
   }
+  UsersOrgan organ;
+  organ.anatomyKnown = isOrganFile(file);
+  if (organ.anatomyKnown) {
+    organ.file = readOrganFile(file);
+  } else {
+    MeshImportOptions import;
+    import.scale_m = request.organScale_m;
+    requireUnit(import.scale_m, file.string());
+    organ.file.mesh =
+        checkedMesh(readMeshApart(file, import.scale_m).mesh, file.string(), import, &organ.repairs);
+  }
+  const bool endsGiven = request.fixedEnd_m.has_value();
+  if (endsGiven) {
+    organ.file.ends = {request.fixedEnd_m, request.freeEnd_m, request.fixedCut, request.freeCut};
+  }
+  if (request.asRecorded) {
+    organ.file.warnings = request.organWarnings;
+  } else if (endsGiven || !organ.anatomyKnown) {
+    organ.file.warnings = judged(organ.file, request);
+  }
+  return organ;
+}
+
+bool hasPattern(const SceneDescription& scene, const std::string& pattern) {
+  return placeOfPattern(scene, pattern) < scene.patterns.size();
+}
+
+[[noreturn]] void refusePattern(const Text& what, const std::vector<std::string>& known) {
+  throw Error(ErrorCode::kBadParameter, what, "", Text::tr("Choose one of %1.", listed(known)));
+}
+
+/// The scene whose patterns suit an organ of the user's.
+SceneDescription describeOwn(const SceneRequest& request, const UsersOrgan& organ) {
+  const std::string suiting = organ.file.anatomy.empty() ? kOwnOrganScene : organ.file.anatomy;
+  SceneDescription own = readSceneFile(request.assets, suiting);
+  if (hasPattern(own, request.pattern)) {
+    return own;
+  }
+  if (organ.anatomyKnown && !request.asRecorded) {
+    refusePattern(
+        Text::tr("the pattern '%1' needs an anatomy that this organ is not known to have", request.pattern),
+        idsOf(own));
+  }
+  std::vector<std::string> known = idsOf(own);
+  for (const std::string& id : sceneIds(request.assets)) {
+    SceneDescription other = readSceneFile(request.assets, id);
+    if (hasPattern(other, request.pattern)) {
+      return other;
+    }
+    for (std::string& pattern : idsOf(other)) {
+      known.push_back(std::move(pattern));
+    }
+  }
+  refusePattern(Text::tr("no scene has a pattern '%1'", request.pattern), known);
+}
+
+/// The scene asked for.
+SceneDescription describe(const SceneRequest& request) {
+  SceneDescription scene = readSceneFile(request.assets, request.id);
+  if (scene.organ.empty()) {
+    throw Error(ErrorCode::kFileMissing,
+                Text::tr("this was done on a mesh of the user's, which is not given"), "",
+                Text::tr("Give the mesh or organ file"));
+  }
+  if (!hasPattern(scene, request.pattern)) {
+    refusePattern(Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern), idsOf(scene));
+  }
+  return scene;
+}
+
+/// An organ of the user's: its ends are found unless they are given.
+void replaceOrgan(SceneDescription& scene, const SceneRequest& request, const UsersOrgan& organ) {
   scene.organ = *request.organFile;
   scene.organUnit_m = request.organScale_m;
   scene.title = scene.organ.filename().string();
   scene.provenance = "the user's mesh " + scene.organ.filename().string();
-  LatticeOptions lattice;
+  LatticeOptions lattice = latticeFor(organ.file.ends);
   lattice.ridges = scene.lattice.ridges;
   lattice.sections = scene.lattice.sections;
-  lattice.mode = LatticeMode::kAutomatic;
-  if (request.fixedEnd_m) {
-    lattice.fixedEnd_m = *request.fixedEnd_m;
-    lattice.freeEnd_m = *request.freeEnd_m;
-  }
   scene.lattice = lattice;
+  scene.organWarnings = organ.file.warnings;
   for (Restraint& restraint : scene.restraints) {
     restraint.point_m.reset();  // landmarks of the shipped organ
     restraint.anchor_m.reset();
@@ -88,9 +159,6 @@ void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
 }
 
 void applyWishes(SceneDescription& scene, const SceneRequest& request) {
-  if (request.organFile) {
-    replaceOrgan(scene, request);
-  }
   if (request.ridges) {
     scene.lattice.ridges = *request.ridges;
   }
@@ -157,13 +225,20 @@ std::vector<std::string> patternIds(const fs::path& assets, const std::string& i
 }
 
 Scene loadScene(const SceneRequest& request) {
-  SceneDescription description = describe(request);
+  SceneDescription description;
+  UsersOrgan own;
+  if (request.organFile) {
+    own = loadUsersOrgan(request);
+    description = describeOwn(request, own);
+    replaceOrgan(description, request, own);
+  } else {
+    description = describe(request);
+    MeshImportOptions import;
+    import.scale_m = description.organUnit_m;
+    own.file.mesh = importMesh(description.organ, import, &own.repairs);
+  }
   applyWishes(description, request);
-
-  MeshImportOptions import;
-  import.scale_m = description.organUnit_m;
-  MeshRepairs repairs;
-  TriangleMesh mesh = importMesh(description.organ, import, &repairs);
+  TriangleMesh mesh = std::move(own.file.mesh);
   const SectionLattice lattice(mesh, description.lattice);
   std::vector<TwistPattern> patterns;
   for (const PatternDescription& pattern : description.patterns) {
@@ -197,11 +272,25 @@ Scene loadScene(const SceneRequest& request) {
   }
   std::string organHash = contentHash(mesh);
   TwistPattern chosen = pattern;
-  return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
-               digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
-               std::move(model), description.instrument, std::move(chosen),      std::move(patterns),
-               repairs,          std::move(rod),         description.model,      request.tissue,
-               std::move(hollow)};
+  return Scene{description.id,
+               description.title,
+               description.provenance,
+               std::move(organHash),
+               digest.hex(),
+               std::move(parameters),
+               std::move(mesh),
+               std::move(collision),
+               std::move(model),
+               description.instrument,
+               std::move(chosen),
+               std::move(patterns),
+               own.repairs,
+               std::move(rod),
+               description.model,
+               request.tissue,
+               std::move(hollow),
+               description.organWarnings,
+               own.file.wall_m};
 }
 
 }  // namespace torsio

@@ -15,6 +15,7 @@
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/scene/model_choice.h"
+#include "sim/scene/organ_finding.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/turn_task.h"
 #include "sim/tissue/twist/twist_model.h"
@@ -51,14 +52,22 @@ struct TwistPattern {
   std::shared_ptr<const Detorsion> detorsion{};
 };
 
+/// Id of the scene of a user's organ of which nothing is known but its surface: twists about its own axis
+/// only. Not among sceneIds(): it has no organ of its own.
+inline constexpr const char* kOwnOrganScene = "own-organ";
+
 /// Request for a scene: a scene file of assets/scenes, possibly with another organ.
 struct SceneRequest {
-  std::filesystem::path assets;                    ///< the assets folder
-  std::string id = "forearm";                      ///< assets/scenes/<id>.json
-  std::optional<std::filesystem::path> organFile;  ///< the user's mesh instead (--organ FILE)
-  double organScale_m = 0.001;                     ///< one file unit of organFile in metres
-  /// Id of the pattern; empty: the first of the scene. With organFile it may be a pattern of any scene,
-  /// which then is the scene.
+  std::filesystem::path assets;  ///< the assets folder
+  std::string id = "forearm";    ///< assets/scenes/<id>.json
+  /// The user's organ instead (--organ FILE): an organ file (organ_file.h), or a mesh, which is judged
+  /// (organ_judgement.h).
+  std::optional<std::filesystem::path> organFile;
+  double organScale_m = 0.001;  ///< one file unit of organFile in metres
+  /// Id of the pattern; empty: the first of the scene. With organFile and none the scene is that of the
+  /// organ's anatomy, else kOwnOrganScene. A mesh may be given a pattern of any scene, which then is the
+  /// scene: who asks for it says that its anatomy is there. An organ file has the patterns of its anatomy
+  /// only.
   std::string pattern;
   std::optional<Formulation> formulation;
   std::optional<int> ridges;
@@ -68,6 +77,11 @@ struct SceneRequest {
   bool noRod = false;              ///< leave every organ to the twist model, also where a pattern has a task
   std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
   std::optional<Vec3> freeEnd_m;
+  Vec3 fixedCut;  ///< of organFile, as LatticeOptions::fixedCut
+  Vec3 freeCut;
+  bool tellOnly = false;    ///< take a mesh of the user's that is refused, its faults as warnings
+  bool asRecorded = false;  ///< of a recording: the organ is taken as it was then, with organWarnings
+  std::vector<OrganWarning> organWarnings;  ///< with asRecorded
   ModelChoice model;  ///< of an engineer, in place of the scene's own: no scene to record
   /// The model that answers the hand. One that runs beside the servo knows no tasks of a curved organ: it
   /// twists the organ about its own axis.
@@ -99,6 +113,8 @@ struct Scene {
   /// The organ with its wall, twisted at the start, for a pattern that is to be undone; null: one that is to
   /// be twisted.
   std::shared_ptr<const HollowOrgan> hollow{};
+  std::vector<OrganWarning> organWarnings{};  ///< with which a user's organ was accepted
+  std::optional<double> wall_m{};             ///< of a user's organ file that says it
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 
@@ -136,6 +152,10 @@ struct Scene {
 /// Returns the request that rebuilds the model of a recorded trial from its TrialHeader::parametersJson;
 /// the caller adds assets, scene id and, if it was a user's mesh, the organ file. Throws Error{kBadData}.
 [[nodiscard]] SceneRequest sceneRequestFor(const std::string& parametersJson);
+
+/// Returns the warnings with which the organ of a recorded trial was accepted; none where the parameters
+/// cannot be read.
+[[nodiscard]] std::vector<OrganWarning> recordedOrganWarnings(const std::string& parametersJson);
 
 /// Loads a scene, checks it and builds its model; takes as long as the organ's lattice and sections. A
 /// user's mesh is cut by planes when it is a straight bar, else by its harmonic field between ends that are

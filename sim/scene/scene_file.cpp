@@ -310,19 +310,22 @@ std::vector<Material> readMaterials(const fs::path& assets) {
 }
 
 SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
+  const bool own = id == kOwnOrganScene;
   const std::vector<std::string> known = sceneIds(assets);
-  if (std::find(known.begin(), known.end(), id) == known.end()) {
+  if (!own && std::find(known.begin(), known.end(), id) == known.end()) {
     throw Error(ErrorCode::kFileMissing, Text::tr("no scene is called '%1'", id),
                 (assets / "scenes").string(), Text::tr("Choose one of %1.", listed(known)));
   }
-  const fs::path file = assets / "scenes" / (id + ".json");
+  const fs::path file = assets / "scenes" / (own ? "own" : "") / (id + ".json");
   const nlohmann::json json = readJson(file);
   JsonFields fields(json, file.string());
   SceneDescription scene;
   scene.id = id;
   scene.title = fields.text("title");
   scene.provenance = fields.text("provenance");
-  scene.organ = assets / fields.text("organ");
+  if (!own) {
+    scene.organ = assets / fields.text("organ");
+  }
   scene.organUnit_m = lengthUnit_m(fields.text("organ_unit", "mm"));
   scene.lattice = readLattice(fields);
   scene.material = findMaterial(assets, fields.text("material"), ErrorCode::kBadData, file.string());

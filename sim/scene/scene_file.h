@@ -39,11 +39,12 @@ struct SceneDescription {
   Instrument instrument;
   std::vector<Restraint> restraints;         ///< of the organ where a pattern has a task
   std::vector<PatternDescription> patterns;  ///< at least one, ids all different
+  std::vector<OrganWarning> organWarnings;   ///< of a user's organ
 };
 
-/// Reads the scene file with this id. Throws Error{kFileMissing} naming the known scenes, {kBadData} naming
-/// file and field: malformed JSON, unknown, missing or wrong field, unknown material or instrument, number
-/// out of range.
+/// Reads the scene file with this id; that of kOwnOrganScene names no organ. Throws Error{kFileMissing}
+/// naming the known scenes, {kBadData} naming file and field: malformed JSON, unknown, missing or wrong
+/// field, unknown material or instrument, number out of range.
 [[nodiscard]] SceneDescription readSceneFile(const std::filesystem::path& assets, const std::string& id);
 
 /// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/foreign_recording.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/organ_warnings_json.h"
 
 namespace torsio {
 
@@ -227,6 +228,10 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
   json["sections"] = scene.lattice.sections;
   json["organ"] = usersOrgan ? "file" : "scene";
   json["organ_unit_m"] = scene.organUnit_m;
+  if (!scene.organWarnings
+           .empty()) {  // of none nothing is said, so that the hashes of older trials stay true
+    json["organ_warnings"] = warningsJson(scene.organWarnings);
+  }
   json["lattice"] = toJson(scene.lattice);
   json["material"] = {{"id", scene.material.id}, {"shear_modulus_pa", scene.material.shearModulus_Pa}};
   if (scene.model.any()) {
@@ -280,6 +285,12 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
     request.latticeMode = modeOf(lattice.at("mode").get<std::string>());
     if (json.at("organ") == "file") {
       request.organScale_m = json.at("organ_unit_m").get<double>();
+      request.asRecorded = true;
+      if (json.contains("organ_warnings")) {
+        request.organWarnings = warningsOf(json.at("organ_warnings"));
+      }
+      request.fixedCut = vectorOf(lattice.at("fixed_cut"));
+      request.freeCut = vectorOf(lattice.at("free_cut"));
       const Vec3 fixedEnd = vectorOf(lattice.at("fixed_end_m"));
       const Vec3 freeEnd = vectorOf(lattice.at("free_end_m"));
       if (fixedEnd != freeEnd) {
@@ -291,6 +302,14 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
   } catch (const std::exception&) {
     throw Error(ErrorCode::kBadData, Text::tr("the stored model parameters cannot be read"), Text::tr("run"),
                 Text::tr("Check the database."));
+  }
+}
+
+std::vector<OrganWarning> recordedOrganWarnings(const std::string& parametersJson) {
+  try {
+    return sceneRequestFor(parametersJson).organWarnings;
+  } catch (const Error&) {
+    return {};  // of a later version: the recording counts all the same
   }
 }
 

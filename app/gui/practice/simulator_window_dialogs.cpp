@@ -16,6 +16,7 @@
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/file_choice.h"
 #include "sim/base/error.h"
+#include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
 
@@ -29,8 +30,17 @@ QString localTime(std::int64_t utc_us) {
 
 void SimulatorWindow::chooseOrganFile() {
   const QString file = askFileToOpen(
-      this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+      this, tr("Open organ"),
+      tr("Organs and meshes (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
   if (file.isEmpty()) {
+    return;
+  }
+  SceneRequest request = controller_->request();
+  request.organFile = toPath(file);
+  request.pattern.clear();  // those of its own anatomy, not of the organ before
+  if (isOrganFile(*request.organFile)) {
+    request.organScale_m = 0.001;  // it says its unit itself
+    controller_->load(request);
     return;
   }
   const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
@@ -41,8 +51,6 @@ void SimulatorWindow::chooseOrganFile() {
   if (!chosen) {
     return;
   }
-  SceneRequest request = controller_->request();
-  request.organFile = toPath(file);
   request.organScale_m = scales_m[units.indexOf(unit)];
   controller_->load(request);
 }

@@ -176,7 +176,19 @@ void SimulationController::replace(const SceneRequest& request, LoadedScene load
   }
   Q_EMIT sceneChanged();
   Q_EMIT modeChanged();
+  tellWarnings();
   openHaptic();
+}
+
+void SimulationController::tellWarnings() {
+  QStringList sentences;
+  for (const OrganWarning& warning : loaded_.scene->organWarnings) {
+    sentences << toQString(coded(warning));
+  }
+  if (!sentences.isEmpty()) {
+    Q_EMIT noticed(tr("This organ was accepted with a warning, which stays with every recording: %1")
+                       .arg(sentences.join(QStringLiteral("; "))));
+  }
 }
 
 void SimulationController::enter(SimulationStage next) {
@@ -462,6 +474,8 @@ void SimulationController::openReplay(const Trial& trial) {
   if (scene() != nullptr && scene()->organHash == trial.header.organHash) {
     request.organFile = request_.organFile;
     request.organScale_m = request_.organScale_m;
+    request.asRecorded = true;
+    request.organWarnings = recordedOrganWarnings(trial.header.parametersJson);
   }
   loadFor(request, std::make_shared<const Trial>(trial));
 }

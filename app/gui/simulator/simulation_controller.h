@@ -153,6 +153,7 @@ class SimulationController : public QObject {
   void practise(std::unique_ptr<HapticDevice> device);
   [[nodiscard]] std::optional<RecordingResult> finishRun(TrialOutcome outcome);
   void openHaptic();
+  void tellWarnings();
   void tookHaptic(std::unique_ptr<HapticDevice> device, const QString& problem);
   [[nodiscard]] std::unique_ptr<HapticDevice> takeHaptic();
   void retireHaptic(std::unique_ptr<HapticDevice> device);

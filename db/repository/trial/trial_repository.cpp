@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
@@ -345,6 +347,13 @@ Trial TrialLoader::load(const TrialId& trialId) {
     trial.summary.samples += chunk.samples;
   }
   return trial;
+}
+
+std::vector<std::string> TrialRepository::warnedParameters(const CohortId& cohortId) const {
+  return selectAll(connection_,
+                   "SELECT DISTINCT t.parameters_json FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
+                   " WHERE e.cohort_id = ? AND t.parameters_json LIKE '%\"organ_warnings\"%' ORDER BY 1",
+                   {cohortId}, [](RowReader& row) { return std::string(row.text()); });
 }
 
 std::vector<TrialListing> TrialRepository::unfinished(const std::string& station) const {

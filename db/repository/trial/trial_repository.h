@@ -44,6 +44,9 @@ class TrialRepository final : public TrialSink {
   /// content hash, with the outcome kInterrupted. Throws Error (kBadData) when there is no such trial.
   [[nodiscard]] Trial load(const TrialId& trialId) const;
 
+  /// Parameters of the models of a cohort's trials whose organ was accepted with a warning, each once.
+  [[nodiscard]] std::vector<std::string> warnedParameters(const CohortId& cohortId) const;
+
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
   [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station) const;
   /// Closes those of `station` that have shown no sign of life after `quietSinceUtc_us` (another window of

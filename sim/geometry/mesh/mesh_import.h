@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "sim/geometry/mesh/mesh_repair.h"
@@ -21,6 +22,14 @@ struct MeshImportOptions {
 /// {kBadParameter} for the scale, {kBadMesh} for a mesh that breaks a rule (M01..M19).
 [[nodiscard]] TriangleMesh importMesh(const std::filesystem::path& file,
                                       const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);
+
+/// Welds, checks and repairs a surface in metres that was read from a file; `where` names it. Throws
+/// Error{kBadMesh} as importMesh.
+[[nodiscard]] TriangleMesh checkedMesh(TriangleMesh mesh, const std::string& where,
+                                       const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);
+
+/// Checks that a file unit is one. Throws Error{kBadParameter}.
+void requireUnit(double scale_m, const std::string& where);
 
 /// Returns the metres in one "m", "cm", "mm" or "um" (the values of --organ-unit). Throws
 /// Error{kBadParameter}.

@@ -209,14 +209,10 @@ void keepComponents(TriangleMesh& mesh, const std::vector<std::uint32_t>& compon
   mesh.triangles = std::move(kept);
 }
 
-void plural(std::string& text, std::size_t count, const char* one, const char* many) {
-  if (count == 0) {
-    return;
+void plural(std::vector<std::string>& lines, std::size_t count, const char* one, const char* many) {
+  if (count > 0) {
+    lines.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
   }
-  if (!text.empty()) {
-    text += ", ";
-  }
-  text += std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace
@@ -228,18 +224,26 @@ bool MeshRepairs::any() const noexcept {
          insideOut;
 }
 
+std::vector<std::string> MeshRepairs::lines() const {
+  std::vector<std::string> all;
+  plural(all, weldedVertices, "vertex welded", "vertices welded");
+  plural(all, degenerateFaces, "face without area removed", "faces without area removed");
+  plural(all, duplicateFaces, "repeated face removed", "repeated faces removed");
+  plural(all, turnedFaces, "face turned", "faces turned");
+  if (insideOut) {
+    all.emplace_back("turned inside out");
+  }
+  plural(all, droppedComponents, "small piece dropped", "small pieces dropped");
+  plural(all, droppedShells, "inner shell dropped", "inner shells dropped");
+  plural(all, unusedVertices, "unused vertex dropped", "unused vertices dropped");
+  return all;
+}
+
 std::string MeshRepairs::text() const {
   std::string text;
-  plural(text, weldedVertices, "vertex welded", "vertices welded");
-  plural(text, degenerateFaces, "face without area removed", "faces without area removed");
-  plural(text, duplicateFaces, "repeated face removed", "repeated faces removed");
-  plural(text, turnedFaces, "face turned", "faces turned");
-  if (insideOut) {
-    text += text.empty() ? "turned inside out" : ", turned inside out";
+  for (const std::string& line : lines()) {
+    text += (text.empty() ? "" : ", ") + line;
   }
-  plural(text, droppedComponents, "small piece dropped", "small pieces dropped");
-  plural(text, droppedShells, "inner shell dropped", "inner shells dropped");
-  plural(text, unusedVertices, "unused vertex dropped", "unused vertices dropped");
   return text;
 }
 

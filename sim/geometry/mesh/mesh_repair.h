@@ -22,6 +22,8 @@ struct MeshRepairs {
   std::size_t unusedVertices = 0;
 
   [[nodiscard]] bool any() const noexcept;
+  /// Describes the repairs, one of a kind a line: "2 faces turned".
+  [[nodiscard]] std::vector<std::string> lines() const;
   /// Describes the repairs in one line, empty when nothing was repaired.
   [[nodiscard]] std::string text() const;
 };

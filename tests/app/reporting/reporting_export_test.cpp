@@ -392,7 +392,8 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
 }
 
 /// A recording of one twist that was let go after `ticks` hundredths of a radian.
-void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks) {
+void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks,
+            const std::string& parameters = "{}") {
   std::vector<Sample> samples(300);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].tick = static_cast<std::int64_t>(i);
@@ -409,7 +410,7 @@ void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks) {
   header.sceneId = "forearm";
   header.patternId = "pronation";
   header.phaseLabel = "virtual";
-  header.parametersJson = "{}";
+  header.parametersJson = parameters;
   header.targetAngle_rad = 1.0;
   header.startedUtc_us = testing::kStudyTime_us;
   TrialRepository trials(study.centre.connection(), {.station = "room 1", .enrolmentId = enrolment.id});
@@ -429,6 +430,28 @@ std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& atte
     out.emplace_back(attempt.error_deg, attempt.onTarget);
   }
   return out;
+}
+
+TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
+  SmallStudy study;
+  const std::string parameters =
+      R"({"formulation":"saint-venant","ridges":36,"sections":25,"organ":"file","organ_unit_m":0.001,)"
+      R"("organ_warnings":[{"code":"M20","text":"the organ is %1 times as long as wide","arguments":["1.9"]}],)"
+      R"("lattice":{"mode":"automatic","fixed_end_m":[0,0,0],"free_end_m":[0,0,0],"fixed_cut":[0,0,0],)"
+      R"("free_cut":[0,0,0]},"material":{"id":"any"},"pattern":{"id":"own-axis"}})";
+  record(study, "first", 100, parameters);
+  record(study, "second", 100, parameters);
+  record(study, "third", 100);
+
+  const CohortInputs inputs = reportInputs(study.centre.as("statistician"), study.request, study.digests);
+
+  std::vector<std::string> told;
+  for (const auto& [name, value] : inputs.provenance) {
+    if (name == Text::verbatim("Warning about the organ of a trial")) {
+      told.push_back(value.str());
+    }
+  }
+  EXPECT_THAT(told, ::testing::ElementsAre("M20 the organ is 1.9 times as long as wide"));
 }
 
 TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {

@@ -353,7 +353,7 @@ TEST(UsersOrgan, ReplacesTheSceneAndIsCutByPlanesWhenItIsABar) {
   // Wavefront text keeps the micrometre's tenth.
   EXPECT_NEAR(scene.lattice().length_m(), 0.2, 1e-6);
   EXPECT_THAT(scene.provenance, HasSubstr("bar.obj"));
-  EXPECT_EQ(scene.pattern.id, "pronation");
+  EXPECT_EQ(scene.pattern.id, "own-axis");
   EXPECT_THAT(scene.parametersJson, HasSubstr(R"("organ":"file")"));
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_reader.h"
+
+namespace torsio {
+
+/// File number under which the reading process finds the memory for its answer.
+inline constexpr int kMeshAnswerFile = 3;
+/// Most bytes of an answer: two million triangles with corners of their own.
+inline constexpr std::uint64_t kMostAnswerBytes = 600'000'000;
+
+/// Writes a surface, or a refusal, as bytes for a process of the same build on this machine.
+[[nodiscard]] std::string mailOf(const RawMesh& mesh);
+[[nodiscard]] std::string mailOf(const Error& refusal);
+
+/// Reads a surface back; throws the Error that was written in place of one. Sizes are checked; bytes that are
+/// neither throw Error{kFileUnreadable} at `where`.
+[[nodiscard]] RawMesh meshOfMail(std::span<const char> bytes, const std::string& where);
+
+}  // namespace torsio

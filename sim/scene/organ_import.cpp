@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/organ_import.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/short_number.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_holes.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_file.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kThinnestWall_m = 1e-4;
+constexpr double kThickestWall_m = 0.05;
+
+/// Volumes of organs of living people, generously; docs/organs.md names the sources.
+struct UsualVolume {
+  std::string_view anatomy;
+  double least_ml;
+  double most_ml;
+};
+constexpr std::array<UsualVolume, 7> kUsualVolumes{{{"forearm", 500.0, 8000.0},
+                                                    {"stomach", 100.0, 3000.0},
+                                                    {"gastric-organo-axial", 100.0, 3000.0},
+                                                    {"gastric-mesentero-axial", 100.0, 3000.0},
+                                                    {"testis", 3.0, 100.0},
+                                                    {"sigmoid", 50.0, 8000.0},
+                                                    {"midgut", 20.0, 5000.0}}};
+
+void checkImportRequest(const OrganImportRequest& request) {
+  requireUnit(request.scale_m, request.file.string());
+  if (request.ends.fixedEnd_m.has_value() != request.ends.freeEnd_m.has_value()) {
+    throw Error(ErrorCode::kUsage, Text::tr("one end of the organ is given without the other"), "",
+                Text::tr("Give both ends."));
+  }
+  if (request.wall_m && !(*request.wall_m >= kThinnestWall_m && *request.wall_m <= kThickestWall_m)) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the wall must be 0.1 to 50 mm thick"),
+                request.file.string(), Text::tr("Give its thickness in millimetres"));
+  }
+  const std::vector<std::string> scenes = sceneIds(request.assets);
+  if (!request.anatomy.empty() && std::find(scenes.begin(), scenes.end(), request.anatomy) == scenes.end()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("no scene is called '%1'", request.anatomy), "",
+                Text::tr("Choose one of %1.", listed(scenes)));
+  }
+}
+
+OrganFinding note(const char* code, Text what) {
+  return {code, FindingWeight::kNote, std::move(what), "", std::nullopt, ""};
+}
+
+void addRepairs(const MeshRepairs& done, std::vector<OrganFinding>& findings) {
+  const auto add = [&findings](const char* code, std::size_t count, Text what) {
+    if (count > 0) {
+      OrganFinding finding = note(code, std::move(what));
+      finding.value = static_cast<double>(count);
+      findings.push_back(std::move(finding));
+    }
+  };
+  add("M10", done.degenerateFaces + done.duplicateFaces,
+      Text::tr("%1 doubled or flat {face|faces} removed",
+               std::to_string(done.degenerateFaces + done.duplicateFaces)));
+  add("M13", done.turnedFaces,
+      Text::tr("%1 {face|faces} turned that faced the wrong way", std::to_string(done.turnedFaces)));
+  add("M13", done.insideOut ? 1 : 0, Text::tr("the surface was inside out and was turned"));
+  add("M14", done.droppedComponents,
+      Text::tr("%1 small separate {piece|pieces} left out", std::to_string(done.droppedComponents)));
+  add("M15", done.droppedShells,
+      Text::tr("%1 inner {shell|shells} left out", std::to_string(done.droppedShells)));
+  // An inner wall says something of the organ: whoever reads its numbers has to know that it is gone.
+  for (OrganFinding& finding : findings) {
+    if (finding.code == "M15") {
+      finding.weight = FindingWeight::kWarning;
+      finding.remedy = Text::tr("Give the thickness of the wall instead");
+    }
+  }
+}
+
+void addIgnored(const MeshExtras& ignored, std::vector<OrganFinding>& findings) {
+  const std::size_t all = ignored.textures + ignored.bones + ignored.animations;
+  if (all == 0) {
+    return;
+  }
+  OrganFinding finding = note("M21", Text::tr("left out: %1 {texture|textures}, %2 bones, %3 animations",
+                                              std::to_string(ignored.textures), std::to_string(ignored.bones),
+                                              std::to_string(ignored.animations)));
+  finding.value = static_cast<double>(all);
+  findings.push_back(std::move(finding));
+}
+
+/// Closes holes where that was asked for: small ones are told, large ones warned of.
+void mendHoles(const OrganImportRequest& request, TriangleMesh& mesh, std::vector<OrganFinding>& findings) {
+  constexpr double kSmallHole = 0.05;  // of the largest side
+  if (!request.closeHoles) {
+    return;
+  }
+  requireSound(mesh, request.file.string());
+  const double side_m = checkMesh(mesh).largestSide_m();
+  MeshRepairs ignored;
+  weldVertices(mesh, 1e-6 * side_m, ignored);  // as checkedMesh does
+  const ClosedHoles closed = closeHoles(mesh);
+  if (closed.count == 0) {
+    return;
+  }
+  OrganFinding finding =
+      note("M11", Text::tr("%1 {hole|holes} closed, the largest %2 mm across", std::to_string(closed.count),
+                           shortNumber(1000.0 * closed.widest_m)));
+  finding.value = static_cast<double>(closed.count);
+  if (closed.widest_m > kSmallHole * side_m) {
+    finding.weight = FindingWeight::kWarning;
+    finding.remedy = Text::tr("Look whether the organ ends there, or close it in a mesh editor");
+  }
+  findings.push_back(std::move(finding));
+}
+
+/// A volume that no such organ has: most often a wrong unit.
+void addVolume(const OrganImportRequest& request, double volume_ml, std::vector<OrganFinding>& findings) {
+  for (const UsualVolume& usual : kUsualVolumes) {
+    if (usual.anatomy != request.anatomy || (volume_ml >= usual.least_ml && volume_ml <= usual.most_ml)) {
+      continue;
+    }
+    findings.push_back(
+        {"M09", FindingWeight::kRefusal,
+         Text::tr("the organ holds %1 ml; such an organ holds %2 to %3 ml", shortNumber(volume_ml),
+                  shortNumber(usual.least_ml), shortNumber(usual.most_ml)),
+         request.file.filename().string(), volume_ml,
+         Text::tr("Check the unit of the file, and which organ it is")});
+  }
+}
+
+void sortFindings(std::vector<OrganFinding>& findings) {
+  std::stable_sort(findings.begin(), findings.end(), [](const OrganFinding& a, const OrganFinding& b) {
+    return static_cast<int>(a.weight) > static_cast<int>(b.weight);
+  });
+}
+
+void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& import) {
+  MeshImportOptions options;
+  options.scale_m = request.scale_m;
+  mendHoles(request, raw.mesh, import.findings);
+  import.organ.mesh = checkedMesh(std::move(raw.mesh), request.file.string(), options, &import.repairs);
+  import.volume_ml = 1e6 * signedVolume_m3(import.organ.mesh);
+  addRepairs(import.repairs, import.findings);
+  addIgnored(raw.ignored, import.findings);
+  addVolume(request, *import.volume_ml, import.findings);
+  OrganJudgement judgement = judgeOrgan(import.organ.mesh, latticeFor(request.ends));
+  if (!twistsAsAWhole(request.assets, request.anatomy)) {
+    allowPartialTwist(judgement);
+  }
+  import.measures = judgement.measures;
+  if (judgement.measures.length_m > 0.0) {
+    import.leastDeterminant60 = judgement.measures.leastDeterminant60;
+  }
+  for (OrganFinding& finding : judgement.findings) {
+    import.findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+bool twistsAsAWhole(const std::filesystem::path& assets, const std::string& anatomy) {
+  if (anatomy.empty()) {
+    return true;
+  }
+  const SceneDescription scene = readSceneFile(assets, anatomy);
+  return std::any_of(scene.patterns.begin(), scene.patterns.end(),
+                     [](const PatternDescription& one) { return one.pattern.detorsion == nullptr; });
+}
+
+void allowPartialTwist(OrganJudgement& judgement) {
+  if (judgement.shapeless()) {
+    return;
+  }
+  for (OrganFinding& finding : judgement.findings) {
+    if (finding.weight == FindingWeight::kRefusal && finding.code >= "M22") {
+      finding.weight = FindingWeight::kWarning;
+    }
+  }
+}
+
+LatticeOptions latticeFor(const OrganEnds& ends) {
+  LatticeOptions lattice;
+  lattice.mode = LatticeMode::kAutomatic;
+  if (ends.fixedEnd_m && ends.freeEnd_m) {
+    lattice.fixedEnd_m = *ends.fixedEnd_m;
+    lattice.freeEnd_m = *ends.freeEnd_m;
+  }
+  lattice.fixedCut = ends.fixedCut;
+  lattice.freeCut = ends.freeCut;
+  return lattice;
+}
+
+std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& findings) {
+  std::vector<OrganWarning> warnings;
+  for (const OrganFinding& finding : findings) {
+    if (finding.weight == FindingWeight::kWarning) {
+      warnings.push_back({finding.code, finding.what});
+    }
+  }
+  return warnings;
+}
+
+OrganImport importOrgan(const OrganImportRequest& request) {
+  checkImportRequest(request);
+  OrganImport import;
+  try {
+    judgeMesh(request, readMeshApart(request.file, request.scale_m, request.reading), import);
+  } catch (const Error& refusal) {
+    const bool aboutTheMesh =
+        refusal.code() == ErrorCode::kBadMesh || refusal.code() == ErrorCode::kFileUnreadable;
+    if (!aboutTheMesh) {
+      throw;
+    }
+    import.findings.push_back(findingOf(refusal));
+  }
+  sortFindings(import.findings);
+  import.accepted = import.findings.empty() || import.findings.front().weight != FindingWeight::kRefusal;
+  import.organ.ends = request.ends;
+  import.organ.anatomy = request.anatomy;
+  import.organ.wall_m = request.wall_m;
+  import.organ.source = request.file.filename().string();
+  import.organ.warnings = warningsAmong(import.findings);
+  return import;
+}
+
+}  // namespace torsio

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/geometry/apart/mesh_process.h"
+#include "sim/geometry/mesh/mesh_repair.h"
+#include "sim/scene/organ_file.h"
+#include "sim/scene/organ_judgement.h"
+
+namespace torsio {
+
+/// What is known of a mesh that is to become an organ.
+struct OrganImportRequest {
+  std::filesystem::path assets;  ///< the assets folder, for the names of anatomies
+  std::filesystem::path file;
+  double scale_m = 0.001;        ///< one file unit in metres
+  OrganEnds ends;                ///< in metres
+  std::string anatomy;           ///< id of a scene; empty: not known
+  std::optional<double> wall_m;  ///< 0.1 to 50 mm
+  bool closeHoles = false;       ///< close gaps and the ends of an open tube; told, and warned of when large
+  MeshReadLimits reading;
+};
+
+/// What became of it.
+struct OrganImport {
+  bool accepted = false;
+  OrganFile organ;                     ///< complete when accepted
+  std::vector<OrganFinding> findings;  ///< refusals first, then warnings, then notes
+  MeshRepairs repairs;
+  OrganMeasures measures;
+  std::optional<double> volume_ml;           ///< none: the surface encloses nothing
+  std::optional<double> leastDeterminant60;  ///< none: it was not twisted
+};
+
+/// Reads a mesh file in a process of its own, welds, checks, repairs and judges it. A mesh that is refused is
+/// no error: the findings say why. Throws Error{kFileMissing} for a file that is not there,
+/// {kBadParameter} for a request out of range or an anatomy that no scene has.
+[[nodiscard]] OrganImport importOrgan(const OrganImportRequest& request);
+
+/// Returns the warnings among findings, as a scene and a recording keep them.
+[[nodiscard]] std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& findings);
+
+/// Tells whether the patterns of a scene twist an organ along its whole length, as it is judged: not where it
+/// came twisted in parts of it. Of no scene: true.
+[[nodiscard]] bool twistsAsAWhole(const std::filesystem::path& assets, const std::string& anatomy);
+
+/// Makes warnings of the refusals about a twist along the whole length.
+void allowPartialTwist(OrganJudgement& judgement);
+
+/// Returns the lattice's options for an organ with these ends.
+[[nodiscard]] LatticeOptions latticeFor(const OrganEnds& ends);
+
+}  // namespace torsio

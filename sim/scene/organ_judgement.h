@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/scene/organ_finding.h"
+
+namespace torsio {
+
+/// Most triangles of the surface that is measured and twisted: the time of a lattice grows faster than its
+/// mesh.
+inline constexpr std::size_t kJudgedTriangles = 100'000;
+
+/// Limits of what the lattice of ridges and sections can describe; docs/organs.md says what organs measure.
+struct OrganLimits {
+  double leastElongation = 1.8;     ///< length over largest mean width; below: refused
+  double usualElongation = 2.2;     ///< below: a warning
+  double mostFlatness = 4.0;        ///< long over short side of the sections; above: refused
+  double usualFlatness = 2.5;       ///< above: a warning
+  double mostOverlap = 0.02;        ///< share of the organ where sections run into each other; above: refused
+  double mostBranch = 0.12;         ///< share of the surface that stands off its section; above: refused
+  double usualBranch = 0.03;        ///< above: a warning
+  double mostBeyond = 0.45;         ///< share of the surface beyond ends that are not cut; above: refused
+  double usualBeyond = 0.2;         ///< above: a warning
+  double mostWidthRatio = 4.0;      ///< widest over narrowest section of the middle four fifths; refused
+  double usualWidthRatio = 3.0;     ///< above: a warning
+  double leastDeterminant = 0.2;    ///< of det F at 60 degrees either way; below: a warning
+  double foldedDeterminant = 0.0;   ///< below: tissue would turn inside out; refused
+  double mostCrossingShare = 1e-3;  ///< of the triangles that cross others, at rest or turned; refused
+};
+
+/// Measures of an organ as the lattice sees it.
+struct OrganMeasures {
+  double length_m = 0.0;
+  double widest_m = 0.0;            ///< diameter of the round section of the same area
+  double elongation = 0.0;          ///< length over widest
+  double flatness = 1.0;            ///< long over short side, median over the sections
+  double overlap = 0.0;             ///< share of the places on the sections that run into the next one
+  double branch = 0.0;              ///< share of the surface farther off its section than its radius
+  double beyond = 0.0;              ///< share of the surface beyond ends that are not cut
+  double widthRatio = 1.0;          ///< widest over narrowest, middle four fifths
+  double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
+  std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
+  std::size_t crossingsAtRest = 0;
+};
+
+/// What the lattice makes of an organ.
+struct OrganJudgement {
+  OrganMeasures measures;              ///< zero where there is no lattice
+  std::vector<OrganFinding> findings;  ///< in the order of the codes; none: a good organ
+  /// Tells whether the organ has no lattice at all.
+  [[nodiscard]] bool shapeless() const noexcept { return measures.length_m == 0.0; }
+};
+
+/// Judges an organ before it is accepted: builds its lattice, measures it and twists it by 60 degrees either
+/// way about its own axis, its free end gripped. A surface of more than kJudgedTriangles is thinned to so
+/// many for that. `whole`: of requireOrgan. A mesh without a lattice is refused with what the lattice says.
+/// Some seconds for a million triangles.
+[[nodiscard]] OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
+                                        const OrganLimits& limits = {});
+
+}  // namespace torsio

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes of a user's own through the program itself: what becomes an organ and what follows it.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_export.h"
+#include "tests/app/cli/program.h"
+#include "tests/support/procedural_mesh.h"
+
+namespace torsio::test {
+namespace {
+
+nlohmann::json importOf(const std::string& words, const std::filesystem::path& folder, int code) {
+  const ProgramRun run = runTorsio("organ import --json " + words, folder);
+  EXPECT_EQ(run.code, code) << run.err;
+  return nlohmann::json::parse(run.out, nullptr, false);
+}
+
+TEST(OrganCommand, RefusesABallWithReasonsAndWritesNothing) {
+  const auto folder = emptyFolder("organ-ball");
+  const auto mesh = folder / "ball.ply";
+  writePly(mesh, testing::capsule(0.05, 0.005, 48, 8));
+  const auto organ = folder / "ball.organ";
+
+  const auto import = importOf(mesh.string() + " --out " + organ.string(), folder, 6);
+
+  EXPECT_FALSE(import.at("accepted").get<bool>());
+  ASSERT_FALSE(import.at("findings").empty());
+  for (const auto& finding : import.at("findings")) {
+    for (const char* key : {"code", "where", "value", "remedy"}) {
+      EXPECT_TRUE(finding.contains(key)) << key;
+    }
+  }
+  EXPECT_EQ(import.at("findings")[0].at("code"), "M20");
+  EXPECT_GT(import.at("volume_ml").get<double>(), 500.0);
+  EXPECT_FALSE(std::filesystem::exists(organ));
+  EXPECT_EQ(runTorsio("twist --organ " + mesh.string() + " --angle 20", folder).code, 6);
+}
+
+TEST(OrganCommand, MakesAnOrganFileThatTwistsAsItsMeshDoes) {
+  const auto folder = emptyFolder("organ-bar");
+  const auto mesh = folder / "bar.ply";
+  writePly(mesh, testing::prism(testing::circleOutline(0.03, 36), 0.2, 12));
+  const auto organ = folder / "bar.organ";
+
+  const auto import = importOf(mesh.string() + " --wall 3 --out " + organ.string(), folder, 0);
+  EXPECT_TRUE(import.at("accepted").get<bool>());
+  EXPECT_TRUE(import.at("warnings").empty());
+  EXPECT_TRUE(import.at("repairs").empty());
+  EXPECT_NEAR(import.at("det_f_min_60").get<double>(), 1.0, 1e-6);
+
+  const ProgramRun asMesh = runTorsio("twist --json --angle 30 --organ " + mesh.string(), folder);
+  const ProgramRun asOrgan = runTorsio("twist --json --angle 30 --organ " + organ.string(), folder);
+  ASSERT_EQ(asOrgan.code, 0) << asOrgan.err;
+  const auto first = nlohmann::json::parse(asMesh.out);
+  const auto second = nlohmann::json::parse(asOrgan.out);
+  EXPECT_EQ(second.at("pattern"), "own-axis");
+  EXPECT_EQ(first.at("torque_nm"), second.at("torque_nm"));
+  EXPECT_EQ(first.at("profile"), second.at("profile"));
+  // Its wall is the wall that is wrung between ends.
+  const ProgramRun wrung =
+      runTorsio("twist --json --angle 10 --ends clamped-turned --organ " + organ.string(), folder);
+  ASSERT_EQ(wrung.code, 0) << wrung.err;
+  EXPECT_EQ(nlohmann::json::parse(wrung.out).at("model"), "hollow");
+  EXPECT_EQ(runTorsio("twist --angle 30 --pattern pronation --organ " + organ.string(), folder).code,
+            static_cast<int>(ErrorCode::kBadParameter));
+}
+
+TEST(OrganCommand, KeepsAWarningWithWhatIsRecorded) {
+  const auto folder = emptyFolder("organ-short");
+  const auto mesh = folder / "short.ply";
+  writePly(mesh, testing::prism(testing::circleOutline(0.05, 48), 0.2, 24));
+  const std::string database = " --database " + (folder / "torsio.sqlite").string();
+  const std::string organ = " --organ " + mesh.string();
+
+  const ProgramRun recorded = runTorsio("record --json --duration 2" + organ + database, folder);
+  ASSERT_EQ(recorded.code, 0) << recorded.err;
+  const auto trial = nlohmann::json::parse(recorded.out);
+  ASSERT_EQ(trial.at("organ_warnings").size(), 1U);
+  EXPECT_TRUE(trial.at("organ_warnings")[0].get<std::string>().starts_with("M20"));
+  EXPECT_EQ(trial.at("pattern"), "own-axis");
+
+  const ProgramRun replayed = runTorsio(
+      "replay " + trial.at("trial").get<std::string>() + " --verify --json" + organ + database, folder);
+  ASSERT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_TRUE(nlohmann::json::parse(replayed.out).at("identical").get<bool>());
+}
+
+TEST(OrganCommand, TakesItsUnitAsAFactor) {
+  const auto folder = emptyFolder("organ-unit");
+  const auto mesh = folder / "bar.ply";
+  TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 36), 0.2, 12);
+  for (Vec3& v : bar.vertices_m) {
+    v *= 0.001;  // written in metres
+  }
+  writePly(mesh, bar);
+
+  const auto wrong = importOf(mesh.string(), folder, 6);
+  const auto right = importOf(mesh.string() + " --scale 1000", folder, 0);
+
+  EXPECT_EQ(wrong.at("findings")[0].at("code"), "M09");
+  EXPECT_NEAR(right.at("length_mm").get<double>(), 200.0, 0.01);
+}
+
+}  // namespace
+}  // namespace torsio::test

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/organ_judgement.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/scene/organ_import.h"
+#include "sim/scene/scene_file.h"
+#include "tests/support/organ_like_shapes.h"
+
+namespace torsio {
+namespace {
+
+const std::filesystem::path kJudgedAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+OrganJudgement judgementOf(const TriangleMesh& mesh) {
+  return judgeOrgan(requireOrgan(mesh, "shape"), latticeFor({}));
+}
+
+bool refusedBy(const OrganJudgement& judgement, const std::string& code) {
+  return std::any_of(judgement.findings.begin(), judgement.findings.end(), [&code](const OrganFinding& one) {
+    return one.code == code && one.weight == FindingWeight::kRefusal && !one.what.empty() &&
+           !one.where.empty() && !one.remedy.empty();
+  });
+}
+
+bool refused(const OrganJudgement& judgement) {
+  return std::any_of(judgement.findings.begin(), judgement.findings.end(),
+                     [](const OrganFinding& one) { return one.weight == FindingWeight::kRefusal; });
+}
+
+TEST(OrganJudgement, RefusesABallBecauseItHasNoLength) {
+  const OrganJudgement ball = judgementOf(testing::ballShape());
+
+  EXPECT_TRUE(refusedBy(ball, "M20"));
+  EXPECT_LT(ball.measures.elongation, 1.0);
+  EXPECT_TRUE(refusedBy(ball, "M23")) << ball.measures.leastDeterminant60;
+}
+
+TEST(OrganJudgement, RefusesWhatBranches) {
+  EXPECT_TRUE(refusedBy(judgementOf(testing::branchingShape()), "M20"));
+  EXPECT_TRUE(refused(judgementOf(testing::jawShape())));
+}
+
+TEST(OrganJudgement, RefusesASlabBecauseItIsFlat) {
+  const OrganJudgement slab = judgementOf(testing::slabShape());
+
+  EXPECT_TRUE(refusedBy(slab, "M18"));
+  EXPECT_NEAR(slab.measures.flatness, 110.0 / 16.0, 0.2);
+}
+
+TEST(OrganJudgement, RefusesAHookedTool) {
+  EXPECT_TRUE(refused(judgementOf(testing::hookedToolShape())));
+}
+
+TEST(OrganJudgement, RefusesSolidOrgansThatNobodyTwists) {
+  const OrganJudgement liver = judgementOf(testing::liverShape());
+  const OrganJudgement kidney = judgementOf(testing::kidneyShape());
+
+  EXPECT_TRUE(refusedBy(liver, "M20")) << liver.measures.elongation;
+  EXPECT_TRUE(refusedBy(kidney, "M22")) << kidney.measures.overlap;
+}
+
+TEST(OrganJudgement, FindsNothingAboutAGentlyBentTube) {
+  const OrganJudgement tube = judgementOf(testing::tubeShape());
+
+  EXPECT_TRUE(tube.findings.empty());
+  EXPECT_GT(tube.measures.elongation, 3.5);
+  EXPECT_GT(tube.measures.leastDeterminant60, 0.3);
+  EXPECT_LT(tube.measures.leastDeterminant60, 1.0);
+}
+
+TEST(OrganJudgement, FindsNothingAboutTheShippedOrgansThatTwistAsAWhole) {
+  for (const char* id : {"stomach", "intestine"}) {
+    const OrganJudgement organ =
+        judgeOrgan(importMesh(readSceneFile(kJudgedAssets, id).organ), latticeFor({}));
+
+    EXPECT_TRUE(organ.findings.empty()) << id;
+    EXPECT_GT(organ.measures.leastDeterminant60, 0.5) << id;
+  }
+}
+
+TEST(OrganJudgement, LetsAHandBeyondACutFollow) {
+  const SceneDescription forearm = readSceneFile(kJudgedAssets, "forearm");
+  const TriangleMesh mesh = importMesh(forearm.organ);
+  OrganEnds ends;
+  ends.fixedEnd_m = forearm.lattice.fixedEnd_m;
+  ends.freeEnd_m = forearm.lattice.freeEnd_m;
+  ends.freeCut = forearm.lattice.freeCut;
+
+  const OrganJudgement cut = judgeOrgan(mesh, latticeFor(ends));
+
+  EXPECT_FALSE(refused(cut));
+  EXPECT_LT(cut.measures.beyond, 0.1);
+}
+
+TEST(OrganJudgement, OnlyWarnsOfALoopThatIsNotTwistedAsAWhole) {
+  EXPECT_TRUE(twistsAsAWhole(kJudgedAssets, ""));
+  EXPECT_TRUE(twistsAsAWhole(kJudgedAssets, "stomach"));
+  EXPECT_FALSE(twistsAsAWhole(kJudgedAssets, "sigmoid"));
+  OrganJudgement loop;
+  loop.measures.length_m = 0.6;
+  loop.findings = {{"M20", FindingWeight::kRefusal, std::string("short"), "", 1.0, ""},
+                   {"M23", FindingWeight::kRefusal, std::string("folds"), "", -0.1, ""}};
+
+  allowPartialTwist(loop);
+
+  EXPECT_EQ(loop.findings[0].weight, FindingWeight::kRefusal);
+  EXPECT_EQ(loop.findings[1].weight, FindingWeight::kWarning);
+}
+
+}  // namespace
+}  // namespace torsio
