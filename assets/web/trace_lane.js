@@ -2,6 +2,7 @@
 // One trace: its scale, its words and how it is drawn.
 import { figure } from './numbers.js';
 
+const kSmallTorque_Nm = 0.1; // below it an untwisting is told in mN m
 const kRoom = 1.05; // a limit does not lie on the edge
 
 function withUnit(size, unit) {
@@ -10,18 +11,18 @@ function withUnit(size, unit) {
 
 /// "1.8 N", with the decimals of the lane.
 export function sizeText(one, value) {
-  return withUnit(figure(value, one.decimals), one.unit);
+  return withUnit(figure(value * one.factor, one.decimals), one.unit);
 }
 
 /// "0…185°": what a lane shows from bottom to top.
 export function scaleText(one) {
   const end = (value) => (Math.abs(value) < 0.5 * 10 ** -one.decimals ? '0' : figure(value, one.decimals));
-  return withUnit(`${end(one.bottom)}\u2026${end(one.top)}`, one.unit);
+  return withUnit(`${end(one.bottom * one.factor)}\u2026${end(one.top * one.factor)}`, one.unit);
 }
 
 /// What one lane shows: `low`, `high` (extremes a frame), `value` (at it), `limit` or null, `band` ({target, tolerance}) or
-/// null. Zero is always on it; a limit stands on the side of the larger values.
-export function lane({ low, high = low, value = low, limit = null, band = null, ...rest }) {
+/// null; `fine`: small values are told in thousandths. Zero is always on it; a limit stands on the side of the larger values.
+export function lane({ low, high = low, value = low, limit = null, band = null, fine = false, ...rest }) {
   let [least, most] = [0, 0];
   for (const one of low) least = Math.min(least, one);
   for (const one of high) most = Math.max(most, one);
@@ -38,8 +39,11 @@ export function lane({ low, high = low, value = low, limit = null, band = null, 
     bottom = Math.min(bottom, kRoom * made.limit);
     top = Math.max(top, kRoom * made.limit);
   }
-  const size = Math.max(-bottom, top);
-  return { ...made, bottom, top, decimals: size >= 10 ? 0 : size >= 1 ? 1 : 2 };
+  const small = fine && Math.max(-bottom, top) < kSmallTorque_Nm;
+  const factor = small ? 1000 : 1;
+  if (small) made.unit = `m${made.unit}`;
+  const size = factor * Math.max(-bottom, top);
+  return { ...made, bottom, top, factor, decimals: size >= 10 ? 0 : size >= 1 ? 1 : 2 };
 }
 
 /// `area`: {left, right, top, height}; `palette`: colours by name.

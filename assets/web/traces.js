@@ -54,7 +54,10 @@ export class Traces {
     const band = task.untwisting ? null : { target: arrays.target_deg, tolerance: task.tolerance_deg };
     this.#lanes = [
       lane({ name: t('Angle'), unit: '\u00b0', colour: 'accent', low: arrays.angle_deg, band }),
-      lane({ name: t('Torque'), unit: 'N m', colour: 'good', low: arrays.torque_Nm, limit: task.torque_limit_Nm }),
+      lane({
+        name: t('Torque'), unit: 'N m', colour: 'good', low: arrays.torque_Nm, limit: task.torque_limit_Nm,
+        fine: task.untwisting,
+      }),
       lane({
         name: t('Force'), unit: 'N', colour: 'caution', low: arrays.force_low_N ?? arrays.force_N,
         high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, limit: task.force_limit_N,
@@ -66,7 +69,7 @@ export class Traces {
   }
   #describe() {
     if (!this.recording) return;
-    const peaks = this.#lanes.map((one) => figure(Math.max(-one.least, one.most), one.decimals));
+    const peaks = this.#lanes.map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? 3 : one.decimals));
     this.canvas.setAttribute(
       'aria-description',
       t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5',

@@ -123,6 +123,20 @@ def test_keyboard_alone(browser, url, desk):
     browser.says("h1", "Case 2K")
 
 
+def test_signature_given_up(browser, url, desk):
+    desk.cases["c1"].watched = WHOLE
+    open_case(browser, url)
+    browser.keys("5", "Tab", "5", "Tab", "5", "Tab", "5")
+    saved(browser, desk, [50, 50, 50, 50])
+    browser.keys("Control+Enter", "Control+Enter")
+    browser.there("dialog")
+    browser.keys("Escape")
+    browser.there(".submit:enabled")
+    browser.keys("6")
+    saved(browser, desk, [50, 50, 50, 60])
+    check("nothing is sealed", desk.cases["c1"].state == "draft")
+
+
 def test_ten_cases_by_keyboard(browser, url, desk):
     desk.asks_password = False
     for i in range(10):

@@ -5,6 +5,7 @@ import { readContainer } from '../../../assets/web/container.js';
 import { Morph } from '../../../assets/web/morph.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
+import { lane, scaleText, sizeText } from '../../../assets/web/trace_lane.js';
 import { filledIn } from '../../../assets/web/texts.js';
 import { jawOpening, poseMatrix, turnedAbout } from '../../../assets/web/tool_pose.js';
 import { ViewingReporter } from '../../../assets/web/viewing_reporter.js';
@@ -162,4 +163,17 @@ test('a sentence takes its values and its plural in one pass', () => {
   assert.equal(filledIn('%1 {case fits|cases fit}', ['3']), '3 cases fit');
   assert.equal(filledIn('%1: %2', ['%2', 'x']), '%2: x');
   assert.equal(filledIn('%3 {a', ['1']), '%3 {a');
+});
+
+test('a trace has zero and its limit on its scale; a small torque of an untwisting is told in thousandths', () => {
+  const torque = { name: 'Torque', unit: 'N m', low: new Float32Array([0, -0.04, -0.02]) };
+  const turned = lane({ ...torque, limit: 0.05 });
+  assert.equal(turned.limit, -0.05);
+  assert.ok(turned.bottom < -0.05 && turned.top === 0);
+  assert.equal(scaleText(turned), '\u22120.05\u20260 N m');
+  const undone = lane({ ...torque, fine: true });
+  assert.equal(scaleText(undone), '\u221240\u20260 mN m');
+  assert.equal(sizeText(undone, -0.0201), '\u221220 mN m');
+  const angle = lane({ name: 'Angle', unit: '\u00b0', low: new Float32Array([0, 90]), band: { target: [180, 180], tolerance: 10 } });
+  assert.ok(angle.top > 190);
 });
