@@ -98,10 +98,9 @@ std::string digestOfText(const std::string& text) {
 Trial trialOf(const ForeignMap& map, ForeignLayout layout, const ForeignRecording& recording,
               std::int64_t startedUtc_us, std::string& fileHash) {
   PoseRecorder recorder;
-  const ForeignFile file =
-      readForeignMotion(map, layout, recording, [&](const ForeignPose& pose, std::size_t line) {
-        recorder.take(pose, recording.name, line);
-      });
+  const ForeignFile file = readForeignMotion(
+      map, layout, recording,
+      [&](const ForeignPose& pose, std::size_t line) { recorder.take(pose, recording.name, line); });
   fileHash = file.contentHash;
   Trial trial;
   TrialHeader& header = trial.header;

@@ -63,7 +63,8 @@ class MapPart {
   void allow(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : json_.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        refuseAt(key, Text::tr("the map has a word that means nothing here"), Text::tr("Look at its spelling"));
+        refuseAt(key, Text::tr("the map has a word that means nothing here"),
+                 Text::tr("Look at its spelling"));
       }
     }
   }
@@ -109,7 +110,8 @@ class MapPart {
     for (const nlohmann::json& one : array(key)) {
       found.push_back(one.is_string() ? one.get<std::string>() : std::string());
     }
-    const bool empty = std::any_of(found.begin(), found.end(), [](const std::string& t) { return t.empty(); });
+    const bool empty =
+        std::any_of(found.begin(), found.end(), [](const std::string& t) { return t.empty(); });
     if (found.size() != count || empty) {
       refuseAt(key, Text::tr("%1 names of columns belong here", count), Text::tr("Name each of them once"));
     }
@@ -172,8 +174,7 @@ std::optional<std::int64_t> utcOf(const std::string& text) {
   if (!sound) {
     return std::nullopt;
   }
-  return std::chrono::duration_cast<std::chrono::microseconds>(
-             std::chrono::sys_days(date).time_since_epoch())
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::sys_days(date).time_since_epoch())
              .count() +
          hour * kHour_us + minute * kMinute_us + second * kSecond_us;
 }
@@ -182,8 +183,9 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   const bool stamped = layout == ForeignLayout::kPerkTutor;
   if (map.has("rate_Hz") == (map.has("time") || stamped)) {
     map.refuseAt("rate_Hz", Text::tr("either the file has times, or the map states the rate"),
-                 stamped || layout == ForeignLayout::kCsv ? Text::tr("Leave one of the two out")
-                                                          : Text::tr("State the rate: these files have no time"));
+                 stamped || layout == ForeignLayout::kCsv
+                     ? Text::tr("Leave one of the two out")
+                     : Text::tr("State the rate: these files have no time"));
   }
   if (map.has("rate_Hz")) {
     out.rate_Hz = map.number("rate_Hz");
@@ -232,7 +234,8 @@ template <typename List>
 void requireKnown(const List& list, const std::string& name, const MapPart& part, const char* key) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
   if (!known) {
-    part.refuseAt(key, Text::tr("the map knows nobody called '%1'", name), Text::tr("Enter them in its lists"));
+    part.refuseAt(key, Text::tr("the map knows nobody called '%1'", name),
+                  Text::tr("Enter them in its lists"));
   }
 }
 
@@ -303,7 +306,8 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
   const auto whole = [&marks](const char* key) {
     const double value = marks.number(key);
     if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
-      marks.refuseAt(key, Text::tr("a whole number belongs here"), Text::tr("Look at the scale of the marks"));
+      marks.refuseAt(key, Text::tr("a whole number belongs here"),
+                     Text::tr("Look at the scale of the marks"));
     }
     return static_cast<std::int64_t>(value);
   };
@@ -336,7 +340,8 @@ void requireSingleMarks(const ForeignMap& map) {
     }
     if (!given.insert(recording->person + "\n" + mark.rater + "\n" + recording->occasion).second) {
       refuse(Text::tr("%1 marked %2 twice at one occasion", mark.rater, recording->person),
-             map.name + ", " + mark.recording, Text::tr("Give each of the recordings an occasion of its own"));
+             map.name + ", " + mark.recording,
+             Text::tr("Give each of the recordings an occasion of its own"));
     }
   }
 }

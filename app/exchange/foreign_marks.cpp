@@ -66,8 +66,8 @@ std::vector<ForeignMark> tabledMarks(const std::filesystem::path& file, const Fo
     if (!known) {
       table.refuse(row, Text::tr("the map lists no rater '%1'", rater), Text::tr("Enter them in the map"));
     }
-    marks.push_back({recording->name, rater, stepsFromText(table.text(row, "score"), map.scale,
-                                                           table.where(row))});
+    marks.push_back(
+        {recording->name, rater, stepsFromText(table.text(row, "score"), map.scale, table.where(row))});
   }
   return marks;
 }

@@ -110,8 +110,8 @@ Quat matrixRotation(const std::array<double, 9>& m, const Where& where) {
   const std::array<Vec3, 3> rows = {{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Vec3& next = rows[(i + 1) % rows.size()];
-    const bool sound = std::abs(norm(rows[i]) - 1.0) <= kRotationSlack &&
-                       std::abs(dot(rows[i], next)) <= kRotationSlack;
+    const bool sound =
+        std::abs(norm(rows[i]) - 1.0) <= kRotationSlack && std::abs(dot(rows[i], next)) <= kRotationSlack;
     if (!sound) {
       refuseRotation(where);
     }

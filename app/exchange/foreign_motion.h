@@ -19,9 +19,9 @@ struct ForeignPose {
 
 /// What was read of a file.
 struct ForeignFile {
-  std::int64_t lines = 0;        ///< poses
-  std::int64_t period_us = 0;    ///< by the stated rate, else the mean distance of two lines
-  std::string contentHash{};     ///< BLAKE2b-256 of the file
+  std::int64_t lines = 0;      ///< poses
+  std::int64_t period_us = 0;  ///< by the stated rate, else the mean distance of two lines
+  std::string contentHash{};   ///< BLAKE2b-256 of the file
 };
 
 /// Reads one recording as the map says, line by line, and hands on each pose with its line (from 1). Throws

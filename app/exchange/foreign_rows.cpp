@@ -91,8 +91,7 @@ class JigsawsRows final : public RowReaderBase {
     std::array<double, kPerArm> own{};
     while (!line.empty()) {
       const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-      const double value =
-          this->number(line.substr(0, end), number, "column " + std::to_string(count + 1));
+      const double value = this->number(line.substr(0, end), number, "column " + std::to_string(count + 1));
       if (count >= first_ && count < first_ + kPerArm) {
         own[count - first_] = value;
       }

@@ -25,8 +25,8 @@ struct ForeignRow {
 class ForeignRows {
  public:
   virtual ~ForeignRows() = default;
-  /// Fills `row` from a line, which is `number` (from 1) of the file; false: the line holds no pose (a header,
-  /// an empty line, another device). Throws Error{kBadData} that names file, line and column.
+  /// Fills `row` from a line, which is `number` (from 1) of the file; false: the line holds no pose (a
+  /// header, an empty line, another device). Throws Error{kBadData} that names file, line and column.
   virtual bool read(std::string_view line, std::size_t number, ForeignRow& row) = 0;
 };
 

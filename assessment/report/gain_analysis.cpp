@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the groups gained, by ranks of whole numbers and by the median.
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "assessment/report/study_parts.h"
+#include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/quantiles.h"
 
 namespace torsio {

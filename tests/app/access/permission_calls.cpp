@@ -396,8 +396,7 @@ std::vector<ServiceCall> reviewCalls() {
   return {
       {O::kTrialViewAssigned, "loadBlindedRecording",
        [](SessionContext& w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
-      {O::kTrialViewAssigned, "blindedTask",
-       [](SessionContext& w, Path) { (void)blindedTask(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "blindedTask", [](SessionContext& w, Path) { (void)blindedTask(w, kNoSuch); }},
       {O::kMarkSubmit, "reportViewing",
        [](SessionContext& w, Path) { (void)reportViewing(w, kNoSuch, {}, 0); }},
       {O::kMarkSubmit, "changeSubmitted",

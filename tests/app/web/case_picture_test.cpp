@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a browser draws of a recording: as near to the window's picture as docs/server.md says, and small enough
-// for a slow line.
+// What a browser draws of a recording: as near to the window's picture as docs/server.md says, and small
+// enough for a slow line.
+#include "app/web/case_picture.h"
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -9,7 +11,6 @@
 
 #include "app/base/assets.h"
 #include "app/review/blinded_case.h"
-#include "app/web/case_picture.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/review_centre.h"
 
@@ -46,7 +47,8 @@ TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, CasePictureOf,
-                         ::testing::Values(Organ{"forearm", ""}, Organ{"stomach", ""}, Organ{"small-bowel-loop", "detorse"}),
+                         ::testing::Values(Organ{"forearm", ""}, Organ{"stomach", ""},
+                                           Organ{"small-bowel-loop", "detorse"}),
                          [](const auto& organ) {
                            std::string name = organ.param.scene;
                            std::erase(name, '-');
