@@ -175,7 +175,7 @@ void SceneCanvas::setTool(const Pose& pose, double grip) {
 
 void SceneCanvas::placePort(const QVector3D& tip_mm, const QVector3D& shaft) {
   // The wall of the abdomen stands like a dome over the organ: the port is where the shaft goes through it.
-  constexpr float kDome = 1.12F;  // radii
+  constexpr float kDome = 1.12F;       // radii
   constexpr float kSleeve_mm = 50.0F;  // nearer to the tip it would hide the jaws
   const QVector3D from = tip_mm - centre_mm_;
   const float along = QVector3D::dotProduct(from, shaft);
