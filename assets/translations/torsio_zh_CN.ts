@@ -15724,6 +15724,10 @@ audit trail %3</source>
         <source>Twist about its own axis, 60 degrees</source>
         <translation>绕自身轴线扭转 60 度</translation>
     </message>
+    <message>
+        <source>Right forearm: Pronation, 60 degrees</source>
+        <translation>右前臂：旋前 60 度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

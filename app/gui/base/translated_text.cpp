@@ -65,6 +65,7 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "Simulated trainees after section 6 of the paper"),
     QT_TRANSLATE_NOOP("Text", "Simulated trainees who undo organs that come twisted"),
     QT_TRANSLATE_NOOP("Text", "untwisting"),
+    QT_TRANSLATE_NOOP("Text", "Right forearm: Pronation, 60 degrees"),  // the exercise of the demonstration
 };
 
 QString patternInLanguage(const std::string& pattern) {
