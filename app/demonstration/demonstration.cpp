@@ -239,7 +239,7 @@ class Demonstration {
       inputs.provenance.emplace_back(Text::tr("organ %1", scene->id), scene->organHash);
       inputs.provenance.emplace_back(Text::tr("model parameters %1", scene->id), scene->parameterHash);
       for (const OrganWarning& warning : scene->organWarnings) {
-        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a trial"), coded(warning));
+        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a recording"), coded(warning));
       }
     }
     return inputs;

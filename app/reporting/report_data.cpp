@@ -160,7 +160,7 @@ void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortIn
   for (const std::string& parameters : TrialRepository(connection).warnedParameters(cohortId)) {
     for (const OrganWarning& warning : recordedOrganWarnings(parameters)) {
       if (std::find(told.begin(), told.end(), warning) == told.end()) {
-        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a trial"), coded(warning));
+        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a recording"), coded(warning));
         told.push_back(warning);
       }
     }

@@ -12,7 +12,7 @@ namespace torsio {
 [[nodiscard]] std::vector<Text> blindingSentences(const CohortInputs& inputs);
 /// What groups of the size at hand can detect. Empty with fewer than two groups.
 [[nodiscard]] Text powerSentence(const CohortInputs& inputs);
-/// The same in a clause for the first page, with its full stop.
+/// What groups of the size at hand can detect, as a clause for the first page, with its full stop.
 [[nodiscard]] Text detectableSentence(const CohortInputs& inputs);
 /// When the seed was committed to, against enrolment and allocation.
 [[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);

@@ -2073,8 +2073,8 @@
         <translation>分阶段复位（1 是，0 否）</translation>
     </message>
     <message>
-        <source>One shuffle of everybody (as in the paper)</source>
-        <translation>全体一次洗牌（同论文）</translation>
+        <source>Simple randomisation into equal groups (as in the paper)</source>
+        <translation>简单随机化，各组人数相等（与论文相同）</translation>
     </message>
 </context>
 <context>
@@ -14590,7 +14590,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>what was watched is not a stretch of the recording</source>
-        <translation>报告的观看范围不是录像中的一段</translation>
+        <translation>报告的观看范围不是录制中的一段</translation>
     </message>
     <message>
         <source>the page sent something that cannot be used</source>
@@ -14610,7 +14610,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>the organ of this recording is not on this machine</source>
-        <translation>本机没有此录像所用的器官</translation>
+        <translation>本机没有此录制的器官模型</translation>
     </message>
     <message>
         <source>too many tries</source>
@@ -15521,10 +15521,6 @@ audit trail %3</source>
         <translation>该器官是带警告接受的：%1。</translation>
     </message>
     <message>
-        <source>Warning about the organ of a trial</source>
-        <translation>关于某次试验所用器官的警告</translation>
-    </message>
-    <message>
         <source>warning about the organ</source>
         <translation>关于器官的警告</translation>
     </message>
@@ -15727,6 +15723,10 @@ audit trail %3</source>
     <message>
         <source>Right forearm: Pronation, 60 degrees</source>
         <translation>右前臂：旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Warning about the organ of a recording</source>
+        <translation>关于录制所用器官的警告</translation>
     </message>
 </context>
 <context>

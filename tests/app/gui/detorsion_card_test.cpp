@@ -19,9 +19,9 @@ TEST(DetorsionCard, SaysWhereTheSecondsWentTheLongestFirst) {
   const QStringList text = DetorsionCard::secondsText(story);
 
   ASSERT_EQ(text.size(), 3);
-  EXPECT_EQ(text[0], QStringLiteral("Turning in the jaw: 6.0 s (60 %)"));
-  EXPECT_EQ(text[1], QStringLiteral("Searching, nothing held: 2.0 s (20 %)"));
-  EXPECT_EQ(text[2], QStringLiteral("Waiting with hands off: 2.0 s (20 %)"));
+  EXPECT_EQ(text[0], QStringLiteral("Turning in the jaw: 0:06.0 (60 %)"));
+  EXPECT_EQ(text[1], QStringLiteral("Searching, nothing held: 0:02.0 (20 %)"));
+  EXPECT_EQ(text[2], QStringLiteral("Waiting with hands off: 0:02.0 (20 %)"));
 }
 
 TEST(DetorsionCard, SaysInSentencesWhatTheMeasuresComeTo) {
@@ -103,7 +103,7 @@ TEST(DetorsionPlot, TellsTheInstantUnderThePointerWithBothTimes) {
   const QString there = drawn.plot.tipAt(518.0);
   const QString beside = drawn.plot.tipAt(530.0);
 
-  EXPECT_EQ(there, QStringLiteral("tear at 5.0 s (0:05 h of the tissue)"));
+  EXPECT_EQ(there, QStringLiteral("tear at 0:05.0 (0:05 h of the tissue)"));
   EXPECT_TRUE(beside.isEmpty());
   EXPECT_TRUE(drawn.plot.accessibleDescription().contains(there));
 }
