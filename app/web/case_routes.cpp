@@ -193,8 +193,7 @@ HttpResponse answerEditRemark(Call& call) {
 /// Asks for the right each time, whether or not the picture is at hand.
 std::shared_ptr<const CasePicture> pictureOf(Call& call) {
   const AssignmentId id = caseOf(call);
-  call.context.require(Operation::kTrialViewAssigned);
-  (void)blindedCase(call.context, id);
+  (void)blindedTask(call.context, id);
   return call.desk.pictures().of(
       id, [&] { return casePicture(loadBlindedRecording(call.context, id), assetsFolder()); });
 }

@@ -62,7 +62,7 @@ std::span<const std::uint8_t> OrganShadow::cast(const OrganSurface& organ) {
       continue;
     }
     // Four pixels: vertices lie further apart than one where the mesh is coarse.
-    std::uint8_t* here = &shade_[static_cast<std::size_t>(row * kSide + column)];
+    std::uint8_t* here = &shade_[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)];
     here[0] = here[1] = here[kSide] = here[kSide + 1] = 255;
   }
   for (int pass = 0; pass < kPasses; ++pass) {

@@ -60,6 +60,7 @@ class SceneCanvas : public QObject {
 
   explicit SceneCanvas(QWidget& parent);
 
+  /// Names the scene's own types to QML; the constructor does it where the scene can be drawn.
   static void registerTypes();
   [[nodiscard]] static bool platformCanRender();
 

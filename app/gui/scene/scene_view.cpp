@@ -74,10 +74,6 @@ void SceneView::prepareGraphics() {
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-void SceneView::registerTypes() {
-  SceneCanvas::registerTypes();
-}
-
 bool SceneView::platformCanRender() {
   return SceneCanvas::platformCanRender();
 }

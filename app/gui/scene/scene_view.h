@@ -36,8 +36,6 @@ class SceneView : public QWidget {
   /// Before the application object exists: OpenGL, shared by all windows. A view that is put into another
   /// window loses its scene graph otherwise.
   static void prepareGraphics();
-  /// Names the scene's own types to QML; the constructor does it where the scene can be drawn.
-  static void registerTypes();
   /// Gives a window, before it is first shown, the kind of surface that scenes are drawn on. Without it the
   /// first scene that appears in it makes the window anew: it flickers, and the keyboard is lost.
   static void prepareWindow(QWidget& window);

@@ -88,10 +88,10 @@ QRgb drapeAt(double u, double v, const Theme& theme) {
   light *= 1.0 - 0.16 * (1.0 - towel) * std::exp(-std::max(outside, 0.0) / 0.035);
   light -= 0.05 * towel * std::exp(-0.5 * std::pow((outside + 0.045) / 0.006, 2.0));
   const QColor cloth = clothOf(theme);
-  const QColor over_ = towelOf(theme);
+  const QColor towelling = towelOf(theme);
   const auto mixed = [towel](int a, int b) { return static_cast<int>(a + towel * (b - a)); };
-  return shown(QColor(mixed(cloth.red(), over_.red()), mixed(cloth.green(), over_.green()),
-                      mixed(cloth.blue(), over_.blue())),
+  return shown(QColor(mixed(cloth.red(), towelling.red()), mixed(cloth.green(), towelling.green()),
+                      mixed(cloth.blue(), towelling.blue())),
                light);
 }
 

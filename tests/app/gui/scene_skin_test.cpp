@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/scene/organ_geometry.h"
+#include "app/gui/scene/scene_canvas.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/stress_legend.h"
@@ -180,7 +181,7 @@ TEST(OrganGeometry, PlacesAtRestStayWhileTheTissueMoves) {
 class SceneGraph : public ::testing::Test {
  protected:
   SceneGraph() {
-    SceneView::registerTypes();
+    SceneCanvas::registerTypes();
     QQmlComponent component(&engine_, QUrl(QStringLiteral("qrc:/torsio/scene/scene_view.qml")));
     root_.reset(component.create());
     EXPECT_NE(root_, nullptr) << component.errorString().toStdString();
