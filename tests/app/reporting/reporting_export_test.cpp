@@ -447,7 +447,7 @@ TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
 
   std::vector<std::string> told;
   for (const auto& [name, value] : inputs.provenance) {
-    if (name == Text::verbatim("Warning about the organ of a trial")) {
+    if (name == Text::verbatim("Warning about the organ of a recording")) {
       told.push_back(value.str());
     }
   }
