@@ -90,7 +90,8 @@ QString raterClassName(const std::string& code) {
 QString methodName(AllocationMethod method) {
   switch (method) {
     case AllocationMethod::kCompletePermutation:
-      return translated(QT_TRANSLATE_NOOP("Study", "Simple randomisation into equal groups (as in the paper)"));
+      return translated(
+          QT_TRANSLATE_NOOP("Study", "Simple randomisation into equal groups (as in the paper)"));
     case AllocationMethod::kPermutedBlocks:
       return translated(QT_TRANSLATE_NOOP("Study", "Shuffled blocks, one after another"));
     case AllocationMethod::kStratifiedBlocks:
