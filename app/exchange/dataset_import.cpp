@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exchange/dataset_study.h"
-#include "db/connection/connection.h"
 #include "sim/base/digest.h"
 #include "sim/base/file_io.h"
 
@@ -32,14 +31,8 @@ DatasetOutcome importDataset(SessionContext& session, const std::filesystem::pat
   const nlohmann::ordered_json what{
       {"layout", "torsio"},           {"people", study.people.size()}, {"raters", study.raters.size()},
       {"recordings", outcome.trials}, {"marks", outcome.marks},        {"hash", outcome.contentHash}};
-  Transaction transaction(session.connection());
-  outcome.landed = landStudy(session, std::move(study), partOf(progress, kReadingDataset, 1.0));
-  session.note({.action = AuditAction::kTrialImport,
-                .objectKind = AuditObject::kCohort,
-                .objectId = outcome.landed.cohortId,
-                .newJson = what.dump(),
-                .reason = reason});
-  transaction.commit();
+  outcome.landed =
+      landStudy(session, std::move(study), {what.dump(), reason}, partOf(progress, kReadingDataset, 1.0));
   return outcome;
 }
 

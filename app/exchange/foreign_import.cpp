@@ -9,7 +9,6 @@
 
 #include "app/base/build_info.h"
 #include "app/exchange/foreign_motion.h"
-#include "db/connection/connection.h"
 #include "sim/base/device_sample.h"
 #include "sim/base/digest.h"
 #include "sim/base/foreign_recording.h"
@@ -183,14 +182,8 @@ ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, cons
                                     {"people", map.people.size()},   {"raters", map.raters.size()},
                                     {"recordings", outcome.trials},  {"samples", outcome.samples},
                                     {"marks", outcome.marks},        {"hash", outcome.contentHash}};
-  Transaction transaction(session.connection());
-  outcome.landed = landStudy(session, std::move(study), partOf(progress, kReading, 1.0));
-  session.note({.action = AuditAction::kTrialImport,
-                .objectKind = AuditObject::kCohort,
-                .objectId = outcome.landed.cohortId,
-                .newJson = what.dump(),
-                .reason = reason});
-  transaction.commit();
+  outcome.landed =
+      landStudy(session, std::move(study), {what.dump(), reason}, partOf(progress, kReading, 1.0));
   return outcome;
 }
 

@@ -23,7 +23,6 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/contracts.h"
 #include "sim/base/refusal.h"
 #include "sim/record/content_hash.h"
 
@@ -285,10 +284,18 @@ void requireLanding(SessionContext& session) {
   session.require(Operation::kCurriculumEdit);
 }
 
-LandedOutcome landStudy(SessionContext& session, LandedStudy study, const ProgressCallback& progress) {
+LandedOutcome landStudy(SessionContext& session, LandedStudy study, const LandingNote& note,
+                        const ProgressCallback& progress) {
   requireLanding(session);
-  TORSIO_EXPECTS(session.connection().inTransaction());
-  return Landing(session, study).land(progress);
+  Transaction transaction(session.connection());
+  LandedOutcome outcome = Landing(session, study).land(progress);
+  session.note({.action = AuditAction::kTrialImport,
+                .objectKind = AuditObject::kCohort,
+                .objectId = outcome.cohortId,
+                .newJson = note.json,
+                .reason = note.reason});
+  transaction.commit();
+  return outcome;
 }
 
 }  // namespace torsio

@@ -96,10 +96,17 @@ struct LandedOutcome {
 /// Rights that landStudy() asks for: kStudySetup, kStudyEnrol, kPersonEdit, kCurriculumEdit.
 void requireLanding(SessionContext& session);
 
-/// Enters a study in the transaction that is open, which keeps all of it or nothing. Audited: cohort, people,
+/// Where a study came from, for the audit trail.
+struct LandingNote {
+  std::string json{};    ///< layout, counts and hash of what was read
+  std::string reason{};  ///< why it was imported
+};
+
+/// Enters a study: all of it or nothing. Audited: the import itself with its note, and cohort, people,
 /// enrolments, occasions, recordings and marks as if somebody had entered each. requireLanding(). Throws
 /// Error{kBadData} for a class of raters that the record does not have, a code or recording that it has
-/// already; {kBadParameter} for the name of another cohort; DbError.
-LandedOutcome landStudy(SessionContext& session, LandedStudy study, const ProgressCallback& progress = {});
+/// already; {kBadParameter} for the name of another cohort; DbError; what `progress` throws stops it.
+LandedOutcome landStudy(SessionContext& session, LandedStudy study, const LandingNote& note,
+                        const ProgressCallback& progress = {});
 
 }  // namespace torsio
