@@ -88,15 +88,18 @@ json sheetJson(const Sheet& sheet) {
           {"comment", sheet.comment}};
 }
 
-json rubricJson(const RubricRevision& rubric) {
+json rubricJson(const RubricRevision& rubric, const Wording& wording) {
+  const auto said = [&wording](const std::string& words) { return wording(Text(words)).toStdString(); };
   json rows = json::array();
   for (const RubricLine& line : rubric.rows) {
     json anchors = json::array();
     for (const RubricAnchor& anchor : line.anchors) {
-      anchors.push_back({{"steps", anchor.score_steps}, {"text", anchor.meaning}});
+      anchors.push_back({{"steps", anchor.score_steps}, {"text", said(anchor.meaning)}});
     }
-    rows.push_back(
-        {{"code", line.code}, {"label", line.label}, {"anchors", anchors}, {"scale", scaleJson(line.scale)}});
+    rows.push_back({{"code", line.code},
+                    {"label", said(line.label)},
+                    {"anchors", anchors},
+                    {"scale", scaleJson(line.scale)}});
   }
   return {{"rows", rows}, {"overall", scaleJson(rubric.overall)}};
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/wording.h"
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
@@ -19,7 +20,8 @@ namespace torsio::web {
 
 [[nodiscard]] nlohmann::json queueJson(const ReviewQueue& queue, WebSession& session);
 [[nodiscard]] nlohmann::json sheetJson(const Sheet& sheet);
-[[nodiscard]] nlohmann::json rubricJson(const RubricRevision& rubric);
+/// Shipped rubrics in the language of the page, those of the centre as they were written.
+[[nodiscard]] nlohmann::json rubricJson(const RubricRevision& rubric, const Wording& wording);
 [[nodiscard]] nlohmann::json checkJson(const SheetCheck& check);
 [[nodiscard]] nlohmann::json watchedJson(const WatchLog& watched);
 [[nodiscard]] nlohmann::json remarksJson(const std::vector<CaseRemark>& remarks);

@@ -71,7 +71,7 @@ HttpResponse answerCase(Call& call) {
                      {"kept_at", keptAt(call.context) == KeptAt::kServer ? "server" : "machine"},
                      {"task", taskOf(call.context, opened)},
                      {"rules", {{"minimum_watched", rules.minimumWatched}, {"speeds", rules.speeds}}},
-                     {"rubric", rubricJson(opened.rubric)},
+                     {"rubric", rubricJson(opened.rubric, call.wording)},
                      {"sheet", sheetJson(opened.sheet)},
                      {"watched", watchedJson(opened.watched)},
                      {"share", opened.watched.share()},

@@ -314,6 +314,11 @@ TEST(WebDesk, SpeaksTheLanguageOfThePage) {
   const WebAnswer refused = client.get("/api/queue");
   EXPECT_EQ(refused.status, 401);
   EXPECT_EQ(refused.json().at("error").at("what").get<std::string>().find("signed"), std::string::npos);
+  WebClient physician = served.physician(0);
+  const std::string path = "/api/cases/" + firstCase(physician);
+  const json english = physician.get(path).json();
+  physician.headers = client.headers;
+  EXPECT_NE(physician.get(path).json().at("rubric"), english.at("rubric"));
 }
 
 TEST(WebDesk, NothingThatIsSentEndsInAnInternalError) {
