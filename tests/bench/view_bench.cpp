@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frame rate and servo timing, measured together: a scripted hand twists an organ at real time through the
 // same servo, recorder and view as a trainee's run, first without a picture, then at each level of quality.
-//   torsio_bench_view [--seconds S] [--size WxH] [--organ ID] [--triangles N] [--level fast|fine] [--smoke]
-//   [--parts]
+//   torsio_bench_view [--seconds S] [--size WxH] [--organ ID] [--triangles N] [--level fast|fine|best]
+//   [--smoke] [--parts] [--pictures FOLDER]
+// Without --level: fast and fine. --pictures saves what each level drew last.
 // --parts prints what the processor does for a frame of the organ, without drawing one.
 // --smoke fails unless every level drew and the servo ticked; it asserts no timing.
 #include <algorithm>
@@ -17,7 +18,9 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDir>
 #include <QElapsedTimer>
+#include <QImage>
 #include <QTimer>
 
 #include "app/gui/scene/instrument_geometry.h"
@@ -49,7 +52,22 @@ struct Options {
   std::vector<RenderQuality> levels{RenderQuality::kFast, RenderQuality::kFine};
   bool smoke = false;
   bool parts = false;
+  QString pictures;  // folder; empty: none are saved
 };
+
+const char* nameOf(RenderQuality level) {
+  switch (level) {
+    case RenderQuality::kFast:
+      return "fast";
+    case RenderQuality::kFine:
+      return "fine";
+    case RenderQuality::kBest:
+      return "best";
+    case RenderQuality::kAutomatic:
+      break;
+  }
+  return "automatic";
+}
 
 struct Outcome {
   std::vector<double> frames_ms;  // sorted
@@ -195,7 +213,7 @@ void print(const char* name, const Outcome& outcome, const Outcome& still) {
 
 Options parse(const QStringList& arguments) {
   QCommandLineParser parser;
-  for (const char* name : {"seconds", "size", "organ", "triangles", "level"}) {
+  for (const char* name : {"seconds", "size", "organ", "triangles", "level", "pictures"}) {
     parser.addOption(QCommandLineOption(QLatin1String(name), QString(), QLatin1String(name)));
   }
   parser.addOption(QCommandLineOption(QStringLiteral("smoke")));
@@ -219,12 +237,12 @@ Options parse(const QStringList& arguments) {
     options.organ = value("organ").toStdString();
   }
   options.triangles = value("triangles").toInt();
-  if (value("level") == QLatin1String("fast")) {
-    options.levels = {RenderQuality::kFast};
+  for (const RenderQuality level : {RenderQuality::kFast, RenderQuality::kFine, RenderQuality::kBest}) {
+    if (value("level") == QLatin1String(nameOf(level))) {
+      options.levels = {level};
+    }
   }
-  if (value("level") == QLatin1String("fine")) {
-    options.levels = {RenderQuality::kFine};
-  }
+  options.pictures = value("pictures");
   return options;
 }
 
@@ -316,7 +334,12 @@ int bench(const Options& options) {
     view.setQuality(level);
     sound = drawFor(view, options.smoke ? 0.0 : kWarmUp_s) && sound;
     const Outcome outcome = measure(scene, &view, options.seconds);
-    print(level == RenderQuality::kFast ? "fast" : "fine", outcome, still);
+    print(nameOf(level), outcome, still);
+    if (!options.pictures.isEmpty() &&
+        !view.picture().save(QDir(options.pictures).filePath(QLatin1String(nameOf(level)) + ".png"))) {
+      std::fputs("a picture could not be saved\n", stderr);
+      return 1;
+    }
     sound = sound && outcome.ticks > 0 && !outcome.frames_ms.empty();
   }
   std::printf("\nrenderer: %s\n", view.renderer().toUtf8().constData());
