@@ -15728,6 +15728,170 @@ audit trail %3</source>
         <source>Warning about the organ of a recording</source>
         <translation>关于录制所用器官的警告</translation>
     </message>
+    <message>
+        <source>Copy or export the file again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the file cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the file ends, or is damaged, after %1 of %2 voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N01 the file is shorter than a NIfTI header, or damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a NIfTI-1 file, .nii or .nii.gz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the voxels lie in a file of their own, NAME.img beside NAME.hdr, and it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the file ends before its voxels begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the file is damaged: its check sum is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 {voxel|voxels} without a number count as air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check where the scan has no values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N01 this is a NIfTI-2 file; NIfTI-1 is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save it as NIfTI-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N01 this is no NIfTI file: its header does not begin with 348</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N01 the file has no NIfTI mark: an Analyze file does not say where left and right are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert the scan to NIfTI-1 again from its DICOM files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N02 the file has %1 dimensions, a volume has 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N02 dimension %1 is %2, it must lie between 1 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N02 the file holds a series of volumes: dimension %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N03 voxels of datatype %1 (colour, complex or 64-bit whole numbers) are not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the volume with 16-bit whole numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N03 datatype %1 with %2 bits a voxel contradicts itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N04 the voxels are said to begin at byte %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file names no unit of length; millimetres are assumed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the size of the organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N06 the file&apos;s unit of length is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the volume with lengths in millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N05 the rotation of the file is none: its quaternion is %1 long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not say how the patient lay: left and right may be exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Convert the scan again from its DICOM files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resample the volume to voxels with right angles, or export it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N05 the file lies nowhere: its origin is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N05 the volume is sheared: two of its axes are %1 degrees off a right angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>soft tissue between -200 and 200 HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>air near -1000 HU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D13 the values are not those of a CT: there is no %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a CT in Hounsfield units, or a label mask with --tissue label N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D15 the scan is too large: %1 x %2 x %3 voxels are %4 GB, at most %5 GB are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crop the scan, or export it with larger voxels</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

@@ -97,11 +97,29 @@ void drawBowel(QPainter& painter, double left, double right, double top, double 
   }
 }
 
-void drawUpperAbdomen(QPainter& painter, const Theme& theme) {
+/// What a stomach hangs between: the oesophagus, which comes from below the liver to the cardia, and the
+/// duodenum, which leads from the pylorus up to the gallbladder, round and behind the colon. Where the antrum
+/// is turned away, no open end is left in its place: the duodenum then comes from behind the gallbladder.
+void drawEndsOfStomach(QPainter& painter, const Theme& theme, bool pylorusInPlace) {
+  const Tone tone = toneOf(theme, 8);
+  QPainterPath duodenum(QPointF(-1.04, -0.14));
+  if (pylorusInPlace) {
+    duodenum = QPainterPath(QPointF(-0.58, -0.46));
+    duodenum.cubicTo(-0.68, -0.18, -0.88, -0.10, -1.04, -0.14);
+  }
+  duodenum.cubicTo(-1.18, -0.40, -1.18, -1.15, -0.70, -1.25);
+  drawTube(painter, duodenum, 0.25, tone);
+  QPainterPath oesophagus(QPointF(-0.24, 1.45));
+  oesophagus.cubicTo(-0.24, 1.00, -0.18, 0.62, 0.10, 0.36);
+  drawTube(painter, oesophagus, 0.19, tone);
+}
+
+void drawUpperAbdomen(QPainter& painter, const Theme& theme, bool pylorusInPlace) {
   QPainterPath spleen(QPointF(1.25, 1.30));
   spleen.cubicTo(1.95, 1.45, 2.1, 0.55, 1.62, -0.05);
   spleen.cubicTo(1.32, 0.2, 1.2, 0.8, 1.25, 1.30);
   drawBody(painter, spleen, toneOf(theme, 320));
+  drawEndsOfStomach(painter, theme, pylorusInPlace);
   QPainterPath colon(QPointF(-2.0, -0.75));
   colon.cubicTo(-1.2, -1.45, 0.9, -1.5, 1.9, -0.55);
   drawColon(painter, colon, 0.46, toneOf(theme, 20));
@@ -138,7 +156,8 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
     case Surroundings::kDrape:
       return;
     case Surroundings::kStomach:
-      drawUpperAbdomen(painter, theme);
+    case Surroundings::kTurnedAntrum:
+      drawUpperAbdomen(painter, theme, kind == Surroundings::kStomach);
       return;
     case Surroundings::kPelvis:
       drawPelvis(painter, theme);

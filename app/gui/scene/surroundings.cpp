@@ -137,6 +137,9 @@ void drawRing(QPainter& painter, const Theme& theme) {
 }  // namespace
 
 Surroundings surroundingsOf(std::string_view sceneId) {
+  if (sceneId == "gastric-mesentero-axial") {
+    return Surroundings::kTurnedAntrum;
+  }
   if (sceneId == "stomach" || sceneId.starts_with("gastric")) {
     return Surroundings::kStomach;
   }

@@ -13,10 +13,11 @@ struct Theme;
 
 /// What lies behind an organ in the operating room.
 enum class Surroundings : std::uint8_t {
-  kDrape,      ///< a limb or a testis on a draped table
-  kStomach,    ///< the opened abdomen: liver, spleen and colon in outline
-  kIntestine,  ///< the opened abdomen: loops of bowel in outline
-  kPelvis,     ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
+  kDrape,         ///< a limb or a testis on a draped table
+  kStomach,       ///< the opened abdomen: oesophagus, duodenum, liver, spleen and colon in outline
+  kTurnedAntrum,  ///< the same without the way from pylorus to duodenum
+  kIntestine,     ///< the opened abdomen: loops of bowel in outline
+  kPelvis,        ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
 };
 
 /// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape.

@@ -2,9 +2,15 @@
 #include "sim/geometry/mesh/mesh_thinning.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
+
+#include <queue>
 
 #include "sim/geometry/mesh/mesh_repair.h"
 
@@ -12,150 +18,100 @@ namespace torsio {
 
 namespace {
 
-constexpr int kMostPasses = 40;
-constexpr double kLeastCosine = 0.3;   // between a triangle's normal before and after a collapse
-constexpr double kShareOfEdges = 0.3;  // of the edges, the shortest, that a pass tries
+constexpr double kLeastCosine = 0.3;     // between a triangle's normal before and after a collapse
+constexpr double kEvenness = 5e-3;       // weight of the squared edge length beside the squared distance
+constexpr double kTowardsMiddle = 1e-3;  // weight of the edge's middle where planes leave the place open
 
-/// One pass of collapses over a surface: neighbours of a collapsed edge are left alone until the next.
-class ThinningPass {
+/// Sum of squared distances to planes, each weighted by its triangle's area.
+struct PlaneSum {
+  std::array<double, 6> matrix{};  // xx, xy, xz, yy, yz, zz
+  Vec3 vector;
+  double constant = 0.0;
+  double weight = 0.0;
+
+  /// The plane through `point` with the unit normal `n`.
+  void add(const Vec3& n, const Vec3& point, double area) {
+    const double d = -dot(n, point);
+    matrix[0] += area * n.x * n.x, matrix[1] += area * n.x * n.y, matrix[2] += area * n.x * n.z;
+    matrix[3] += area * n.y * n.y, matrix[4] += area * n.y * n.z, matrix[5] += area * n.z * n.z;
+    vector += (area * d) * n;
+    constant += area * d * d;
+    weight += area;
+  }
+  void add(const PlaneSum& other) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      matrix[i] += other.matrix[i];
+    }
+    vector += other.vector;
+    constant += other.constant;
+    weight += other.weight;
+  }
+  [[nodiscard]] double at(const Vec3& p) const {
+    const Vec3 product{matrix[0] * p.x + matrix[1] * p.y + matrix[2] * p.z,
+                       matrix[1] * p.x + matrix[3] * p.y + matrix[4] * p.z,
+                       matrix[2] * p.x + matrix[4] * p.y + matrix[5] * p.z};
+    return std::max(0.0, dot(p, product) + 2.0 * dot(vector, p) + constant);
+  }
+  /// Where the sum is least; near `middle` as far as the planes do not say.
+  [[nodiscard]] Vec3 least(const Vec3& middle) const {
+    const double pull = kTowardsMiddle * weight;
+    const double xx = matrix[0] + pull;
+    const double yy = matrix[3] + pull;
+    const double zz = matrix[5] + pull;
+    const auto [xy, xz, yz] = std::tuple(matrix[1], matrix[2], matrix[4]);
+    const Vec3 wanted = pull * middle - vector;
+    const Vec3 x{xx, xy, xz};
+    const Vec3 y{xy, yy, yz};
+    const Vec3 z{xz, yz, zz};
+    const double all = dot(x, cross(y, z));
+    if (!(all > 0.0)) {
+      return middle;
+    }
+    return Vec3{dot(wanted, cross(y, z)), dot(wanted, cross(z, x)), dot(wanted, cross(x, y))} / all;
+  }
+};
+
+/// Collapses edges in the order of what they cost.
+class EdgeThinning {
  public:
-  explicit ThinningPass(TriangleMesh& mesh)
-      : mesh_(mesh), locked_(mesh.vertices_m.size(), false), gone_(mesh.triangles.size(), false) {
-    listFans();
-  }
-
-  /// Collapses at most `most` edges, the shortest first; returns how many.
-  std::size_t run(std::size_t most) {
-    std::size_t done = 0;
-    for (const auto& [length2, low, high] : shortestEdges()) {
-      if (done == most) {
-        break;
-      }
-      if (!locked_[low] && !locked_[high] && mayCollapse(low, high)) {
-        collapse(low, high);
-        ++done;
-      }
-    }
-    dropGone();
-    return done;
-  }
-
- private:
-  struct Edge {
-    double length2 = 0.0;
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-  };
-
-  void listFans() {
-    first_.assign(mesh_.vertices_m.size() + 1, 0);
-    for (const TriangleMesh::Triangle& t : mesh_.triangles) {
-      for (const std::uint32_t v : t) {
-        ++first_[v + 1];
+  explicit EdgeThinning(TriangleMesh& mesh)
+      : mesh_(mesh),
+        left_(mesh.triangles.size()),
+        gone_(mesh.triangles.size(), false),
+        fans_(mesh.vertices_m.size()),
+        planes_(mesh.vertices_m.size()),
+        version_(mesh.vertices_m.size(), 0) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const TriangleMesh::Triangle& corners = mesh_.triangles[t];
+      const Vec3 twice = normalTimesTwiceArea(corners);
+      const double length = norm(twice);
+      for (const std::uint32_t v : corners) {
+        fans_[v].push_back(t);
+        if (length > 0.0) {
+          planes_[v].add(twice / length, mesh_.vertices_m[corners[0]], 0.5 * length);
+        }
       }
     }
-    for (std::size_t v = 1; v < first_.size(); ++v) {
-      first_[v] += first_[v - 1];
-    }
-    fans_.resize(3 * mesh_.triangles.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
-      for (const std::uint32_t v : mesh_.triangles[i]) {
-        fans_[next[v]++] = i;
-      }
-    }
-  }
-
-  std::vector<Edge> shortestEdges() const {
-    std::vector<Edge> edges;
-    edges.reserve(mesh_.triangles.size() * 3 / 2);
     for (const TriangleMesh::Triangle& t : mesh_.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = t[k];
-        const std::uint32_t b = t[(k + 1) % 3];
-        if (a < b) {  // of a closed surface each edge runs once so
-          const Vec3 along = mesh_.vertices_m[b] - mesh_.vertices_m[a];
-          edges.push_back({dot(along, along), a, b});
-        }
-      }
-    }
-    const auto before = [](const Edge& x, const Edge& y) {
-      return x.length2 != y.length2 ? x.length2 < y.length2
-                                    : std::pair(x.low, x.high) < std::pair(y.low, y.high);
-    };
-    const auto tried = static_cast<std::ptrdiff_t>(kShareOfEdges * static_cast<double>(edges.size()));
-    std::nth_element(edges.begin(), edges.begin() + tried, edges.end(), before);
-    edges.resize(static_cast<std::size_t>(tried));
-    std::sort(edges.begin(), edges.end(), before);
-    return edges;
-  }
-
-  template <typename Visit>
-  void eachNeighbour(std::uint32_t v, const Visit& visit) const {
-    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) {
-      for (const std::uint32_t other : mesh_.triangles[fans_[i]]) {
-        if (other != v) {
-          visit(other);
+        if (t[k] < t[(k + 1) % 3]) {  // of a closed surface each edge runs once so
+          offer(t[k], t[(k + 1) % 3]);
         }
       }
     }
   }
 
-  /// Tells whether the edge may go: its ends share two neighbours and no more, which keeps the topology, and
-  /// no triangle turns over when `high` moves to `low`.
-  bool mayCollapse(std::uint32_t low, std::uint32_t high) {
-    around_.clear();
-    eachNeighbour(low, [this](std::uint32_t v) { around_.push_back(v); });
-    std::sort(around_.begin(), around_.end());
-    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-    shared_.clear();
-    bool free = true;
-    eachNeighbour(high, [&](std::uint32_t v) {
-      free = free && !locked_[v];
-      if (std::binary_search(around_.begin(), around_.end(), v)) {
-        shared_.push_back(v);
-      }
-    });
-    std::sort(shared_.begin(), shared_.end());
-    shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
-    return free && shared_.size() == 2 && turnsNothingOver(low, high);
-  }
-
-  bool turnsNothingOver(std::uint32_t low, std::uint32_t high) const {
-    for (std::uint32_t i = first_[high]; i < first_[high + 1]; ++i) {
-      const TriangleMesh::Triangle& t = mesh_.triangles[fans_[i]];
-      if (std::find(t.begin(), t.end(), low) != t.end()) {
-        continue;
-      }
-      TriangleMesh::Triangle moved = t;
-      std::replace(moved.begin(), moved.end(), high, low);
-      const auto& p = mesh_.vertices_m;
-      const Vec3 was = cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
-      const Vec3 is = cross(p[moved[1]] - p[moved[0]], p[moved[2]] - p[moved[0]]);
-      if (isDegenerate(p[moved[0]], p[moved[1]], p[moved[2]]) ||
-          dot(was, is) < kLeastCosine * norm(was) * norm(is)) {
-        return false;
+  void run(std::size_t most) {
+    while (left_ > most && !waiting_.empty()) {
+      const Collapse next = waiting_.top();
+      waiting_.pop();
+      if (next.versions == std::array{version_[next.kept], version_[next.lost]}) {
+        const Vec3 place = placeFor(next.kept, next.lost);
+        if (mayCollapse(next.kept, next.lost, place)) {
+          collapse(next.kept, next.lost, place);
+        }
       }
     }
-    return true;
-  }
-
-  void collapse(std::uint32_t low, std::uint32_t high) {
-    eachNeighbour(high, [this](std::uint32_t v) { locked_[v] = true; });
-    eachNeighbour(low, [this](std::uint32_t v) { locked_[v] = true; });
-    locked_[low] = true;
-    locked_[high] = true;
-    for (std::uint32_t i = first_[high]; i < first_[high + 1]; ++i) {
-      TriangleMesh::Triangle& t = mesh_.triangles[fans_[i]];
-      if (std::find(t.begin(), t.end(), low) != t.end()) {
-        gone_[fans_[i]] = true;
-      } else {
-        std::replace(t.begin(), t.end(), high, low);
-      }
-    }
-  }
-
-  void dropGone() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       if (!gone_[i]) {
@@ -165,24 +121,128 @@ class ThinningPass {
     mesh_.triangles.resize(kept);
   }
 
+ private:
+  struct Collapse {
+    double cost = 0.0;
+    std::uint32_t kept = 0;
+    std::uint32_t lost = 0;
+    std::array<std::uint32_t, 2> versions{};
+    /// The cheapest comes first; among equals the one of the earlier vertices.
+    friend bool operator<(const Collapse& a, const Collapse& b) {
+      return std::tie(b.cost, b.kept, b.lost) < std::tie(a.cost, a.kept, a.lost);
+    }
+  };
+
+  Vec3 normalTimesTwiceArea(const TriangleMesh::Triangle& t) const {
+    const auto& p = mesh_.vertices_m;
+    return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+  }
+
+  Vec3 placeFor(std::uint32_t kept, std::uint32_t lost) const {
+    PlaneSum sum = planes_[kept];
+    sum.add(planes_[lost]);
+    const Vec3 middle = 0.5 * (mesh_.vertices_m[kept] + mesh_.vertices_m[lost]);
+    const Vec3 place = sum.least(middle);
+    const double length = norm(mesh_.vertices_m[kept] - mesh_.vertices_m[lost]);
+    return norm(place - middle) <= length ? place : middle;
+  }
+
+  void offer(std::uint32_t a, std::uint32_t b) {
+    const auto [kept, lost] = std::minmax(a, b);
+    const Vec3 place = placeFor(kept, lost);
+    const Vec3 along = mesh_.vertices_m[kept] - mesh_.vertices_m[lost];
+    const double cost = planes_[kept].at(place) + planes_[lost].at(place) +
+                        kEvenness * dot(along, along) * (planes_[kept].weight + planes_[lost].weight);
+    waiting_.push({cost, kept, lost, {version_[kept], version_[lost]}});
+  }
+
+  /// The neighbours of a vertex, ascending, each once.
+  void listAround(std::uint32_t v, std::vector<std::uint32_t>& around) const {
+    around.clear();
+    for (const std::uint32_t t : fans_[v]) {
+      for (const std::uint32_t other : mesh_.triangles[t]) {
+        if (other != v) {
+          around.push_back(other);
+        }
+      }
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+  }
+
+  /// Tells whether an edge may go: its ends share two neighbours and no more, which keeps the topology, and
+  /// no triangle turns over or loses its area.
+  bool mayCollapse(std::uint32_t kept, std::uint32_t lost, const Vec3& place) {
+    listAround(kept, around_);
+    listAround(lost, aroundLost_);
+    shared_.clear();
+    std::set_intersection(around_.begin(), around_.end(), aroundLost_.begin(), aroundLost_.end(),
+                          std::back_inserter(shared_));
+    return shared_.size() == 2 && turnsNothingOver(kept, lost, place) && turnsNothingOver(lost, kept, place);
+  }
+
+  bool turnsNothingOver(std::uint32_t moved, std::uint32_t other, const Vec3& place) const {
+    for (const std::uint32_t t : fans_[moved]) {
+      const TriangleMesh::Triangle& corners = mesh_.triangles[t];
+      if (std::find(corners.begin(), corners.end(), other) != corners.end()) {
+        continue;
+      }
+      std::array<Vec3, 3> p{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        p[k] = corners[k] == moved ? place : mesh_.vertices_m[corners[k]];
+      }
+      const Vec3 was = normalTimesTwiceArea(corners);
+      const Vec3 is = cross(p[1] - p[0], p[2] - p[0]);
+      if (isDegenerate(p[0], p[1], p[2]) || dot(was, is) < kLeastCosine * norm(was) * norm(is)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void collapse(std::uint32_t kept, std::uint32_t lost, const Vec3& place) {
+    mesh_.vertices_m[kept] = place;
+    planes_[kept].add(planes_[lost]);
+    for (const std::uint32_t t : fans_[lost]) {
+      TriangleMesh::Triangle& corners = mesh_.triangles[t];
+      if (std::find(corners.begin(), corners.end(), kept) != corners.end()) {
+        gone_[t] = true;
+        --left_;
+        const std::uint32_t third = corners[0] + corners[1] + corners[2] - kept - lost;
+        std::erase(fans_[third], t);
+      } else {
+        std::replace(corners.begin(), corners.end(), lost, kept);
+        fans_[kept].push_back(t);
+      }
+    }
+    std::erase_if(fans_[kept], [this](std::uint32_t t) { return gone_[t]; });
+    fans_[lost] = {};
+    ++version_[kept];
+    ++version_[lost];
+    listAround(kept, around_);
+    for (const std::uint32_t v : around_) {
+      offer(kept, v);
+    }
+  }
+
   TriangleMesh& mesh_;
-  std::vector<bool> locked_;
+  std::size_t left_;
   std::vector<bool> gone_;
-  std::vector<std::uint32_t> first_;  // of each vertex, in fans_
-  std::vector<std::uint32_t> fans_;   // triangles round each vertex
+  std::vector<std::vector<std::uint32_t>> fans_;  // triangles round each vertex
+  std::vector<PlaneSum> planes_;
+  std::vector<std::uint32_t> version_;
+  std::priority_queue<Collapse> waiting_;
   std::vector<std::uint32_t> around_;
+  std::vector<std::uint32_t> aroundLost_;
   std::vector<std::uint32_t> shared_;
 };
 
 }  // namespace
 
 TriangleMesh thinned(TriangleMesh mesh, std::size_t most) {
-  MeshRepairs ignored;
-  for (int pass = 0; pass < kMostPasses && mesh.triangles.size() > most; ++pass) {
-    const std::size_t wanted = (mesh.triangles.size() - most + 1) / 2;
-    if (ThinningPass(mesh).run(wanted) == 0) {
-      break;
-    }
+  if (mesh.triangles.size() > most) {
+    MeshRepairs ignored;
+    EdgeThinning(mesh).run(most);
     removeUnusedVertices(mesh, ignored);
   }
   return mesh;

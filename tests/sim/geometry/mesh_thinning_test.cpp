@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/geometry/mesh/mesh_thinning.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_crossings.h"
 #include "tests/sim/geometry/shapes.h"
+#include "tests/support/procedural_mesh.h"
 
 namespace torsio {
 namespace {
 
-TEST(ThinnedMesh, KeepsTopologyVolumeAndPlaces) {
+TEST(ThinnedMesh, KeepsTopologyVolumeAndShape) {
   const TriangleMesh fine = testing::ellipsoid({0.05, 0.04, 0.09}, 120, 120);
 
   const TriangleMesh coarse = thinned(fine, 4000);
@@ -23,10 +27,30 @@ TEST(ThinnedMesh, KeepsTopologyVolumeAndPlaces) {
   EXPECT_EQ(report.genus(), 0);
   EXPECT_EQ(report.degenerateFaces, 0U);
   EXPECT_EQ(report.unusedVertices, 0U);
-  EXPECT_NEAR(report.volume_m3 / checkMesh(fine).volume_m3, 1.0, 0.01);
+  EXPECT_NEAR(report.volume_m3 / checkMesh(fine).volume_m3, 1.0, 2e-3);
+  EXPECT_TRUE(crossingTriangles(coarse).empty());
   for (const Vec3& v : coarse.vertices_m) {
-    EXPECT_NEAR(v.x * v.x / 0.0025 + v.y * v.y / 0.0016 + v.z * v.z / 0.0081, 1.0, 1e-9);
+    EXPECT_NEAR(v.x * v.x / 0.0025 + v.y * v.y / 0.0016 + v.z * v.z / 0.0081, 1.0, 0.01);  // 0.2 mm and less
   }
+}
+
+TEST(ThinnedMesh, KeepsFlatFacesFlatAndTrianglesEven) {
+  const TriangleMesh fine = testing::prism(testing::circleOutline(0.03, 240), 0.2, 120);
+
+  const TriangleMesh coarse = thinned(fine, 2000);
+
+  double longest_m = 0.0;
+  for (const TriangleMesh::Triangle& t : coarse.triangles) {
+    const Vec3& a = coarse.vertices_m[t[0]];
+    const Vec3& b = coarse.vertices_m[t[1]];
+    const bool onSide = std::min(a.z, b.z) > 0.005 && std::max(a.z, b.z) < 0.195;  // its ends are fans
+    longest_m = onSide ? std::max(longest_m, norm(b - a)) : longest_m;
+  }
+  EXPECT_LT(longest_m, 0.02);  // an even triangulation has edges of 7 mm
+  const MeshReport report = checkMesh(coarse);
+  EXPECT_NEAR(report.boxMin_m.z, 0.0, 2e-4);
+  EXPECT_NEAR(report.boxMax_m.z, 0.2, 2e-4);
+  EXPECT_NEAR(report.volume_m3 / checkMesh(fine).volume_m3, 1.0, 4e-3);
 }
 
 TEST(ThinnedMesh, LeavesASmallMeshAsItIs) {
