@@ -40,10 +40,9 @@ void MeasuringAhead::give(std::vector<RecordingToMeasure> recordings) {
     batch.samples += recording.trial.summary.samples;
   }
   samples_ += batch.samples;
-  batch.digests =
-      std::async(std::launch::async, [recordings = std::move(recordings), now_us = now_us_] {
-        return measuredInTurn(recordings, now_us);
-      });
+  batch.digests = std::async(std::launch::async, [recordings = std::move(recordings), now_us = now_us_] {
+    return measuredInTurn(recordings, now_us);
+  });
   underWay_.push_back(std::move(batch));
 }
 

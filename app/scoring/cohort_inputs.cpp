@@ -196,8 +196,7 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Trainin
     }
     return known->second;
   };
-  const std::map<MarkId, std::vector<MarkRow>> answers =
-      RatingRepository(connection).criteria(cohortId);
+  const std::map<MarkId, std::vector<MarkRow>> answers = RatingRepository(connection).criteria(cohortId);
   for (const SubmittedMark& mark : training.submitted) {
     const auto rows = answers.find(mark.id);
     const std::optional<std::size_t> occasion = training.occasions.positionOf(mark.occasionCode);

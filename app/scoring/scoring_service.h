@@ -51,8 +51,8 @@ struct TrainingResult {
   std::vector<TrainingMark> marks;  ///< assessable ones
   std::vector<TraineeScore> trainees;
   std::vector<GroupSummary> groups;
-  std::int64_t notAssessable = 0;  ///< marks that could not be given
-  MarkWays ways;                   ///< how `marks` were given
+  std::int64_t notAssessable = 0;        ///< marks that could not be given
+  MarkWays ways;                         ///< how `marks` were given
   std::vector<SubmittedMark> submitted;  ///< all marks as RatingRepository::marks() reads them
 };
 
