@@ -100,6 +100,15 @@ std::string rolesJson(const std::vector<std::string>& roles) {
   return nlohmann::json{{"roles", roles}}.dump();
 }
 
+/// Nobody gets a second way in as a person who has an account.
+void requireNoAccount(SessionContext& session, const PersonId& personId) {
+  const std::string login = personId.empty() ? std::string() : repository(session).loginOf(personId);
+  if (!login.empty()) {
+    throw Error(ErrorCode::kBadData, Text::tr("this person has the account %1 already", login),
+                Text::tr("user"), Text::tr("Give that account the role, or switch it on again"));
+  }
+}
+
 }  // namespace
 
 bool needsFirstRun(Connection& connection) {
@@ -207,6 +216,7 @@ void signOut(SessionContext& session) {
 
 UserId addUser(SessionContext& session, const NewUser& user) {
   session.require(Operation::kUserManage);
+  requireNoAccount(session, user.personId);
   if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
     throw SecondPersonNeeded(DutyAct::kGrantRoles, user.login);
   }

@@ -56,7 +56,8 @@ void signOut(SessionContext& session);
 [[nodiscard]] Actor simulatedTrainee(SessionContext& session);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage. Throws
-/// SecondPersonNeeded (two_people.h) where roles are given that need two people: makeUser() asks for them.
+/// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) where roles are given
+/// that need two people: makeUser() asks for them.
 struct NewUser {
   std::string login{};
   PersonId personId{};

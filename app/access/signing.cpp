@@ -8,6 +8,7 @@
 #include "app/access/access_service.h"
 #include "app/access/settings_service.h"
 #include "db/connection/connection.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/time_units.h"
@@ -84,6 +85,11 @@ void sign(SessionContext& session, const SignedObject& object) {
     throw PasswordDue();
   }
   const Actor& actor = session.actor();
+  if (!object.demonstration && AccessRepository(session.connection()).isOfDemonstration(actor.userId)) {
+    throw Error(ErrorCode::kPermission,
+                Text::tr("an account of the demonstration signs only what is simulated"),
+                Text::tr("signature"), Text::tr("Let a person of the centre do it"));
+  }
   SignatureRepository(session.connection())
       .add({.kind = object.kind,
             .objectId = object.objectId,

@@ -78,12 +78,13 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
 UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject);
 
 /// Whether `after` has a role that `before` has not and that two people must give. False where the centre
-/// does not ask for two, for an account of the demonstration, and for the second administrator, whom nobody
+/// does not ask for two, for a physician of the demonstration, and for the second administrator, whom nobody
 /// could confirm. In a call that has asked for a right.
 [[nodiscard]] bool givesGuardedRole(SessionContext& session, bool demonstration,
                                     const std::vector<std::string>& before,
                                     const std::vector<std::string>& after);
-/// Whether a new start password of this user needs two people. kUserManage.
+/// Whether a new start password of this user needs two people: for each role but that of a trainee, and for
+/// whoever is a rater, whatever roles the account has just now. kUserManage.
 [[nodiscard]] bool passwordNeedsTwo(SessionContext& session, const UserAccount& user);
 /// Whether one administrator alone may switch the rule off: there is nobody else to ask. In a call that has
 /// asked for a right.

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "app/recording/competence.h"
-#include "app/recording/detorsion_rules.h"
+#include "app/recording/measuring_ahead.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/metrics/metric_cards.h"
@@ -18,15 +18,14 @@
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/ids.h"
-#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::int64_t kEveryTrial = 10'000'000;
-constexpr std::size_t kProgressEvery = 16;
 constexpr std::size_t kKeepEvery = 256;
+constexpr std::int64_t kBatch_samples = 100'000;
 
 /// Where an enrolment stands in the study.
 struct Place {
@@ -121,6 +120,71 @@ class Fresh {
   std::vector<TrialDigest> waiting_;
 };
 
+/// A recording whose digest is not kept yet.
+struct Unmeasured {
+  std::size_t place = 0;  ///< among the listed ones
+  AttemptRules rules{};
+};
+
+/// Where the recordings that are given to one core at a time end: a good second of work, unless one of them
+/// is longer.
+std::size_t endOfBatch(const std::vector<TrialListing>& listed, const std::vector<Unmeasured>& unmeasured,
+                       std::size_t from) {
+  std::int64_t samples = 0;
+  std::size_t end = from;
+  for (; end < unmeasured.size() && end - from < TrialLoader::kAtOnce; ++end) {
+    samples += listed[unmeasured[end].place].summary->samples;
+    if (end > from && samples > kBatch_samples) {
+      break;
+    }
+  }
+  return end;
+}
+
+/// Reads and measures recordings, keeps their digests and fills in their rows.
+void measure(Connection& connection, const std::vector<TrialListing>& listed,
+             const std::vector<Unmeasured>& unmeasured, std::int64_t now_us, const ProgressCallback& progress,
+             std::vector<TrialSummaryRow>& rows) {
+  TrialLoader loader(connection);
+  Fresh fresh(connection);
+  MeasuringAhead ahead(now_us);
+  std::size_t done = 0;
+  const auto take = [&] {
+    for (TrialDigest& digest : ahead.take()) {
+      const std::size_t place = unmeasured[done++].place;
+      rows[place] = summaryRow(listed[place], digest);
+      fresh.add(std::move(digest));
+    }
+  };
+  for (std::size_t from = 0; from < unmeasured.size();) {
+    const std::size_t end = endOfBatch(listed, unmeasured, from);
+    if (progress) {
+      const std::size_t place = unmeasured[from].place;
+      progress({Text::tr("Reading recording %1 of %2", place + 1, listed.size()),
+                static_cast<double>(place) / static_cast<double>(listed.size()), -1.0});
+    }
+    std::vector<TrialId> ids;
+    std::int64_t samples = 0;
+    for (std::size_t i = from; i < end; ++i) {
+      ids.push_back(listed[unmeasured[i].place].trialId);
+      samples += listed[unmeasured[i].place].summary->samples;
+    }
+    while (!ahead.hasRoomFor(samples)) {
+      take();
+    }
+    std::vector<RecordingToMeasure> batch;
+    for (Trial& trial : loader.load(ids)) {
+      batch.push_back({std::move(trial), unmeasured[from + batch.size()].rules});
+    }
+    ahead.give(std::move(batch));
+    from = end;
+  }
+  while (!ahead.empty()) {
+    take();
+  }
+  fresh.keep();
+}
+
 }  // namespace
 
 std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, const CohortId& cohortId,
@@ -132,34 +196,25 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& session, con
 std::vector<TrialSummaryRow> TrialDigests::read(Connection& connection, const CohortId& cohortId,
                                                 std::int64_t now_us, const ProgressCallback& progress) {
   StudyRepository study(connection);
-  TrialRepository trials(connection);
   const std::map<std::string, Place> places = placesOf(study, cohortId);
   const std::vector<TrialListing> listed = finishedTrials(connection, cohortId, places);
   Kept kept = keptOf(connection, cohortId);
-  Fresh fresh(connection);
-  std::vector<TrialSummaryRow> out;
-  out.reserve(listed.size());
+  std::vector<TrialSummaryRow> out(listed.size());
+  std::vector<Unmeasured> unmeasured;
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const TrialListing& listing = listed[i];
     const AttemptRules rules = rules_.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
     if (const TrialDigest* known = findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
-      out.push_back(summaryRow(listing, *known));
+      out[i] = summaryRow(listing, *known);
     } else {
-      if (progress && measured_ % kProgressEvery == 0) {
-        progress({Text::tr("Reading recording %1 of %2", i + 1, listed.size()),
-                  static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
-      }
-      const Trial trial = trials.load(listing.trialId);
-      const AttemptMeasures measures =
-          measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
-      TrialDigest digest = keptDigest(trial, measures, rules, now_us);
-      ++measured_;
-      out.push_back(summaryRow(listing, digest));
-      fresh.add(std::move(digest));
+      unmeasured.push_back({i, rules});
     }
-    out.back().group = places.at(listing.enrolmentId).group;
   }
-  fresh.keep();
+  measured_ += unmeasured.size();
+  measure(connection, listed, unmeasured, now_us, progress, out);
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    out[i].group = places.at(listed[i].enrolmentId).group;
+  }
   return out;
 }
 

@@ -18,7 +18,6 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
-#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -168,18 +167,18 @@ void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortIn
 }
 
 /// Whether two people were asked for, and what was signed.
-void addSafeguards(SessionContext& session, const CohortId& cohortId, const FreezeId& frozenId,
-                   const Occasions& occasions, CohortInputs& inputs) {
+void addSafeguards(SessionContext& session, const FreezeId& frozenId, const TrainingResult& training,
+                   CohortInputs& inputs) {
   Connection& connection = session.connection();
   inputs.provenance.emplace_back(
       Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
       needsTwoPeople(connection) ? Text::tr("needed") : Text::tr("switched off by the centre"));
   SignatureRepository signatures(connection);
   const std::map<std::string, Signature> signedMarks = signatures.all(SignedKind::kTrainingMark);
-  const std::vector<SubmittedMark> marks = RatingRepository(connection).marks(cohortId);
-  const std::vector<Text> texts = occasionTexts(occasions);
+  const std::vector<SubmittedMark>& marks = training.submitted;
+  const std::vector<Text> texts = occasionTexts(training.occasions);
   const auto textOf = [&](const std::string& code) -> Text {
-    const std::optional<std::size_t> place = occasions.positionOf(code);
+    const std::optional<std::size_t> place = training.occasions.positionOf(code);
     return place ? texts.at(*place) : Text(code);
   };
   for (const SubmittedMark& mark : marks) {
@@ -261,7 +260,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);
   addOrganWarnings(connection, cohort.id, inputs);
-  addSafeguards(session, cohort.id, request.frozenId, training.occasions, inputs);
+  addSafeguards(session, request.frozenId, training, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);
   inputs.competence = digests.competenceOf(session, cohort.curriculumVersionId, inputs.trainees);

@@ -176,10 +176,9 @@ ReportedSheet reported(const RubricRevision& revision, const std::string& name) 
 }
 
 /// The sheets behind the newest marks, and what they say of each criterion.
-void addCriteria(Connection& connection, const CohortId& cohortId, const Occasions& occasions,
+void addCriteria(Connection& connection, const CohortId& cohortId, const TrainingResult& training,
                  const std::vector<StudyGroup>& groups, CohortInputs& inputs) {
   SheetRepository sheets(connection);
-  RatingRepository ratings(connection);
   std::map<RubricId, std::string> names;
   for (const Rubric& rubric : sheets.rubrics()) {
     names[rubric.id] = rubric.name;
@@ -197,10 +196,10 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Occasio
     }
     return known->second;
   };
-  const std::map<MarkId, std::vector<MarkRow>> answers = ratings.criteria(cohortId);
-  for (const SubmittedMark& mark : ratings.marks(cohortId)) {
+  const std::map<MarkId, std::vector<MarkRow>> answers = RatingRepository(connection).criteria(cohortId);
+  for (const SubmittedMark& mark : training.submitted) {
     const auto rows = answers.find(mark.id);
-    const std::optional<std::size_t> occasion = occasions.positionOf(mark.occasionCode);
+    const std::optional<std::size_t> occasion = training.occasions.positionOf(mark.occasionCode);
     if (rows == answers.end() || mark.groupCode.empty() || !occasion) {
       continue;
     }
@@ -295,7 +294,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.notAssessable = training.notAssessable;
   inputs.markWays = training.ways;
   addSheets(connection, cohortId, inputs);
-  addCriteria(connection, cohortId, training.occasions, groups, inputs);
+  addCriteria(connection, cohortId, training, groups, inputs);
   inputs.evaluationRatersAsked = std::ssize(campaign.campaign.raters);
   for (const CampaignModel& model : campaign.campaign.models) {
     inputs.modelsHidden += !model.hiddenLabel.empty() && model.hiddenLabel != model.code ? 1 : 0;

@@ -154,7 +154,8 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
   const std::vector<StudyGroup> groups = StudyRepository(connection).groups(cohortId);
   ReadTraining read;
   read.result.occasions = occasionsOfCohort(connection, cohortId);
-  for (const SubmittedMark& mark : RatingRepository(connection).marks(cohortId)) {
+  read.result.submitted = RatingRepository(connection).marks(cohortId);
+  for (const SubmittedMark& mark : read.result.submitted) {
     read.inputs.update(mark.id.text());
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps.value_or(-1));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/rating/campaign.h"
+#include "assessment/rating/mark.h"
 #include "assessment/report/cohort_report.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
@@ -50,8 +51,9 @@ struct TrainingResult {
   std::vector<TrainingMark> marks;  ///< assessable ones
   std::vector<TraineeScore> trainees;
   std::vector<GroupSummary> groups;
-  std::int64_t notAssessable = 0;  ///< marks that could not be given
-  MarkWays ways;                   ///< how `marks` were given
+  std::int64_t notAssessable = 0;        ///< marks that could not be given
+  MarkWays ways;                         ///< how `marks` were given
+  std::vector<SubmittedMark> submitted;  ///< all marks as RatingRepository::marks() reads them
 };
 
 /// The marks of a cohort with scores and summaries, without storing anything.

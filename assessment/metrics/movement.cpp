@@ -2,9 +2,13 @@
 #include "assessment/metrics/movement.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <mutex>
 #include <numbers>
+#include <vector>
 
 namespace torsio {
 
@@ -13,35 +17,100 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t kLongestMovement = 65'536;  // samples: one minute at 1 kHz
+constexpr std::size_t kKeptSizes = 17;            // roots of transforms up to 65,536 points stay
 
-/// In-place radix-2 transform; the size is a power of two.
-void transform(std::vector<Complex>& x) {
-  const std::size_t n = x.size();
-  for (std::size_t i = 1, j = 0; i < n; ++i) {
-    std::size_t bit = n >> 1;
+/// Real and imaginary parts, apart from each other.
+struct Spectrum {
+  std::vector<double> re;
+  std::vector<double> im;
+};
+
+/// Roots of unity for each stage of a transform of n points, one stage after the other: the stage that joins
+/// halves of h points begins at h - 1.
+Spectrum rootsOf(std::size_t n) {
+  Spectrum roots{std::vector<double>(n - 1), std::vector<double>(n - 1)};
+  for (std::size_t i = 0; i < n / 2; ++i) {
+    const Complex root =
+        std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    for (std::size_t half = n / 2, k = i;; half /= 2, k /= 2) {
+      roots.re[half - 1 + k] = root.real();
+      roots.im[half - 1 + k] = root.imag();
+      if (k % 2 != 0 || half == 1) {
+        break;
+      }
+    }
+  }
+  return roots;
+}
+
+/// The same from a table that is made once; any thread. `own` holds what is too long to be kept.
+const Spectrum& keptRootsOf(std::size_t n, Spectrum& own) {
+  static std::array<std::once_flag, kKeptSizes> made;
+  static std::array<Spectrum, kKeptSizes> kept;
+  const auto power = static_cast<std::size_t>(std::countr_zero(n));
+  if (power >= kKeptSizes) {
+    own = rootsOf(n);
+    return own;
+  }
+  std::call_once(made[power], [&] { kept[power] = rootsOf(n); });
+  return kept[power];
+}
+
+/// Transforms a real signal, followed by zeros up to `size` points, a power of two; radix 2. The first
+/// stages only spread each value over its neighbours while these are zeros.
+Spectrum transformed(std::span<const double> signal, std::size_t size) {
+  Spectrum x{std::vector<double>(size), std::vector<double>(size)};
+  const std::size_t spread = size / std::bit_ceil(signal.size());
+  for (std::size_t i = 0, j = 0; i < signal.size(); ++i) {  // j: the bits of i in reverse
+    std::fill_n(x.re.begin() + static_cast<std::ptrdiff_t>(j), spread, signal[i]);
+    std::size_t bit = size >> 1;
     for (; (j & bit) != 0; bit >>= 1) {
       j ^= bit;
     }
     j ^= bit;
-    if (i < j) {
-      std::swap(x[i], x[j]);
-    }
   }
-  std::vector<Complex> roots(n / 2);
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    roots[i] = std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-  }
-  for (std::size_t length = 2; length <= n; length <<= 1) {
-    const std::size_t stride = n / length;
-    for (std::size_t start = 0; start < n; start += length) {
-      for (std::size_t k = 0; k < length / 2; ++k) {
-        const Complex even = x[start + k];
-        const Complex odd = x[start + k + length / 2] * roots[k * stride];
-        x[start + k] = even + odd;
-        x[start + k + length / 2] = even - odd;
+  Spectrum own;
+  const Spectrum& roots = keptRootsOf(size, own);
+  for (std::size_t half = spread; half < size; half *= 2) {
+    const double* rootRe = roots.re.data() + half - 1;
+    const double* rootIm = roots.im.data() + half - 1;
+    for (std::size_t start = 0; start < size; start += 2 * half) {
+      double* re = x.re.data() + start;
+      double* im = x.im.data() + start;
+      for (std::size_t k = 0; k < half; ++k) {
+        const double oddRe = re[k + half] * rootRe[k] - im[k + half] * rootIm[k];
+        const double oddIm = re[k + half] * rootIm[k] + im[k + half] * rootRe[k];
+        re[k + half] = re[k] - oddRe;
+        im[k + half] = im[k] - oddIm;
+        re[k] += oddRe;
+        im[k] += oddIm;
       }
     }
   }
+  return x;
+}
+
+double amplitudeOf(const Spectrum& spectrum, std::size_t i) {
+  return std::abs(Complex(spectrum.re[i], spectrum.im[i]));
+}
+
+double largestAmplitude(const Spectrum& spectrum) {
+  // Square roots only of what may be the largest; of squares that leave the range of numbers, all.
+  constexpr double kNear = 1.0 - 1e-12;
+  std::vector<double> squares(spectrum.re.size());
+  double most = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squares[i] = spectrum.re[i] * spectrum.re[i] + spectrum.im[i] * spectrum.im[i];
+    most = std::max(most, squares[i]);
+  }
+  const double least = most > 1e-200 && std::isfinite(most) ? kNear * most : 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    if (!(squares[i] < least)) {
+      largest = std::max(largest, amplitudeOf(spectrum, i));
+    }
+  }
+  return largest;
 }
 
 double peakOf(std::span<const double> speed) {
@@ -116,24 +185,13 @@ Outcome<double> spectralArcLength(std::span<const double> speed, double rate_Hz,
     return Outcome<double>::undefined(
         Text::tr("the movement is longer than a minute: split it into movements"));
   }
-  std::size_t size = 1;
-  while (size < speed.size()) {
-    size <<= 1;
-  }
-  size <<= options.paddingLevel;
-  std::vector<Complex> spectrum(size, Complex(0.0, 0.0));
-  for (std::size_t i = 0; i < speed.size(); ++i) {
-    spectrum[i] = speed[i];
-  }
-  transform(spectrum);
+  const std::size_t size = std::bit_ceil(speed.size()) << options.paddingLevel;
+  const Spectrum spectrum = transformed(speed, size);
   const double step_Hz = rate_Hz / static_cast<double>(size);
+  const double largest = largestAmplitude(spectrum);
   std::vector<double> amplitude;
-  double largest = 0.0;
-  for (const Complex& value : spectrum) {
-    largest = std::max(largest, std::abs(value));
-  }
   for (std::size_t i = 0; i < size && static_cast<double>(i) * step_Hz <= options.cutoff_Hz; ++i) {
-    amplitude.push_back(std::abs(spectrum[i]) / largest);
+    amplitude.push_back(amplitudeOf(spectrum, i) / largest);
   }
   std::size_t first = amplitude.size();
   std::size_t last = 0;

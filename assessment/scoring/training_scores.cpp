@@ -23,13 +23,11 @@ constexpr std::int64_t kMaxCommonRaters = 1'000'000;
 using Cell = std::tuple<std::size_t, std::size_t, std::string>;  // occasion, group, trainee
 using Cells = std::map<Cell, std::vector<std::int64_t>>;
 
-void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
-  if (!isOnScale(mark.steps, scale)) {
-    throw Error(
-        ErrorCode::kBadData,
-        Text::verbatim("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
-        where, Text::verbatim("Correct the mark; marks are never clamped."));
-  }
+[[noreturn]] void refuseMark(const TrainingMark& mark, const Text& what, const Text& remedy) {
+  throw Error(
+      ErrorCode::kBadData, what,
+      "trainee " + mark.trainee + ", occasion " + std::to_string(mark.occasion) + ", rater " + mark.rater,
+      remedy);
 }
 
 Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
@@ -38,17 +36,20 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   std::map<std::string, std::size_t> groupOf;
   std::set<std::tuple<std::string, std::size_t, std::string>> seen;
   for (const TrainingMark& mark : marks) {
-    const std::string where =
-        "trainee " + mark.trainee + ", occasion " + std::to_string(mark.occasion) + ", rater " + mark.rater;
-    checkMark(scale, mark, where);
+    if (!isOnScale(mark.steps, scale)) {
+      refuseMark(mark,
+                 Text::verbatim("score %1 lies outside the scale",
+                                std::to_string(pointsFromSteps(mark.steps, scale))),
+                 Text::verbatim("Correct the mark; marks are never clamped."));
+    }
     if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second) {
-      throw Error(ErrorCode::kBadData, Text::verbatim("the same mark appears twice"), where,
-                  Text::verbatim("Keep one; a correction supersedes the earlier mark."));
+      refuseMark(mark, Text::verbatim("the same mark appears twice"),
+                 Text::verbatim("Keep one; a correction supersedes the earlier mark."));
     }
     const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
     if (!isNew && known->second != mark.group) {
-      throw Error(ErrorCode::kBadData, Text::verbatim("a trainee appears in two groups"), where,
-                  Text::verbatim("Analyse as allocated."));
+      refuseMark(mark, Text::verbatim("a trainee appears in two groups"),
+                 Text::verbatim("Analyse as allocated."));
     }
     cells[{mark.occasion, mark.group, mark.trainee}].push_back(mark.steps);
   }

@@ -15892,6 +15892,22 @@ audit trail %3</source>
         <source>Crop the scan, or export it with larger voxels</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>this person has the account %1 already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give that account the role, or switch it on again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an account of the demonstration signs only what is simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let a person of the centre do it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

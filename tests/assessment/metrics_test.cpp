@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -75,6 +77,37 @@ TEST_F(TraceCase, SpectralArcLengthAgreesWithTheAuthorsExampleAndTheTurns) {
   expectValue("minjerk", "sparc_fc20", *spectralArcLength(turnSpeed(90.0, 2.0), kRate, {.cutoff_Hz = 20.0}));
   expectValue("two_sub", "sparc", *spectralArcLength(twoSubMovements(), kRate));
   EXPECT_FALSE(spectralArcLength(std::vector<double>(100, 0.0), kRate));
+}
+
+TEST_F(TraceCase, SpectralArcLengthIsThatOfAPlainTransformForAnyLengthAndPadding) {
+  for (const std::size_t n :
+       {std::size_t{2}, std::size_t{3}, std::size_t{31}, std::size_t{64}, std::size_t{65}}) {
+    std::vector<double> speed;
+    for (std::size_t i = 0; i < n; ++i) {
+      speed.push_back(1.0 + std::sin(0.7 * static_cast<double>(i)) + 0.3 * static_cast<double>(i % 3));
+    }
+    for (const int padding : {0, 1, 4}) {
+      const std::size_t size = std::bit_ceil(n) << padding;
+      std::vector<double> amplitude;
+      for (std::size_t k = 0; k < size; ++k) {
+        std::complex<double> sum;
+        for (std::size_t i = 0; i < n; ++i) {
+          sum += std::polar(speed[i], -2.0 * std::numbers::pi * static_cast<double>(k * i % size) /
+                                          static_cast<double>(size));
+        }
+        amplitude.push_back(std::abs(sum));
+      }
+      const double largest = *std::max_element(amplitude.begin(), amplitude.end());
+      const double step_Hz = 20.0 / static_cast<double>(size);
+      const std::size_t last = std::min(size - 1, static_cast<std::size_t>(std::floor(10.0 / step_Hz)));
+      double length = 0.0;
+      for (std::size_t k = 1; k <= last; ++k) {
+        length += std::hypot(1.0 / static_cast<double>(last), (amplitude[k] - amplitude[k - 1]) / largest);
+      }
+      const SparcOptions all{.paddingLevel = padding, .cutoff_Hz = 10.0, .amplitudeThreshold = 0.0};
+      EXPECT_NEAR(*spectralArcLength(speed, 20.0, all), -length, 1e-12) << n << " padded " << padding;
+    }
+  }
 }
 
 TEST_F(TraceCase, LogDimensionlessJerkFollowsTheRecommendedRule) {

@@ -55,6 +55,17 @@ bool AccessRepository::allowed(const UserId& userId, const std::string& operatio
              .value_or(0) > 0;
 }
 
+bool AccessRepository::isOfDemonstration(const UserId& userId) const {
+  return selectFirst(connection_, "SELECT demonstration FROM app_user WHERE id = ?", {userId}, readBoolean)
+      .value_or(false);
+}
+
+std::string AccessRepository::loginOf(const PersonId& personId) const {
+  return selectFirst(connection_, "SELECT login FROM app_user WHERE person_id = ? ORDER BY login", {personId},
+                     readText)
+      .value_or("");
+}
+
 SealedSecret AccessRepository::sealPassword(const std::string& login, const std::string& password) const {
   checkPassword(password, login);
   return {hashPassword(password, cost_)};

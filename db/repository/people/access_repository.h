@@ -44,6 +44,11 @@ class AccessRepository {
   /// Whether one of the user's roles has the operation; unknown and disabled users may nothing.
   [[nodiscard]] bool allowed(const UserId& userId, const std::string& operation) const;
 
+  /// Whether it is an account of simulated people.
+  [[nodiscard]] bool isOfDemonstration(const UserId& userId) const;
+  /// Sign-in name of the account that a person has, be it switched off; empty: none.
+  [[nodiscard]] std::string loginOf(const PersonId& personId) const;
+
   /// Sealing takes about a second on purpose: do it before a transaction begins, or everybody else waits for
   /// the database meanwhile. Throw Error (kBadParameter) for a weak secret; an empty PIN is none.
   [[nodiscard]] SealedSecret sealPassword(const std::string& login, const std::string& password) const;

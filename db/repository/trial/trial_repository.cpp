@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,14 +30,14 @@ using Kind = IdempotentColumn::Kind;
 constexpr const char* kCompleted = "completed";
 constexpr const char* kInterrupted = "interrupted";
 
-constexpr const char* kSelectHeader =
+const std::string kSelectHeader =
     "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
     " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
     " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m,"
     " t.workspace_max_x_m, t.workspace_max_y_m, t.workspace_max_z_m,"
     " t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale, t.tick_period_us,"
     " t.started_utc_us, t.demonstration, t.tissue_model"
-    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
+    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id";
 
 /// What nothing answered has no model.
 TissueModel modelOf(const std::string& stored) {
@@ -184,6 +185,25 @@ std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind k
           {"host_gpu", textOrNull(context.host.gpu), kind}};
 }
 
+/// " IN (?,?,?)"
+std::string among(std::size_t values) {
+  std::string list = " IN (?";
+  for (std::size_t i = 1; i < values; ++i) {
+    list += ",?";
+  }
+  return list + ")";
+}
+
+/// One of the trials that were read; throws Error (kBadData) when it is not there.
+Trial taken(std::map<TrialId, Trial>& trials, const TrialId& trialId) {
+  const auto found = trials.find(trialId);
+  if (found == trials.end() || found->second.header.trialId != trialId) {
+    throw Error(ErrorCode::kBadData, Text::tr("no such run"), trialId,
+                Text::tr("List the runs to find its id"));
+  }
+  return std::move(found->second);
+}
+
 Value traineeId(Connection& connection, const std::string& code) {
   if (code.empty()) {
     return {};
@@ -295,7 +315,7 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
 }
 
 std::optional<TrialHeader> TrialRepository::find(const TrialId& trialId) const {
-  return selectFirst(connection_, kSelectHeader, {trialId}, headerOf);
+  return selectFirst(connection_, kSelectHeader + " WHERE t.id = ?", {trialId}, headerOf);
 }
 
 std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) const {
@@ -319,34 +339,65 @@ Trial TrialRepository::load(const TrialId& trialId) const {
   return TrialLoader(connection_).load(trialId);
 }
 
-TrialLoader::TrialLoader(Connection& connection)
-    : header_(connection.prepare(kSelectHeader)),
-      chunks_(connection.prepare(
-          "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
-          " WHERE trial_id = ? ORDER BY chunk_index")),
-      closing_(connection.prepare("SELECT " + kSummaryColumns + " FROM trial_end e WHERE e.trial_id = ?")) {}
+TrialLoader::Statements::Statements(Connection& connection, std::size_t trials)
+    : headers(connection.prepare(kSelectHeader + " WHERE t.id" + among(trials))),
+      chunks(connection.prepare("SELECT trial_id, chunk_index, first_tick, sample_count, bytes, digest,"
+                                " output_digest FROM trial_chunk WHERE trial_id" +
+                                among(trials) + " ORDER BY trial_id, chunk_index")),
+      closings(connection.prepare("SELECT e.trial_id, " + kSummaryColumns +
+                                  " FROM trial_end e WHERE e.trial_id" + among(trials))) {}
+
+std::map<TrialId, Trial> TrialLoader::Statements::read(std::span<const Value> ids) {
+  std::map<TrialId, Trial> trials;
+  headers.execute(ids);
+  for (TrialHeader& header : readRows(headers, headerOf)) {
+    Trial& trial = trials[header.trialId];
+    trial.header = std::move(header);
+    trial.summary.outcome = TrialOutcome::kInterrupted;
+  }
+  chunks.execute(ids);
+  for (auto& [id, chunk] : readRows(chunks, [](RowReader& row) {
+         TrialId of = row.text();
+         return std::pair(std::move(of), chunkOf(row));
+       })) {
+    Trial& trial = trials[id];
+    trial.summary.samples += chunk.samples;
+    trial.chunks.push_back(std::move(chunk));
+  }
+  closings.execute(ids);
+  for (auto& [id, closing] : readRows(closings, [](RowReader& row) {
+         TrialId of = row.text();
+         return std::pair(std::move(of), summaryOf(row));
+       })) {
+    trials[id].summary = std::move(closing);
+  }
+  return trials;
+}
+
+TrialLoader::TrialLoader(Connection& connection) : connection_(connection), one_(connection, 1) {}
 
 Trial TrialLoader::load(const TrialId& trialId) {
-  header_.execute({trialId});
-  const std::optional<TrialHeader> header = readFirst(header_, headerOf);
-  if (!header) {
-    throw Error(ErrorCode::kBadData, Text::tr("no such run"), trialId,
-                Text::tr("List the runs to find its id"));
+  const Value id(trialId);
+  std::map<TrialId, Trial> found = one_.read({&id, 1});
+  return taken(found, trialId);
+}
+
+std::vector<Trial> TrialLoader::load(std::span<const TrialId> trialIds) {
+  TORSIO_EXPECTS(trialIds.size() <= kAtOnce);
+  std::vector<Trial> trials;
+  if (trialIds.empty()) {
+    return trials;
   }
-  Trial trial{.header = *header, .chunks = {}, .summary = {}};
-  chunks_.execute({trialId});
-  trial.chunks = readRows(chunks_, chunkOf);
-  closing_.execute({trialId});
-  const std::optional<TrialSummary> closing = readFirst(closing_, summaryOf);
-  if (closing) {
-    trial.summary = *closing;
-    return trial;
+  if (!many_) {
+    many_.emplace(connection_, kAtOnce);
   }
-  trial.summary.outcome = TrialOutcome::kInterrupted;
-  for (const TrialChunk& chunk : trial.chunks) {
-    trial.summary.samples += chunk.samples;
+  std::vector<Value> ids(trialIds.begin(), trialIds.end());
+  ids.resize(kAtOnce, Value(trialIds.back()));  // an id that is given twice is found once
+  std::map<TrialId, Trial> found = many_->read(ids);
+  for (const TrialId& trialId : trialIds) {
+    trials.push_back(taken(found, trialId));
   }
-  return trial;
+  return trials;
 }
 
 std::vector<std::string> TrialRepository::warnedParameters(const CohortId& cohortId) const {

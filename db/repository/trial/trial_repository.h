@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -93,18 +95,34 @@ class OwnConnectionTrialSink final : public TrialSink {
   std::unique_ptr<Open> open_;
 };
 
-/// Reads whole trials one after the other with statements that are compiled once. Belongs to the thread of
-/// its connection.
+/// Reads whole trials with statements that are compiled once. Belongs to the thread of its connection, which
+/// outlives it.
 class TrialLoader {
  public:
+  /// That many trials are read by one statement at most.
+  static constexpr std::size_t kAtOnce = 64;
+
   explicit TrialLoader(Connection& connection);
   /// As TrialRepository::load().
   [[nodiscard]] Trial load(const TrialId& trialId);
+  /// The same for up to kAtOnce different trials, in the order of their ids here.
+  [[nodiscard]] std::vector<Trial> load(std::span<const TrialId> trialIds);
 
  private:
-  Statement header_;
-  Statement chunks_;
-  Statement closing_;
+  /// For one number of trials.
+  struct Statements {
+    Statements(Connection& connection, std::size_t trials);
+    /// What there is of them.
+    [[nodiscard]] std::map<TrialId, Trial> read(std::span<const Value> ids);
+
+    Statement headers;
+    Statement chunks;
+    Statement closings;
+  };
+
+  Connection& connection_;
+  Statements one_;
+  std::optional<Statements> many_{};
 };
 
 }  // namespace torsio

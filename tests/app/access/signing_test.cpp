@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
+#include "assessment/people/account.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
@@ -77,6 +79,21 @@ TEST_F(Signing, AClockThatWasSetBackSignsNothing) {
   signedIn();
   centre_.passTime_us(-kMinute_us);
   EXPECT_TRUE(passwordIsDue(centre_.session()));
+}
+
+TEST_F(Signing, AnAccountOfTheDemonstrationSignsOnlyWhatIsSimulated) {
+  AccessRepository access(centre_.connection(), PasswordCost::kTest);
+  access.addUser({.id = "demo", .login = "demo", .demonstration = true, .roles = {"rater"}},
+                 access.sealPassword("demo", kStudyPassword));
+  access.setPassword("demo", access.sealPassword("demo", kStudyPassword), false);
+  ASSERT_EQ(signIn(centre_.as(""), "demo", kStudyPassword).outcome, SignIn::kOk);
+  SessionContext& session = centre_.session();
+  session.require(Operation::kMarkSubmit);
+
+  EXPECT_THROW(sign(session, {.objectId = "real"}), Error);
+  sign(session, {.objectId = "simulated", .demonstration = true});
+
+  EXPECT_EQ(SignatureRepository(centre_.connection()).all(SignedKind::kTrainingMark).size(), 1U);
 }
 
 TEST_F(Signing, GuessingWhileSigningWaitsAsAtTheSignIn) {

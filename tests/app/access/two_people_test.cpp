@@ -154,6 +154,55 @@ TEST_F(TwoPeople, TheOwnAccountAndTheOwnOtherAccountConfirmNothing) {
   EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
 }
 
+TEST_F(TwoPeople, TakingARatersRolesAwayFirstIsNoWayToTheAccount) {
+  const PersonId person = centre_.addChiefs(1).front();
+  const MadeUser made = makeUser(
+      asFirst(), {.login = "chief", .personId = person, .roles = {"rater"}, .startPassword = kStudyPassword});
+  (void)confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id);
+  for (const std::vector<std::string>& roles : {std::vector<std::string>{}, {"trainee"}}) {
+    setUserRoles(asFirst(), made.id, roles, "to get in");
+    EXPECT_THROW(resetPassword(asFirst(), made.id, "a start password to know", "lost"), SecondPersonNeeded);
+  }
+}
+
+TEST_F(TwoPeople, NobodyMakesASecondAccountOfAnotherPerson) {
+  const PersonId trainee = centre_.addTrainees(1).front();
+  const auto add = [&](const char* login) {
+    addUser(asFirst(),
+            {.login = login, .personId = trainee, .roles = {"trainee"}, .startPassword = kStudyPassword});
+  };
+  add("t-01");
+  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
+  setUserActive(asFirst(), user("t-01").id, false, "to make another");
+  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(codeOf([&] {
+              (void)makeUser(asFirst(), {.login = "shadow", .personId = trainee, .roles = {"rater"}});
+            }),
+            ErrorCode::kBadData);
+  EXPECT_TRUE(user("shadow").id.empty());
+}
+
+TEST_F(TwoPeople, AnAccountOfTheDemonstrationIsNoWayAroundTheSecondPerson) {
+  for (const char* role : {"administrator", "allocator", "statistician"}) {
+    EXPECT_THROW(
+        addUser(
+            asFirst(),
+            {.login = "simulated", .roles = {role}, .startPassword = kStudyPassword, .demonstration = true}),
+        SecondPersonNeeded)
+        << role;
+  }
+  addUser(asFirst(), {.login = "demo.physician",
+                      .roles = {"rater"},
+                      .startPassword = kStudyPassword,
+                      .demonstration = true});
+  const UserAccount simulated = user("demo.physician");
+  resetPassword(asFirst(), simulated.id, "a start password to know", "to look");
+  for (const char* role : {"administrator", "allocator", "statistician"}) {
+    EXPECT_THROW(setUserRoles(asFirst(), simulated.id, {"rater", role}, "to get in"), SecondPersonNeeded)
+        << role;
+  }
+}
+
 TEST_F(TwoPeople, ErasingTakesTwoAndTheRequestOnce) {
   const std::vector<TraineeId> people = centre_.addTrainees(2);
   EXPECT_THROW(erasePersonRecord(asFirst(), people[0], "asked"), SecondPersonNeeded);
