@@ -354,6 +354,7 @@ TEST_F(AssessmentCommands, CompetencePlansTheLimitAndPrintsBothErrorRates) {
   EXPECT_EQ(shipped["limit"], 4.09);
   EXPECT_NEAR(shipped["false_pass"].get<double>(), 0.0491, 5e-5);
   EXPECT_TRUE(shipped["false_fail_kept"].get<bool>());
+  EXPECT_NEAR(shipped["false_alarm"].get<double>(), 0.0136, 5e-5);
   const json old = answer("competence plan --adequate 0.1 --inadequate 0.2");
   EXPECT_EQ(old["limit"], 2.85);
   EXPECT_FALSE(old["false_fail_kept"].get<bool>());
