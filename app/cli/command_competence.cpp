@@ -41,6 +41,7 @@ Json designJson(const CompetenceDesign& design) {
   const CompetenceErrors errors = competenceErrors(design, design.attempts);
   json["false_pass"] = errors.falsePass;
   json["false_fail"] = errors.falseFail;
+  json["false_alarm"] = errors.falseAlarm;
   json["fewest_attempts"] = fewestForAble(design);
   return json;
 }

@@ -43,7 +43,8 @@ struct LearningArguments {
 };
 
 constexpr std::int64_t kMostAttempts = 100'000;
-constexpr double kUsualReference = 0.5;  // k of the tabular CUSUM, in sigma
+constexpr std::size_t kMostWatched = 10'000;  // attempts over which the watch for relapse is computed
+constexpr double kUsualReference = 0.5;       // k of the tabular CUSUM, in sigma
 
 /// Attempts of one subject in their order.
 struct Attempts {
@@ -182,6 +183,11 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
     }
     if (arguments.threshold) {
       entry["proficient_at"] = proficiencyJson(arguments, t, y);
+      const auto byChance = [&](double failureRate) {
+        return proficientProbability(1.0 - failureRate, y.size(), arguments.consecutive, arguments.further);
+      };
+      entry["proficient_if_adequate"] = byChance(arguments.adequate);
+      entry["proficient_if_inadequate"] = byChance(arguments.inadequate);
     }
     list.push_back(std::move(entry));
   }
@@ -257,7 +263,10 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"limit_chosen", !arguments.limit.has_value()},
                    {"attempts", longest},
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
-                   {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)}};
+                   {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)},
+                   {"not_able_in_the_end_if_adequate",
+                    longest <= kMostWatched ? Json(lcCusumNotAble(design, design.adequate, longest))
+                                            : undefinedJson("it takes at most 10,000 attempts")}};
   out["subjects"] = Json::array();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));

@@ -239,6 +239,7 @@ class Sorter {
          number("able_at_attempt", Text::tr("Able at attempt")),
          number("false_pass", Text::tr("Probability of a false pass")),
          number("false_fail", Text::tr("Probability of a false fail")),
+         number("false_alarm", Text::tr("Probability of a false alarm")),
          number("within_attempts", Text::tr("Attempts within which both hold")),
          number("design_version", Text::tr("Version of the design"))},
         {}};

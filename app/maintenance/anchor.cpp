@@ -2,26 +2,20 @@
 #include "app/maintenance/anchor.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 
-#include <sodium.h>
-
 #include "app/access/audit_service.h"
+#include "app/maintenance/signing_key.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "sim/base/private_files.h"
 
 namespace torsio {
 
@@ -30,13 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kHeadWord = "torsio-head";
-constexpr const char* kKeyWord = "torsio-anchor-key";
-constexpr const char* kReplacedWord = "torsio-key";
 constexpr const char* kNone = "-";
-
-using PublicKey = std::array<std::uint8_t, crypto_sign_PUBLICKEYBYTES>;
-using SecretKey = std::array<std::uint8_t, crypto_sign_SECRETKEYBYTES>;
-using Signature = std::array<std::uint8_t, crypto_sign_BYTES>;
 
 using Head = AnchoredHead;
 
@@ -44,149 +32,20 @@ std::string signedText(const Head& head) {
   return headWords(head.length, head.hash, head.utc_us);
 }
 
-template <typename Bytes>
-std::optional<Bytes> bytesOf(const std::string& hex) {
-  Bytes bytes{};
-  std::size_t length = 0;
-  const bool sound =
-      hex.size() == 2 * bytes.size() &&
-      sodium_hex2bin(bytes.data(), bytes.size(), hex.data(), hex.size(), nullptr, &length, nullptr) == 0 &&
-      length == bytes.size();
-  return sound ? std::optional(bytes) : std::nullopt;
-}
-
-const std::uint8_t* bytesOfText(const std::string& text) {
-  return reinterpret_cast<const std::uint8_t*>(text.data());
-}
-
-SecretKey readKey(const fs::path& file) {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  std::istringstream words(readFile(file));
-  std::string word;
-  std::string version;
-  std::string hex;
-  words >> word >> version >> hex;
-  const std::optional<SecretKey> key = bytesOf<SecretKey>(hex);
-  if (word != kKeyWord || version != "1" || !key) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no key of Torsio"), file.string(),
-                Text::tr("Make one with torsio audit key FILE"));
-  }
-  if (makePrivate(file)) {
-    throw Error(ErrorCode::kPermission,
-                Text::tr("other accounts of this computer could read this key until now"), file.string(),
-                Text::tr("Make a new key, and keep this one only to check older heads"));
-  }
-  return *key;
-}
-
-std::string publicOf(const SecretKey& key) {
-  PublicKey open{};
-  crypto_sign_ed25519_sk_to_pk(open.data(), key.data());
-  return toHex(open);
-}
-
 [[noreturn]] void notReadable(const std::string& line) {
   throw Error(ErrorCode::kBadData, Text::tr("is no head of an audit trail"), line.substr(0, 80),
               Text::tr("Give a line that torsio audit head printed"));
 }
 
-/// One key in the place of another, from some length of the trail on.
-struct Replacement {
-  std::string old{};
-  std::string fresh{};
-  std::int64_t length = 0;
-  std::int64_t utc_us = 0;
-  std::string signatureOfOld{};
-  std::string signatureOfFresh{};
-
-  [[nodiscard]] std::string signedText() const {
-    return std::string(kReplacedWord) + " 1 " + old + " " + fresh + " " + std::to_string(length) + " " +
-           std::to_string(utc_us);
-  }
-  [[nodiscard]] std::string line() const {
-    return signedText() + " " + signatureOfOld + " " + signatureOfFresh;
-  }
-};
-
-Replacement replacementOf(const std::string& line) {
-  std::istringstream words(line);
-  std::string word;
-  std::string version;
-  Replacement made;
-  words >> word >> version >> made.old >> made.fresh >> made.length >> made.utc_us >> made.signatureOfOld >>
-      made.signatureOfFresh;
-  if (!words || version != "1") {
-    notReadable(line);
-  }
-  return made;
-}
-
-std::string signedWith(const SecretKey& key, const std::string& text) {
-  Signature signature{};
-  crypto_sign_detached(signature.data(), nullptr, bytesOfText(text), text.size(), key.data());
-  return toHex(signature);
-}
-
-bool genuine(const std::string& text, const std::string& signedBy, const std::string& publicKey) {
-  const auto key = bytesOf<PublicKey>(publicKey);
-  const auto signature = bytesOf<Signature>(signedBy);
-  return key && signature &&
-         crypto_sign_verify_detached(signature->data(), bytesOfText(text), text.size(), key->data()) == 0;
-}
-
-void requireNewKeyFile(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::exists(fs::symlink_status(file, ignored))) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("exists already"), file.string(),
-                Text::tr("Name a new file: an older key is needed to check older heads"));
-  }
-}
-
-SecretKey drawKey() {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  PublicKey open{};
-  SecretKey secret{};
-  crypto_sign_keypair(open.data(), secret.data());
-  return secret;
-}
-
-/// A key, and the line by which it takes the place of another, if it does.
-void writeKey(const fs::path& file, const SecretKey& secret, const std::string& replacement) {
-  writeFileAtomically(file, std::string(kKeyWord) + " 1 " + toHex(secret) + "\n" +
-                                (replacement.empty() ? "" : replacement + "\n"));
-  makePrivate(file);
-}
-
-/// The replacement of `old` that an earlier call wrote with the key in `file`. None: the file is not there,
-/// or something else.
-std::optional<Replacement> replacementIn(const fs::path& file, const std::string& old) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
-    return std::nullopt;
-  }
-  std::istringstream in(readFile(file));
-  std::string line;
-  while (std::getline(in, line) && !line.starts_with(std::string(kReplacedWord) + " ")) {
-  }
-  if (!in) {
-    return std::nullopt;
-  }
-  Replacement made = replacementOf(line);
-  const bool sound = made.old == old && made.fresh == publicOf(readKey(file)) &&
-                     genuine(made.signedText(), made.signatureOfOld, made.old) &&
-                     genuine(made.signedText(), made.signatureOfFresh, made.fresh);
-  return sound ? std::optional(std::move(made)) : std::nullopt;
-}
-
 /// Whether nothing of a line that can be kept was cut off.
 bool isWhole(const std::string& line) {
-  const auto hex = [](const std::string& word, std::size_t bytes) { return word.size() == 2 * bytes; };
+  if (isReplacementLine(line)) {
+    const auto made = replacementOf(line);
+    return made && isSignature(made->signatureOfFresh);
+  }
   try {
-    if (line.starts_with(std::string(kReplacedWord) + " ")) {
-      return hex(replacementOf(line).signatureOfFresh, crypto_sign_BYTES);
-    }
     const Head head = readHead(line);
-    return !head.isSigned() || hex(head.signature, crypto_sign_BYTES);
+    return !head.isSigned() || isSignature(head.signature);
   } catch (const Error&) {
     return false;
   }
@@ -203,6 +62,21 @@ std::string cutOffEnd(const std::string& kept) {
   return !ours || isWhole(end) ? std::string() : end;
 }
 
+/// The replacement of `old` that an earlier call wrote with the key in `file`. None: the file is not there,
+/// or something else.
+std::optional<KeyReplacement> replacementIn(const fs::path& file, const std::string& old) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    return std::nullopt;
+  }
+  for (const KeyReplacement& made : replacementsIn(file)) {
+    if (made.old == old && made.fresh == publicOf(readKey(file))) {
+      return made;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Whether the witness file has the line.
 bool keeps(const fs::path& witness, const std::string& line) {
   std::error_code ignored;
@@ -212,76 +86,23 @@ bool keeps(const fs::path& witness, const std::string& line) {
   return readFile(witness).find(line + "\n") != std::string::npos;
 }
 
-/// Keys whose heads count, each for the lengths of the trail in its time.
-class TrustedKeys {
- public:
-  /// `root` empty: no signature is asked for.
-  TrustedKeys(const std::string& root, const std::vector<Replacement>& replacements) {
-    if (root.empty()) {
-      return;
-    }
-    times_[root] = {};
-    for (std::string later = root; const Replacement* next = from(replacements, &Replacement::old, later);) {
-      times_[later].last = next->length;
-      later = next->fresh;
-      if (!times_.try_emplace(later, Time{.first = next->length}).second) {
-        break;
-      }
-    }
-    for (std::string older = root;
-         const Replacement* next = from(replacements, &Replacement::fresh, older);) {
-      older = next->old;
-      if (!times_.try_emplace(older, Time{.last = next->length}).second) {
-        break;
-      }
-    }
-  }
-  [[nodiscard]] bool asksForSignatures() const { return !times_.empty(); }
-  /// Empty: signed by a key of its time.
-  [[nodiscard]] std::string flawOf(const Head& head) const {
-    const auto found = times_.find(head.publicKey);
-    if (found == times_.end()) {
-      return "the head is not signed by this key";
-    }
-    if (!genuine(signedText(head), head.signature, head.publicKey)) {
-      return "the signature of the head is not genuine";
-    }
-    const bool inTime = head.length >= found->second.first && head.length <= found->second.last;
-    return inTime ? std::string() : "the head is signed by a key that was not in use at its time";
-  }
-
- private:
-  struct Time {
-    std::int64_t first = 0;
-    std::int64_t last = std::numeric_limits<std::int64_t>::max();
-  };
-
-  static const Replacement* from(const std::vector<Replacement>& replacements, std::string Replacement::*side,
-                                 const std::string& key) {
-    const auto found = std::find_if(replacements.begin(), replacements.end(),
-                                    [&](const Replacement& one) { return one.*side == key; });
-    return found == replacements.end() ? nullptr : &*found;
-  }
-
-  std::map<std::string, Time> times_;
-};
-
 /// What was kept elsewhere, sorted.
 struct KeptLines {
   std::vector<Head> heads;
-  std::vector<Replacement> replacements;  ///< both signatures genuine
-  std::vector<Replacement> forged;
+  std::vector<KeyReplacement> replacements;  ///< both signatures genuine
+  std::vector<KeyReplacement> forged;
   std::string firstKey;  ///< that signed a head
 };
 
 KeptLines sorted(const std::vector<std::string>& lines) {
   KeptLines kept;
   for (const std::string& line : lines) {
-    if (line.starts_with(std::string(kReplacedWord) + " ")) {
-      Replacement made = replacementOf(line);
-      const bool sound = genuine(made.signedText(), made.signatureOfOld, made.old) &&
-                         genuine(made.signedText(), made.signatureOfFresh, made.fresh);
-      (sound ? kept.replacements : kept.forged).push_back(std::move(made));
+    if (isReplacementLine(line)) {
+      std::optional<KeyReplacement> made = replacementOf(line);
+      if (!made) {
+        notReadable(line);
+      }
+      (made->isGenuine() ? kept.replacements : kept.forged).push_back(*std::move(made));
       continue;
     }
     kept.heads.push_back(readHead(line));
@@ -322,7 +143,7 @@ ReplacedKey replaceAnchorKey(const std::string& locator, const fs::path& old, co
 ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const fs::path& file,
                              const fs::path& witness, std::int64_t now_us) {
   const SecretKey before = readKey(old);
-  const std::optional<Replacement> begun = replacementIn(file, publicOf(before));
+  const std::optional<KeyReplacement> begun = replacementIn(file, publicOf(before));
   if (!begun) {
     requireNewKeyFile(file);
   }
@@ -330,10 +151,10 @@ ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const 
     return {.publicKey = begun->fresh, .line = begun->line()};
   }
   const SecretKey secret = begun ? readKey(file) : drawKey();
-  Replacement made{.old = publicOf(before),
-                   .fresh = publicOf(secret),
-                   .length = AuditRepository(connection).head().length,
-                   .utc_us = now_us};
+  KeyReplacement made{.old = publicOf(before),
+                      .fresh = publicOf(secret),
+                      .length = AuditRepository(connection).head().length,
+                      .utc_us = now_us};
   made.signatureOfOld = signedWith(before, made.signedText());
   made.signatureOfFresh = signedWith(secret, made.signedText());
   writeKey(file, secret, made.line());  // first: a call that ends here is taken up again by the next
@@ -410,9 +231,9 @@ std::vector<AuditFinding> compareWithHeads(const std::string& locator, const std
 
 std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::vector<std::string>& lines,
                                            const std::string& publicKey) {
-  TORSIO_EXPECTS(sodium_init() >= 0);
   const KeptLines kept = sorted(lines);
-  const TrustedKeys keys(publicKey.empty() ? kept.firstKey : publicKey, kept.replacements);
+  const TrustedKeys keys(publicKey.empty() ? kept.firstKey : publicKey, kept.replacements,
+                         &KeyReplacement::length);
   std::map<std::int64_t, std::string> hashes;  // of the entries that a head names; empty: not there
   for (const Head& head : kept.heads) {
     hashes[head.length];
@@ -422,16 +243,19 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
       wanted->second = entry.entryHash;
     }
   });
+  const auto flawOf = [&keys](const Head& head) {
+    return keys.flawOf(signedText(head), head.signature, head.publicKey, head.length);
+  };
   std::int64_t vouchedFor = -1;  // the longest trail that a signed head fits
   for (const Head& head : kept.heads) {
-    if (keys.asksForSignatures() && keys.flawOf(head).empty() && flawOfTrail(head, hashes).empty()) {
+    if (keys.asksForSignatures() && flawOf(head).empty() && flawOfTrail(head, hashes).empty()) {
       vouchedFor = std::max(vouchedFor, head.length);
     }
   }
   std::vector<AuditFinding> findings;
   for (const Head& head : kept.heads) {
     const bool vouched = head.publicKey == kNone && head.length <= vouchedFor;
-    std::string flaw = keys.asksForSignatures() && !vouched ? keys.flawOf(head) : std::string();
+    std::string flaw = keys.asksForSignatures() && !vouched ? flawOf(head) : std::string();
     if (flaw.empty()) {
       flaw = flawOfTrail(head, hashes);
     }
@@ -439,7 +263,7 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
       findings.push_back({head.length, "head", head.hash.substr(0, 16), flaw});
     }
   }
-  for (const Replacement& forged : kept.forged) {
+  for (const KeyReplacement& forged : kept.forged) {
     findings.push_back({forged.length, "head", forged.fresh.substr(0, 16),
                         "the line that puts this key in the place of another is not genuine"});
   }

@@ -125,6 +125,7 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
       one.limit = verdict.design.limit;
       one.falsePass = verdict.errors.falsePass;
       one.falseFail = verdict.errors.falseFail;
+      one.falseAlarm = verdict.errors.falseAlarm;
       one.withinAttempts = verdict.errors.attempts;
       one.designVersion = verdict.design.version;
       one.design = competenceDesignText(verdict.design, verdict.untwisting);

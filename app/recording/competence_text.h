@@ -15,7 +15,7 @@ namespace torsio {
 
 /// What counts as able: which design, tolerance, failure rates, attempts.
 [[nodiscard]] Text competenceDesignText(const CompetenceDesign& design, bool untwisting);
-/// The false-pass and the false-fail rate, within how many attempts.
+/// The rates of false passes, false fails and false alarms, within how many attempts.
 [[nodiscard]] Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors);
 /// The level in a word, and in how many attempts it shows.
 [[nodiscard]] Text competenceLevelText(const CompetenceVerdict& verdict);

@@ -12,6 +12,7 @@
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "app/training/detorsion_story.h"
+#include "assessment/attempt/competence.h"
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/base/ids.h"
@@ -78,10 +79,11 @@ struct Debrief {
   double duration_s = 0.0;
   bool interrupted = false;
   bool demonstration = false;
-  bool forceFelt = true;  ///< false: computed and shown; its measures are marked
-  Text servoTrouble{};    ///< app/devices/servo_words.h; empty: none
-  Text servoRemedy{};     ///< what to do about it
-  bool passed = false;    ///< every check
+  bool forceFelt = true;           ///< false: computed and shown; its measures are marked
+  Text servoTrouble{};             ///< app/devices/servo_words.h; empty: none
+  Text servoRemedy{};              ///< what to do about it
+  bool passed = false;             ///< every check
+  CompetenceVerdict competence{};  ///< of all runs at the module; no attempts in its errors: there is none
   double target_rad = 0.0;
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;

@@ -187,6 +187,7 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   if (module != nullptr) {
     out.moduleTitle = module->title;
     addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);
+    out.competence = competenceOf(session.connection(), record.code, *module, exercises, session.now_us());
   }
   for (const Remark& remark : RemarkRepository(session.connection()).remarks(trialId)) {
     if (remark.purpose != "bookmark" || remark.author != session.actor().userId) {

@@ -59,8 +59,14 @@ CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t a
   TORSIO_EXPECTS(attempts >= 1);
   const LcCusumDesign cusum = cusumOf(design);
   const auto n = static_cast<std::size_t>(attempts);
-  return {attempts, lcCusumProbability(cusum, design.inadequate, n),
-          1.0 - lcCusumProbability(cusum, design.adequate, n)};
+  CompetenceErrors errors{.attempts = attempts};
+  errors.falsePass = lcCusumProbability(cusum, design.inadequate, n);
+  errors.falseFail = 1.0 - lcCusumProbability(cusum, design.adequate, n);
+  constexpr std::size_t kLongest = 10'000;  // beyond them it has settled for every design that can be met
+  errors.falseAlarm = n <= kLongest
+                          ? std::max(0.0, lcCusumNotAble(cusum, design.adequate, n) - errors.falseFail)
+                          : lcCusumNotAble(cusum, design.adequate, kLongest);
+  return errors;
 }
 
 CompetenceDesign plannedCompetence(CompetenceDesign design) {

@@ -18,6 +18,8 @@ struct CompetenceErrors {
   std::int64_t attempts = 0;
   double falsePass = 0.0;  ///< probability that a trainee with the inadequate failure rate is declared able
   double falseFail = 0.0;  ///< probability that a trainee with the adequate failure rate is not
+  /// Probability that one with the adequate rate was declared able and is, by a false alarm, not any more.
+  double falseAlarm = 0.0;
   friend bool operator==(const CompetenceErrors&, const CompetenceErrors&) = default;
 };
 

@@ -27,6 +27,7 @@ constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
 constexpr std::size_t kNamedAtMost = 10;  // people in one cell
 constexpr std::size_t kRoomyGroups = 3;   // with more of them the page is full
+constexpr std::size_t kPairsAtMost = 3;   // that are named though they were not shown to differ
 
 bool opensDirection(const PrimaryDifference& pair) {
   return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
@@ -60,6 +61,21 @@ Text peopleOf(const CohortInputs& in) {
       in.deviations.size());
 }
 
+/// The pairs beside those that differ: nobody is to read that there was nothing else.
+Text othersOf(const std::vector<Text>& differing, const std::vector<Text>& others) {
+  const Text answer =
+      Text::tr("Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.",
+               listed(differing, Text::tr("%1; %2")));
+  if (others.empty()) {
+    return answer;
+  }
+  return Text::verbatim(
+      "%1 %2", answer,
+      others.size() <= kPairsAtMost
+          ? Text::tr("Not shown to differ: %1.", listed(others, Text::tr("%1; %2")))
+          : Text::tr("%1 other pairs were not shown to differ: see the figure.", others.size()));
+}
+
 /// The answer to the question, as far as the data give one.
 Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
   const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
@@ -69,22 +85,20 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
                : Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
   }
   std::vector<Text> differing;
+  std::vector<Text> others;
   const PrimaryDifference* widest = &pairs.front();
   bool allHoldZero = true;
   for (const PrimaryDifference& pair : pairs) {
     allHoldZero = allHoldZero && opensDirection(pair);
-    if (pair.pHolm < kSignificant) {
-      differing.push_back(Text::tr("%1: %2, %3 after Holm", pairName(in, pair.first, pair.second),
-                                   shown(pair), equalsP(pair.pHolm)));
-    }
+    (pair.pHolm < kSignificant ? differing : others)
+        .push_back(Text::tr("%1: %2, %3 after Holm", pairName(in, pair.first, pair.second), shown(pair),
+                            equalsP(pair.pHolm)));
     if (std::abs(pair.value) > std::abs(widest->value)) {
       widest = &pair;
     }
   }
   if (!differing.empty()) {
-    return Text::tr(
-        "Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.",
-        listed(differing, Text::tr("%1; %2")));
+    return othersOf(differing, others);
   }
   return Text::tr(
       "Answer: no difference between two groups was shown. The largest, adjusted for the score before, with "
@@ -105,6 +119,20 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
   }
   if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
     out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  }
+  if (!primaryDifferences(study).empty()) {
+    std::vector<Text> single;
+    for (std::size_t g = 0; g < study.ends.after.size(); ++g) {
+      if (study.ends.after[g].size() == 1) {
+        single.push_back(in.groups[g].name);
+      }
+    }
+    if (!single.empty()) {
+      out.push_back(Text::tr(
+          "A single trainee has a score at both occasions in: %1. Its differences rest on one person; "
+          "how much trainees of a group vary is taken from the other groups.",
+          listed(single)));
+    }
   }
   if (study.mixed && study.endMissing == 0) {
     out.push_back(Text::tr(
@@ -183,12 +211,16 @@ ReportTable standardTable(const CohortInputs& in) {
   // The verdicts of the section Competence; nobody is judged here.
   std::map<std::string, bool> ableAtAll;
   double falsePass = 0.0;
-  double falseFail = 0.0;
+  std::map<std::string, double> missed;  // by trainee: one exercise is enough not to be able at every one
   for (const CohortCompetence& one : in.competence) {
     const auto [known, first] = ableAtAll.try_emplace(one.trainee, one.able);
     known->second = known->second && one.able;
     falsePass = std::max(falsePass, one.falsePass);
-    falseFail = std::max(falseFail, one.falseFail);
+    missed[one.trainee] += one.falseFail + one.falseAlarm;
+  }
+  double falseFail = 0.0;
+  for (const auto& [trainee, sum] : missed) {
+    falseFail = std::clamp(sum, falseFail, 1.0);
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t people = 0;
@@ -225,9 +257,9 @@ ReportTable standardTable(const CohortInputs& in) {
   }
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
-        "Able: at every exercise that was tried, by the designs of the section Competence. An inadequate "
-        "trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases, within "
-        "the attempts named there.",
+        "Able now: at every exercise that was tried, by the designs of the section Competence. Somebody "
+        "inadequate at one of them is held to be able in at most %1 %, somebody adequate at all of them is "
+        "not in at most %2 % of cases, false alarms among them, within the attempts named there.",
         formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
   }
   return table;

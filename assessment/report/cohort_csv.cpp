@@ -219,6 +219,7 @@ void addCompetence(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     }
     rows.add("false_pass", one.falsePass, one.withinAttempts);
     rows.add("false_fail", one.falseFail, one.withinAttempts);
+    rows.add("false_alarm", one.falseAlarm, one.withinAttempts);
     rows.add("within_attempts", static_cast<double>(one.withinAttempts), one.attempts);
     rows.add("design_version", static_cast<double>(one.designVersion), one.attempts);
   }

@@ -139,10 +139,11 @@ struct CohortCompetence {
   double limit = 1.0;
   double falsePass = 0.0;
   double falseFail = 0.0;
-  std::int64_t withinAttempts = 0;  ///< to which both rates belong
+  double falseAlarm = 0.0;
+  std::int64_t withinAttempts = 0;  ///< to which these rates belong
   std::int64_t designVersion = 0;   ///< 0: the design shipped with the exercise
   Text design;                      ///< in words
-  Text errors;                      ///< both rates in words, within the attempts of the design
+  Text errors;                      ///< these rates in words, within the attempts of the design
 };
 
 /// What a rater said by signing one mark.

@@ -70,14 +70,15 @@ Text shareText(double share) {
 ReportTable verdictsTable(const CohortInputs& in) {
   auto table = competenceItem<ReportTable>(in, "table-competence", Text::tr("Competence of every trainee"));
   table.individual = true;
-  table.columns = {Text::tr("Group"),      Text::tr("Trainee"),    Text::tr("Exercise"),
-                   Text::tr("Attempts"),   Text::tr("Failed"),     Text::tr("Level"),
-                   Text::tr("False pass"), Text::tr("False fail"), Text::tr("Within attempts"),
-                   Text::tr("Design")};
+  table.columns = {Text::tr("Group"),           Text::tr("Trainee"),    Text::tr("Exercise"),
+                   Text::tr("Attempts"),        Text::tr("Failed"),     Text::tr("Level"),
+                   Text::tr("False pass"),      Text::tr("False fail"), Text::tr("False alarm"),
+                   Text::tr("Within attempts"), Text::tr("Design")};
   for (const CohortCompetence& one : in.competence) {
     table.rows.push_back({in.groups[one.group].name, one.trainee, one.exercise, std::to_string(one.attempts),
                           std::to_string(one.failed), one.level, shareText(one.falsePass),
-                          shareText(one.falseFail), std::to_string(one.withinAttempts),
+                          shareText(one.falseFail), shareText(one.falseAlarm),
+                          std::to_string(one.withinAttempts),
                           one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
                                                 : Text::tr("shipped with the exercise")});
   }

@@ -11,28 +11,28 @@ namespace torsio {
 
 namespace {
 
-PointAgreement agreementInPoints(const OccasionMarks& at, const ScoreScale& scale) {
+PointAgreement agreementInPoints(const OccasionMarks& at) {
   const auto pointOf = [&](double mark) { return static_cast<std::int64_t>(std::lround(mark)); };
-  const std::int64_t lowest = pointOf(pointsFromSteps(scale.lo, scale));
-  const auto points = static_cast<std::size_t>(pointOf(pointsFromSteps(scale.hi, scale)) - lowest + 1);
   PointAgreement out;
   for (auto a = at.present.begin(); a != at.present.end(); ++a) {
     for (auto b = std::next(a); b != at.present.end(); ++b) {
-      NumberTable counts(points, points);
+      std::vector<double> first;
+      std::vector<double> second;
       ++out.pairs;
       for (const std::vector<std::optional<double>>& marks : at.marks) {
         if (!marks[*a] || !marks[*b]) {
           continue;
         }
-        const std::int64_t x = pointOf(*marks[*a]) - lowest;
-        const std::int64_t y = pointOf(*marks[*b]) - lowest;
-        counts.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y)) += 1.0;
+        const std::int64_t x = pointOf(*marks[*a]);
+        const std::int64_t y = pointOf(*marks[*b]);
+        first.push_back(static_cast<double>(x));
+        second.push_back(static_cast<double>(y));
         ++out.shared;
         out.same += x == y ? 1 : 0;
         out.withinOne += std::abs(x - y) <= 1 ? 1 : 0;
       }
-      if (const Outcome<KappaResult> kappa = cohenKappa(counts, KappaWeights::kQuadratic)) {
-        out.kappas.push_back(kappa->kappa);
+      if (const Outcome<double> kappa = quadraticKappa(first, second)) {
+        out.kappas.push_back(*kappa);
       }
     }
   }
@@ -92,9 +92,9 @@ Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
 
 }  // namespace
 
-void addRaterModels(const CohortInputs& in, StudyAnalysis& study) {
+void addRaterModels(StudyAnalysis& study) {
   for (OccasionMarks& occasion : study.occasions) {
-    occasion.points = agreementInPoints(occasion, in.trainingScale);
+    occasion.points = agreementInPoints(occasion);
   }
   study.needed = ratersNeeded(study.occasions.back());
   study.rasch = onOneScale(study.occasions.back());

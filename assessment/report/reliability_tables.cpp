@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What more raters would give, how strict each one is on one scale, and what each group gained by itself.
+#include <algorithm>
 #include <cmath>
 
 #include "assessment/report/number_format.h"
@@ -43,11 +44,14 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
                           formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals)});
   }
   const GStudy& components = *found.components;
-  table.notes = {neededSentence(found),
-                 Text::tr("Components of variance: trainees %1, raters %2, rest %3.",
-                          formatFixed(components.at("p").variance, kReliabilityDecimals),
-                          formatFixed(components.at("r").variance, kReliabilityDecimals),
-                          formatFixed(components.at("pr").variance, kReliabilityDecimals))};
+  if (std::any_of(found.planned.begin(), found.planned.end(),
+                  [](const auto& planned) { return static_cast<bool>(planned.second); })) {
+    table.notes = {neededSentence(found)};
+  }
+  table.notes.push_back(Text::tr("Components of variance: trainees %1, raters %2, rest %3.",
+                                 formatFixed(components.at("p").variance, kReliabilityDecimals),
+                                 formatFixed(components.at("r").variance, kReliabilityDecimals),
+                                 formatFixed(components.at("pr").variance, kReliabilityDecimals)));
   if (components.negativeComponent) {
     table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
   }

@@ -46,7 +46,10 @@ inline constexpr const char* kClassScoreStatistic = "class_score_eq27";
 [[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);
 /// Who is held to be able, by which design and with which errors.
 [[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs);
+/// What did not go by the protocol.
 [[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
+/// Who signed which mark; some were.
+[[nodiscard]] ReportSection signaturesSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);

@@ -312,7 +312,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   if (out.occasions.empty()) {
     return out;
   }
-  addRaterModels(in, out);
+  addRaterModels(out);
   out.againstPanel.assign(
       out.raters.size(), Outcome<BlandAltmanResult>::undefined(Text::tr("too few trainees with every mark")));
   const OccasionMarks& end = out.occasions.back();

@@ -7,7 +7,7 @@
 namespace torsio {
 
 /// Adds what the raters' marks say of the raters: agreement in points, how many are needed, one scale.
-void addRaterModels(const CohortInputs& inputs, StudyAnalysis& study);
+void addRaterModels(StudyAnalysis& study);
 /// Adds what the groups gained; there are two occasions or more.
 void addGains(const CohortInputs& inputs, StudyAnalysis& study);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
 #include "assessment/statistics/ratio_differences.h"
@@ -325,6 +326,25 @@ Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& dis
     }
   }
   return kappaWithAgreement(table, agreement, confidence);
+}
+
+Outcome<double> quadraticKappa(std::span<const double> first, std::span<const double> second) {
+  TORSIO_EXPECTS(first.size() == second.size());
+  if (first.size() < 2) {
+    return Outcome<double>::undefined(Text::tr("there are fewer than two targets"));
+  }
+  // Disagreement observed, and that of every mark of the one with every mark of the other.
+  double observed = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    observed += (first[i] - second[i]) * (first[i] - second[i]);
+  }
+  const double apart = meanOf(first) - meanOf(second);
+  const double expected =
+      sumOfSquares(first) + sumOfSquares(second) + static_cast<double>(first.size()) * apart * apart;
+  if (expected == 0.0) {
+    return Outcome<double>::undefined(Text::tr("every rating is the same"));
+  }
+  return 1.0 - observed / expected;
 }
 
 Outcome<FleissResult> fleissKappa(const NumberTable& counts) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "assessment/statistics/values.h"
@@ -59,6 +60,11 @@ struct KappaResult {
 /// disagreement / largest disagreement.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& disagreement,
                                               double confidence = kUsualConfidence);
+
+/// Computes Cohen's kappa with quadratic weights of two raters' whole numbers for the same targets, without a
+/// table of all categories, however many there are. Undefined for fewer than two targets or when all numbers
+/// are the same.
+[[nodiscard]] Outcome<double> quadraticKappa(std::span<const double> first, std::span<const double> second);
 
 struct FleissResult {
   double kappa = 0.0;

@@ -130,30 +130,36 @@ LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design) {
 
 namespace {
 
-/// Probabilities of the states of an LC-CUSUM that has not reached its limit. A state is the number of
-/// successes and failures since the sum was last 0: whole numbers, so equal sums merge. With f failures the
-/// sum lies between 0 and the limit for a few numbers of successes only.
-class LcCusumStates {
+/// Probabilities of the states of a sum that goes up and down by two steps, never below 0, and has not
+/// reached its limit. A state is the number of steps up and down since the sum was last 0: whole numbers, so
+/// equal sums merge. With f steps down the sum lies between 0 and the limit for a few numbers of steps up
+/// only.
+class SumStates {
  public:
-  LcCusumStates(const LcCusumDesign& design, std::size_t attempts) {
-    const LcWeights weights = weightsOf(design);
-    const double largest = static_cast<double>(attempts) * weights.success;
-    for (double lost = 0.0; lost <= largest; lost -= weights.failure) {
+  /// All of it at 0, or, with `empty`, nothing anywhere.
+  SumStates(double up, double down, double limit, std::size_t attempts, bool empty = false)
+      : atZero_(empty ? 0.0 : 1.0) {
+    const double largest = static_cast<double>(attempts) * up;
+    for (double lost = 0.0; lost <= largest && rows_.size() <= attempts; lost += down) {
       Row row;
-      row.fewest = static_cast<std::size_t>(std::floor((lost + kRounding) / weights.success)) + 1;
-      const double most = std::ceil((design.limit - kRounding + lost) / weights.success) - 1.0;
+      row.fewest = static_cast<std::size_t>(std::floor((lost + kRounding) / up)) + 1;
+      const double most = std::ceil((limit - kRounding + lost) / up) - 1.0;
       row.states.resize(
           static_cast<std::size_t>(std::max(0.0, most - static_cast<double>(row.fewest) + 1.0)));
       rows_.push_back(std::move(row));
     }
   }
 
-  /// Makes one attempt and returns the probability that it reaches the limit.
-  double attempt(double failureRate) {
-    const double atStart = std::exchange(atZero_, atZero_ * failureRate);
+  /// Adds a share at 0.
+  void enter(double share) { atZero_ += share; }
+
+  /// Makes one attempt, which goes down with probability `downRate`, and returns the probability that it
+  /// reaches the limit.
+  double attempt(double downRate) {
+    const double atStart = std::exchange(atZero_, atZero_ * downRate);
     double declared = 0.0;
     std::size_t holding = 1;
-    // From many failures and successes to few: what has moved is not met again.
+    // From many steps to few: what has moved is not met again.
     for (std::size_t f = used_; f-- > 0;) {
       Row& row = rows_[f];
       for (std::size_t i = row.states.size(); i-- > 0;) {
@@ -162,12 +168,12 @@ class LcCusumStates {
           continue;
         }
         holding = std::max(holding, f + 2);
-        fail(f + 1, row.fewest + i, share * failureRate);
-        (i + 1 < row.states.size() ? row.states[i + 1] : declared) += share * (1.0 - failureRate);
+        fall(f + 1, row.fewest + i, share * downRate);
+        (i + 1 < row.states.size() ? row.states[i + 1] : declared) += share * (1.0 - downRate);
       }
     }
     used_ = std::min(holding, rows_.size());
-    (rows_.front().states.empty() ? declared : rows_.front().states.front()) += atStart * (1.0 - failureRate);
+    (rows_.front().states.empty() ? declared : rows_.front().states.front()) += atStart * (1.0 - downRate);
     return declared;
   }
 
@@ -175,26 +181,27 @@ class LcCusumStates {
   static constexpr double kNothing = 1e-40;  // of all: less than rounding takes, however many attempts
 
   struct Row {
-    std::size_t fewest = 0;      // successes that keep the sum above 0
-    std::vector<double> states;  // by number of successes, from `fewest` on
+    std::size_t fewest = 0;      // steps up that keep the sum above 0
+    std::vector<double> states;  // by number of steps up, from `fewest` on
   };
 
-  void fail(std::size_t failures, std::size_t successes, double share) {
-    if (failures < rows_.size() && successes >= rows_[failures].fewest) {
-      rows_[failures].states[successes - rows_[failures].fewest] += share;
+  void fall(std::size_t down, std::size_t up, double share) {
+    if (down < rows_.size() && up >= rows_[down].fewest) {
+      rows_[down].states[up - rows_[down].fewest] += share;
     } else {
       atZero_ += share;
     }
   }
 
-  std::vector<Row> rows_;  // by number of failures
+  std::vector<Row> rows_;  // by number of steps down
   std::size_t used_ = 1;   // rows that may hold something
   double atZero_ = 1.0;
 };
 
-}  // namespace
-
-namespace {
+SumStates lcCusumStates(const LcCusumDesign& design, std::size_t attempts) {
+  const LcWeights weights = weightsOf(design);
+  return {weights.success, -weights.failure, design.limit, attempts};
+}
 
 /// Probability of reaching the limit within the attempts; above `enough` it is a lower bound. After some
 /// hundred attempts those who have not reached it do so at a constant rate each time, to the last digits:
@@ -202,7 +209,7 @@ namespace {
 double reachedWithin(const LcCusumDesign& design, double failureRate, std::size_t attempts, double enough) {
   constexpr double kConstant = 1e-14;
   constexpr int kLong = 64;  // attempts over which the rate has not changed
-  LcCusumStates states(design, attempts);
+  SumStates states = lcCusumStates(design, attempts);
   double declared = 0.0;
   double left = 1.0;
   double rate = 0.0;
@@ -229,6 +236,29 @@ double reachedWithin(const LcCusumDesign& design, double failureRate, std::size_
 double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
   TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
   return reachedWithin(design, failureRate, attempts, 1.0);
+}
+
+double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size_t attempts) {
+  TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
+  constexpr double kConstant = 1e-15;
+  constexpr int kLong = 64;  // attempts over which nothing has changed
+  const LcWeights weights = weightsOf(design);
+  SumStates learning = lcCusumStates(design, attempts);
+  SumStates watch(-weights.failure, weights.success, design.limit, attempts, true);
+  double notAble = 1.0;
+  int constant = 0;
+  for (std::size_t attempt = 1; attempt <= attempts && constant < kLong; ++attempt) {
+    const double declared = learning.attempt(failureRate);
+    const double alarmed = watch.attempt(1.0 - failureRate);
+    watch.enter(declared);
+    learning.enter(alarmed);
+    const double before = std::exchange(notAble, notAble - declared + alarmed);
+    constant = std::abs(notAble - before) <= kConstant ? constant + 1 : 0;
+    if (declared == 0.0 && alarmed == 0.0) {
+      constant = 0;  // nobody can have got there yet
+    }
+  }
+  return notAble;
 }
 
 std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std::size_t attempts,

@@ -62,6 +62,10 @@ struct LcCusum {
 [[nodiscard]] double lcCusumProbability(const LcCusumDesign& design, double failureRate,
                                         std::size_t attempts);
 
+/// Computes the exact probability that a trainee with the given failure rate is not held able after so many
+/// attempts: never declared competent, or declared and, by an alarm of watchForRelapse(), not any more.
+[[nodiscard]] double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size_t attempts);
+
 /// Chooses the smallest limit, in steps of 0.01, at which an inadequate trainee passes with at most
 /// `falsePass`; empty when even the largest reachable sum would be too low.
 [[nodiscard]] std::optional<double> chooseLcCusumLimit(double adequate, double inadequate,

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/statistics/standard_setting.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -229,6 +232,26 @@ std::optional<std::size_t> proficientAt(std::span<const double> attempts, double
     }
   }
   return std::nullopt;
+}
+
+double proficientProbability(double pass, std::size_t attempts, std::size_t consecutive,
+                             std::size_t further) {
+  TORSIO_EXPECTS(pass >= 0.0 && pass <= 1.0);
+  // First the run, by its length, then the further ones by their number; the last state is the end.
+  const std::size_t end = consecutive + further;
+  std::vector<double> states(end + 1, 0.0);
+  states[0] = 1.0;
+  const std::size_t most = consecutive == 0 && further == 0 ? std::min<std::size_t>(attempts, 1) : attempts;
+  for (std::size_t attempt = 0; attempt < most; ++attempt) {
+    std::vector<double> next(end + 1, 0.0);
+    next[end] = states[end];
+    for (std::size_t at = 0; at < end; ++at) {
+      next[at + 1] += states[at] * pass;
+      next[at < consecutive ? 0 : at] += states[at] * (1.0 - pass);
+    }
+    states = std::move(next);
+  }
+  return attempts == 0 ? 0.0 : states[end];
 }
 
 }  // namespace torsio

@@ -84,4 +84,9 @@ struct ProficiencyThreshold {
                                                       Better better, std::size_t consecutive = 2,
                                                       std::size_t further = 0);
 
+/// The probability that proficientAt() finds an attempt among so many by chance alone, when each passes with
+/// probability `pass`, whatever the others did.
+[[nodiscard]] double proficientProbability(double pass, std::size_t attempts, std::size_t consecutive = 2,
+                                           std::size_t further = 0);
+
 }  // namespace torsio

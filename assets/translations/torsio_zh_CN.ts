@@ -1849,6 +1849,10 @@
         <source>Last time: interrupted after %1</source>
         <translation>上次：%1 后中断</translation>
     </message>
+    <message>
+        <source>Trend says whether you are held to be able, and how often that is wrong.</source>
+        <translation>“趋势”页说明您是否被认为胜任，以及这一判断出错的概率。</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -12729,10 +12733,6 @@ audit trail %3</source>
         <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
     </message>
     <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail).</source>
-        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）。</translation>
-    </message>
-    <message>
         <source>not shown yet, %1 {attempt|attempts} missing</source>
         <translation>尚未显示，还差 %1 次尝试</translation>
     </message>
@@ -15197,10 +15197,6 @@ audit trail %3</source>
         <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；计划的分析并列给出。</translation>
     </message>
     <message>
-        <source>Able: at every exercise that was tried, by the designs of the section Competence. An inadequate trainee is held to be able in at most %1 %, an adequate one is not in at most %2 % of cases, within the attempts named there.</source>
-        <translation>已胜任：按“胜任”一节的标准，在所有尝试过的练习中均已胜任。在该节所列的尝试次数内，能力不足的学员被误判为已胜任的概率至多为 %1 %，能力足够者未被判为已胜任的概率至多为 %2 %。</translation>
-    </message>
-    <message>
         <source>What this does not show: %1 Marks on a training arm say nothing about patients.</source>
         <translation>本报告不能说明的：%1训练手臂上的分数不能说明患者的情况。</translation>
     </message>
@@ -15907,6 +15903,34 @@ audit trail %3</source>
     <message>
         <source>Let a person of the centre do it</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probability of a false alarm</source>
+        <translation>误报警的概率</translation>
+    </message>
+    <message>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 of these were and, by a false alarm, are not any more.</source>
+        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 曾被认为胜任，后因误报警而不再被认为胜任。</translation>
+    </message>
+    <message>
+        <source>Not shown to differ: %1.</source>
+        <translation>未显示有差异：%1。</translation>
+    </message>
+    <message>
+        <source>%1 other pairs were not shown to differ: see the figure.</source>
+        <translation>另有 %1 对未显示有差异：见图。</translation>
+    </message>
+    <message>
+        <source>A single trainee has a score at both occasions in: %1. Its differences rest on one person; how much trainees of a group vary is taken from the other groups.</source>
+        <translation>以下各组只有一名学员在两次评分时都有得分：%1。其差异仅取决于一个人；组内学员的变异取自其他组。</translation>
+    </message>
+    <message>
+        <source>Able now: at every exercise that was tried, by the designs of the section Competence. Somebody inadequate at one of them is held to be able in at most %1 %, somebody adequate at all of them is not in at most %2 % of cases, false alarms among them, within the attempts named there.</source>
+        <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项练习能力不足者被误判为胜任的概率至多为 %1 %；对所有练习能力均足够者未被判为胜任的概率（含误报警）至多为 %2 %。</translation>
+    </message>
+    <message>
+        <source>False alarm</source>
+        <translation>误报警</translation>
     </message>
 </context>
 <context>
@@ -18452,6 +18476,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>%1  ·  %2  ·  %3</source>
         <translation>%1  ·  %2  ·  %3</translation>
+    </message>
+    <message>
+        <source>One run decides nothing. By all runs: %1. %2 %3</source>
+        <translation>单次操作不作定论。按全部操作：%1。%2%3</translation>
     </message>
 </context>
 <context>

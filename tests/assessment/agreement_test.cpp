@@ -353,6 +353,18 @@ TEST(CohenKappa, AgreesOnTwoRatersOfTheAnxietyData) {
   expectKappa(*cohenKappa(table, KappaWeights::kQuadratic), c.expected.at("sq"), c.tolerance);
 }
 
+TEST(CohenKappa, NeedsNoTableWithQuadraticWeights) {
+  const std::vector<double> first{3, 4, 4, 2, 5, 1, 3};
+  const std::vector<double> second{3, 5, 4, 1, 4, 1, 2};
+  NumberTable table(5, 5);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    table.at(static_cast<std::size_t>(first[i]) - 1, static_cast<std::size_t>(second[i]) - 1) += 1.0;
+  }
+  EXPECT_NEAR(*quadraticKappa(first, second), cohenKappa(table, KappaWeights::kQuadratic)->kappa, 1e-15);
+  EXPECT_FALSE(quadraticKappa(std::vector<double>{3.0}, std::vector<double>{4.0}));  // 0 by construction
+  EXPECT_FALSE(quadraticKappa(std::vector<double>{3.0, 3.0}, std::vector<double>{3.0, 3.0}));
+}
+
 TEST(CohenKappa, IsUndefinedWhenOnlyOneCategoryIsUsed) {
   EXPECT_FALSE(cohenKappa(NumberTable({{7, 0}, {0, 0}}), KappaWeights::kUnweighted));
   EXPECT_FALSE(cohenKappa(NumberTable({{0, 0}, {0, 0}}), KappaWeights::kUnweighted));

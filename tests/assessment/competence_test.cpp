@@ -65,6 +65,31 @@ TEST(Competence, SimulatedErrorRatesMeetThePrintedOnes) {
   }
 }
 
+/// Share of simulated trainees who are held able after `count` attempts.
+double stillAble(const CompetenceDesign& design, double failureRate, std::int64_t count) {
+  Random random(20251122);
+  const int trainees = traineesFor(count);
+  int able = 0;
+  for (int i = 0; i < trainees; ++i) {
+    able += isAble(judgeCompetence(design, attempts(random, failureRate, count)).level) ? 1 : 0;
+  }
+  return static_cast<double>(able) / trainees;
+}
+
+TEST(Competence, AFalseAlarmOfTheWatchIsToldAsWell) {
+  for (const std::int64_t count : {50, 200}) {
+    const CompetenceDesign design = shippedCompetence("m", radians(5.0));
+    const CompetenceErrors errors = competenceErrors(design, count);
+    const double lost = errors.falseFail + errors.falseAlarm;
+    EXPECT_NEAR(1.0 - stillAble(design, design.adequate, count), lost, bound(lost, count)) << count;
+  }
+  // Whoever is able and goes on is always found so once, and at any time one in 27 is not held to be.
+  EXPECT_LT(competenceErrors(shippedCompetence("m", 0.1), 500).falseFail, 1e-8);
+  EXPECT_NEAR(competenceErrors(shippedCompetence("m", 0.1), 200).falseAlarm, 0.0367, 5e-5);
+  EXPECT_NEAR(competenceErrors(shippedCompetence("m", 0.1), 5000).falseAlarm,
+              competenceErrors(shippedCompetence("m", 0.1), 1000).falseAlarm, 1e-9);
+}
+
 TEST(Competence, TheRatesThatAreToldBelongToTheAttemptsThatWereMade) {
   const CompetenceDesign design = shippedCompetence("m", radians(5.0));
   const CompetenceVerdict few = judgeCompetence(design, std::vector<bool>(10, true));

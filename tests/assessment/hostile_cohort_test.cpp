@@ -2,10 +2,7 @@
 // Cohorts that a statistician would try a report with: every sentence true, every number one, every interval
 // with its level, and nothing lost that the data still give.
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,36 +12,21 @@
 
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
-#include "assessment/report/provenance_line.h"
 #include "assessment/report/study_analysis.h"
 #include "assessment/statistics/power.h"
 #include "tests/support/demonstration_cohort.h"
+#include "tests/support/said_cohort.h"
 
 namespace torsio {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::losing;
+using testing::marking;
 using ::testing::Not;
-
-CohortInputs scored(CohortInputs in) {
-  in.scores = traineeScores(in.trainingScale, in.trainingMarks);
-  in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
-  return in;
-}
-
-CohortInputs losing(const std::function<bool(const TrainingMark&)>& lost) {
-  CohortInputs in = testing::demonstrationCohort();
-  std::erase_if(in.trainingMarks, lost);
-  return scored(std::move(in));
-}
-
-CohortInputs marking(const std::function<void(TrainingMark&)>& change) {
-  CohortInputs in = testing::demonstrationCohort();
-  for (TrainingMark& mark : in.trainingMarks) {
-    change(mark);
-  }
-  return scored(std::move(in));
-}
+using testing::scored;
+using testing::tableNamed;
+using testing::textOfAll;
 
 CohortInputs thirdArmDropsOut() {
   return losing([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; });
@@ -110,78 +92,6 @@ std::map<std::string, CohortInputs> hostileCohorts() {
   return all;
 }
 
-/// Every sentence and cell of a report, with what heads it.
-struct Said {
-  std::string head;  ///< title of the column, where the text is a cell
-  std::string text;
-};
-
-std::vector<Said> everythingSaid(const ReportModel& report) {
-  std::vector<Said> all;
-  const auto add = [&](const Text& text, const std::string& head = {}) { all.push_back({head, text.str()}); };
-  for (const auto& [label, value] : report.facts) {
-    add(value);
-  }
-  for (const ReportSection& section : report.sections) {
-    for (const Text& paragraph : section.paragraphs) {
-      add(paragraph);
-    }
-    for (const ReportFigure& figure : section.figures) {
-      for (const Text& note : figure.notes) {
-        add(note);
-      }
-      for (const Text& category : figure.categories) {
-        add(category, figure.title.str());
-      }
-      add(provenanceLine(figure.provenance));
-    }
-    for (const ReportTable& table : section.tables) {
-      for (const std::vector<Text>& row : table.rows) {
-        for (std::size_t c = 0; c < row.size(); ++c) {
-          add(row[c], table.columns.at(c).str());
-        }
-      }
-      for (const Text& note : table.notes) {
-        add(note);
-      }
-      add(provenanceLine(table.provenance));
-    }
-  }
-  return all;
-}
-
-bool allFinite(const ReportFigure& figure) {
-  bool finite = true;
-  for (const FigureSeries& series : figure.series) {
-    for (const std::optional<double>& y : series.y) {
-      finite = finite && (!y || std::isfinite(*y));
-    }
-    for (const std::vector<double>* list : {&series.x, &series.low, &series.high}) {
-      finite = finite && std::all_of(list->begin(), list->end(), [](double x) { return std::isfinite(x); });
-    }
-  }
-  return finite;
-}
-
-std::string textOfAll(const CohortInputs& in) {
-  std::string all;
-  for (const Said& one : everythingSaid(cohortReport(in))) {
-    all += one.text + "\n";
-  }
-  return all;
-}
-
-const ReportTable* tableNamed(const ReportModel& report, const std::string& id) {
-  for (const ReportSection& section : report.sections) {
-    for (const ReportTable& table : section.tables) {
-      if (table.id == id) {
-        return &table;
-      }
-    }
-  }
-  return nullptr;
-}
-
 std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& statistic) {
   std::vector<CohortCsvRow> found = cohortCsvRows(in);
   std::erase_if(found, [&](const CohortCsvRow& row) { return row.statistic != statistic; });
@@ -189,35 +99,9 @@ std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& s
 }
 
 TEST(HostileCohort, NoNumberIsNoneNoPIsZeroAndEveryIntervalHasItsLevel) {
-  const std::regex noNumber(R"(\b(nan|inf)\b)");
-  const std::regex interval(R"(\[-?[0-9.]+[,;] -?[0-9.]+\])");
-  const auto has = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
-  const auto saysLevel = [&](const std::string& text) {
-    return has(text, "95 %") || has(text, "90 %") || has(text, "lowest; highest");
-  };
   for (const auto& [name, in] : hostileCohorts()) {
     SCOPED_TRACE(name);
-    const ReportModel report = cohortReport(in);
-    for (const Said& one : everythingSaid(report)) {
-      EXPECT_FALSE((has(one.text, "nan") || has(one.text, "inf")) && std::regex_search(one.text, noNumber))
-          << one.text;
-      EXPECT_FALSE(has(one.text, "p = 0.000") || has(one.text, "%1")) << one.text;
-      if (has(one.text, "[") && std::regex_search(one.text, interval)) {
-        EXPECT_TRUE(saysLevel(one.text) || saysLevel(one.head)) << one.head << ": " << one.text;
-      }
-    }
-    for (const ReportSection& section : report.sections) {
-      for (const ReportFigure& figure : section.figures) {
-        EXPECT_TRUE(allFinite(figure)) << figure.id;
-      }
-    }
-    for (const CohortCsvRow& row : cohortCsvRows(in)) {
-      EXPECT_FALSE(row.value == "nan" || row.value == "-nan" || row.value == "inf" || row.value == "-inf")
-          << numberAddress(row);
-      EXPECT_TRUE(!row.value.empty() || has(row.flags, "undefined")) << numberAddress(row);
-    }
+    testing::expectWellSaid(in);
   }
 }
 

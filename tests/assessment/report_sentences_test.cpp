@@ -241,6 +241,7 @@ CohortCompetence verdictOf(const CohortInputs& in, std::size_t trainee, bool abl
   one.limit = 2.0;
   one.falsePass = 0.049;
   one.falseFail = 0.094;
+  one.falseAlarm = 0.014;
   one.withinAttempts = 50;
   one.design = Text::verbatim("Design.");
   one.errors = Text::verbatim("Errors.");
@@ -257,14 +258,15 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   EXPECT_EQ(table->rows.at(0).at(5), "able, since attempt 2");
   EXPECT_EQ(table->rows.at(0).at(6), "4.9 %");
   EXPECT_EQ(table->rows.at(1).at(7), "9.4 %");
-  EXPECT_EQ(table->rows.at(1).at(8), "50");
-  EXPECT_EQ(table->rows.at(1).at(9), "shipped with the exercise");
+  EXPECT_EQ(table->rows.at(1).at(8), "1.4 %");
+  EXPECT_EQ(table->rows.at(1).at(9), "50");
+  EXPECT_EQ(table->rows.at(1).at(10), "shipped with the exercise");
   EXPECT_THAT(saidBy(in), HasSubstr("Quarter turn. Design. Errors."));
   std::int64_t rates = 0;
   for (const CohortCsvRow& row : cohortCsvRows(in)) {
-    rates += row.section == "competence" && (row.statistic == "false_pass" || row.statistic == "false_fail");
+    rates += row.section == "competence" && row.statistic.starts_with("false_");
   }
-  EXPECT_EQ(rates, 4);
+  EXPECT_EQ(rates, 6);
   in.identity = ReportIdentity::kAggregated;
   EXPECT_EQ(tableIn(cohortReport(in), "table-competence"), nullptr);
 }
@@ -291,7 +293,8 @@ TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
   EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is able at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
   EXPECT_THAT(table->notes[0].str(),
-              HasSubstr("able in at most 12.0 %, an adequate one is not in at most 9.4 %"));
+              HasSubstr("able in at most 12.0 %, somebody adequate at all of them is not in at most 21.6 %"))
+      << "one of the two exercises is enough not to be able at both";
   in.competence.clear();
   EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());
 }

@@ -280,6 +280,23 @@ lc_pass <- function(failure, attempts, adequate, inadequate, limit) {
   }
   passed
 }
+# Chance of not being held able after so many attempts: the same, and after the limit the sum reversed, whose limit leads
+# back to the beginning.
+lc_not_able <- function(failure, attempts, adequate, inadequate, limit) {
+  up <- log((1 - adequate) / (1 - inadequate)); down <- log(adequate / inadequate)
+  moved <- function(p, rise, fall, chance) {
+    s <- as.numeric(names(p)); to <- c(pmax(0, s + rise), pmax(0, s + fall)); q <- c(p * chance, p * (1 - chance))
+    there <- to >= limit; kept <- tapply(q[!there], sprintf("%.12f", to[!there]), sum)
+    list(p = setNames(as.vector(kept), names(kept)), reached = sum(q[there]))
+  }
+  entered <- function(p, share) { zero <- sprintf("%.12f", 0); p[zero] <- share + if (zero %in% names(p)) p[[zero]] else 0; p }
+  learning <- c("0.000000000000" = 1); watch <- c("0.000000000000" = 0)
+  for (i in 1:attempts) {
+    l <- moved(learning, up, down, 1 - failure); w <- moved(watch, -down, -up, failure)
+    learning <- entered(l$p, w$reached); watch <- entered(w$p, l$reached)
+  }
+  sum(learning)
+}
 # Average run length in control: the integral equation by Gauss and Legendre (Crowder 1987); both sides together.
 run_length <- function(limit, k = 0.5, nodes = 80) {
   i <- 1:(nodes - 1); b <- i / sqrt(4 * i^2 - 1); j <- matrix(0, nodes, nodes); j[cbind(i, i + 1)] <- b; j[cbind(i + 1, i)] <- b

@@ -40,6 +40,9 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   verdict_ = plainLabel(this, "subheading");
   verdict_->setObjectName(QStringLiteral("verdict"));
   page.column->addWidget(verdict_);
+  competence_ = plainLabel(this, "quiet");
+  competence_->setObjectName(QStringLiteral("competence"));
+  page.column->addWidget(competence_);
 
   targets_ = new Card(QString(), this);
   good_ = new Card(QString(), this);
@@ -310,6 +313,7 @@ void DebriefPage::fill() {
   const bool undone = debrief_.detorsion.has_value();
   inThree_->setVisible(any && haveReplay_);
   untwisting_->setVisible(any && undone);
+  competence_->setVisible(any && debrief_.competence.errors.attempts > 0);
   for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
     ofTwists->setVisible(any && !undone);
   }
@@ -324,6 +328,11 @@ void DebriefPage::fill() {
                                          : tr("Not passed yet"));
   setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
   setLook(verdict_, "caution", !debrief_.passed);
+  if (const CompetenceVerdict& all = debrief_.competence; all.errors.attempts > 0) {
+    competence_->setText(tr("One run decides nothing. By all runs: %1. %2 %3")
+                             .arg(StationLabels::level(all), StationLabels::levelMeaning(all),
+                                  StationLabels::competenceErrors(all)));
+  }
   for (const TargetCheck& check : debrief_.checks) {
     auto* row = new QHBoxLayout;
     auto* mark = new QLabel(targets_);

@@ -57,6 +57,7 @@ class DebriefPage : public Page {
   const Theme* theme_;
   PageHeading* heading_;
   QLabel* verdict_;
+  QLabel* competence_;
   Card* targets_;
   QVBoxLayout* checks_;
   Card* good_;

@@ -192,6 +192,9 @@ QString StationLabels::why(const ModuleStep& step) {
   for (const RuleProgress& progress : step.rules) {
     parts << rule(progress);
   }
+  if (step.state == StepState::kMastered) {
+    parts << tr("Trend says whether you are held to be able, and how often that is wrong.");
+  }
   return parts.join(QLatin1Char('\n'));
 }
 

@@ -628,6 +628,13 @@ TEST_F(StatisticsCommands, LearningNamesTheAttemptOfProficiency) {
   EXPECT_EQ(two["subjects"][0]["proficient_at"], 5);
   EXPECT_EQ(further["subjects"][0]["proficient_at"], 7);
   EXPECT_TRUE(higher["subjects"][0]["proficient_at"].contains("undefined"));
+  // Two in a row among seven: 1 - sum of C(8 - f, f) over f of 2^-7 with fair coins = 94 of 128.
+  const json fair = answer(command + " --inadequate 0.5 --adequate 0.1")["subjects"][0];
+  EXPECT_NEAR(fair["proficient_if_inadequate"].get<double>(), 94.0 / 128.0, 1e-15);
+  EXPECT_GT(fair["proficient_if_adequate"].get<double>(), 0.99);
+  EXPECT_LT(answer(command + " --further 1 --inadequate 0.5")["subjects"][0]["proficient_if_inadequate"]
+                .get<double>(),
+            94.0 / 128.0);
 }
 
 }  // namespace

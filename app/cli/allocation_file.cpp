@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/allocation_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/scene/json_fields.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Input = nlohmann::json;
+
+const std::vector<std::string> kAllocationMethods = {"complete permutation", "permuted blocks",
+                                                     "stratified blocks", "minimisation"};
+const std::vector<std::string> kImbalances = {"range", "variance"};
+
+Input parsed(const std::string& file) {
+  try {
+    return Input::parse(readFile(file));
+  } catch (const Input::parse_error& error) {
+    throw Error(ErrorCode::kBadData, "this is not JSON: " + std::string(error.what()), file,
+                Text::verbatim("Correct the file"));
+  }
+}
+
+/// A value of the wrong kind is the file's fault, not ours.
+template <class T>
+T as(JsonFields& fields, const std::string& name) {
+  try {
+    return fields.child(name).get<T>();
+  } catch (const Input::exception&) {
+    fields.refuse(name, Text::verbatim("has the wrong kind of value"),
+                  Text::verbatim("See docs/cli.md, allocate"));
+  }
+}
+
+/// Whole numbers of at least 0; nlohmann would turn -1 into a very large one.
+std::uint64_t count(JsonFields& fields, const std::string& name) {
+  const Input& value = fields.child(name);
+  if (!value.is_number_unsigned()) {
+    fields.refuse(name, Text::verbatim("is no whole number of at least 0"), Text::verbatim("Correct it"));
+  }
+  return value.get<std::uint64_t>();
+}
+
+std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
+  const Input& list = fields.child(name);
+  const bool sound = list.is_array() && std::all_of(list.begin(), list.end(), [](const Input& value) {
+                       return value.is_number_unsigned();
+                     });
+  if (!sound) {
+    fields.refuse(name, Text::verbatim("is no list of whole numbers of at least 0"),
+                  Text::verbatim("Correct it"));
+  }
+  return list.get<std::vector<std::uint64_t>>();
+}
+
+const Input& listAt(JsonFields& fields, const std::string& name) {
+  const Input& list = fields.child(name);
+  if (!list.is_array()) {
+    fields.refuse(name, Text::verbatim("is no list"), Text::verbatim("Write it in square brackets"));
+  }
+  return list;
+}
+
+std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& where) {
+  std::vector<AllocationFactor> factors;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    JsonFields fields(list.at(i), where + ", factors[" + std::to_string(i) + "]");
+    factors.push_back({fields.text("name"), as<std::vector<std::string>>(fields, "levels")});
+    fields.finish();
+  }
+  return factors;
+}
+
+/// The fields of a design; the caller finishes, because a design file also lists persons.
+AllocationDesign designOf(JsonFields& fields) {
+  AllocationDesign design;
+  design.studyId = fields.text("study");
+  design.method = static_cast<AllocationMethod>(fields.choice("method", kAllocationMethods, 0));
+  design.arms = as<std::vector<std::string>>(fields, "arms");
+  if (fields.has("participants")) {
+    design.participants = count(fields, "participants");
+  }
+  if (fields.has("block_sizes")) {
+    for (const std::uint64_t size : counts(fields, "block_sizes")) {
+      design.blockSizes.push_back(size);
+    }
+  }
+  if (fields.has("factors")) {
+    design.factors = factorsOf(listAt(fields, "factors"), fields.where());
+  }
+  if (fields.has("best_arm_probability")) {
+    const double tenths = 10.0 * fields.number("best_arm_probability", 0.5, 0.9);
+    design.bestArm_tenths = std::llround(tenths);
+    constexpr double kRounding = 1e-9;
+    if (std::abs(tenths - static_cast<double>(design.bestArm_tenths)) > kRounding) {
+      fields.refuse("best_arm_probability", Text::verbatim("is no multiple of 0.1"),
+                    Text::verbatim("Give 0.5, 0.6, 0.7, 0.8 or 0.9"));
+    }
+  }
+  design.imbalance = static_cast<Imbalance>(fields.choice("imbalance", kImbalances, 0));
+  if (fields.has("stratum_totals")) {
+    JsonFields totals(fields.child("stratum_totals"), fields.where() + ", stratum_totals");
+    for (const auto& [name, value] : fields.child("stratum_totals").items()) {
+      design.stratumTotals[name] = count(totals, name);
+    }
+  }
+  return design;
+}
+
+Json designJson(const AllocationDesign& design) {
+  Json out;
+  out["study"] = design.studyId;
+  out["method"] = kAllocationMethods.at(static_cast<std::size_t>(design.method));
+  out["arms"] = design.arms;
+  out["participants"] = design.participants;
+  out["block_sizes"] = design.blockSizes;
+  out["factors"] = Json::array();
+  for (const AllocationFactor& factor : design.factors) {
+    out["factors"].push_back({{"name", factor.name}, {"levels", factor.levels}});
+  }
+  out["best_arm_probability"] = static_cast<double>(design.bestArm_tenths) / 10.0;
+  out["imbalance"] = kImbalances.at(static_cast<std::size_t>(design.imbalance));
+  out["stratum_totals"] = Json::object();
+  for (const auto& [name, total] : design.stratumTotals) {
+    out["stratum_totals"][name] = total;
+  }
+  return out;
+}
+
+/// Persons as codes, or as {"code", "levels": {factor: level}}.
+std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesign& design,
+                                        const std::string& where) {
+  std::vector<AllocationPerson> persons;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Input& entry = list.at(i);
+    const std::string here = where + ", persons[" + std::to_string(i) + "]";
+    const Input object = entry.is_string() ? Input{{"code", entry}} : entry;
+    JsonFields fields(object, here);
+    AllocationPerson person{fields.text("code"), {}};
+    static const Input kNone = Input::object();
+    JsonFields levels(fields.has("levels") ? fields.child("levels") : kNone, here + ", levels");
+    for (const AllocationFactor& factor : design.factors) {
+      const std::string level = levels.text(factor.name);
+      const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
+      if (found == factor.levels.end()) {
+        levels.refuse(factor.name, "\"" + level + "\" is none of its levels",
+                      Text::verbatim("Give a level of the design"));
+      }
+      person.levels.push_back(static_cast<std::size_t>(found - factor.levels.begin()));
+    }
+    levels.finish();
+    fields.finish();
+    persons.push_back(std::move(person));
+  }
+  return persons;
+}
+
+Json recordJson(const AllocationRecord& record, const AllocationDesign& design) {
+  Json out{{"position", record.position}, {"person", record.person}};
+  out["levels"] = record.levels;
+  out["stratum"] = record.stratum;
+  out["draws_before"] = record.drawsBefore;
+  out["draws_after"] = record.drawsAfter;
+  out["counts_before"] = record.countsBefore;
+  out["scores"] = record.scores;
+  out["arm"] = design.arms.at(record.arm);
+  out["utc_us"] = record.stamp.utc_us;
+  out["enrolled_by"] = record.stamp.enrolledBy;
+  out["allocated_by"] = record.stamp.allocatedBy;
+  out["software"] = record.stamp.softwareVersion;
+  out["previous_hash"] = record.previousHash;
+  out["hash"] = record.hash;
+  return out;
+}
+
+AllocationRecord recordOf(const Input& json, const AllocationDesign& design, const std::string& where) {
+  JsonFields fields(json, where);
+  AllocationRecord record;
+  record.position = count(fields, "position");
+  record.person = fields.text("person");
+  for (const std::uint64_t level : counts(fields, "levels")) {
+    record.levels.push_back(level);
+  }
+  for (std::size_t f = 0; f < record.levels.size(); ++f) {
+    if (f >= design.factors.size() || record.levels[f] >= design.factors[f].levels.size()) {
+      fields.refuse("levels", Text::verbatim("do not fit the factors of the design"),
+                    Text::verbatim("Check the file against the original"));
+    }
+  }
+  record.stratum = as<std::string>(fields, "stratum");
+  record.drawsBefore = count(fields, "draws_before");
+  record.drawsAfter = count(fields, "draws_after");
+  record.countsBefore = as<std::vector<std::int64_t>>(fields, "counts_before");
+  record.scores = as<std::vector<std::int64_t>>(fields, "scores");
+  record.arm = fields.choice("arm", design.arms, 0);
+  record.stamp.utc_us = as<std::int64_t>(fields, "utc_us");
+  record.stamp.enrolledBy = as<std::string>(fields, "enrolled_by");
+  record.stamp.allocatedBy = as<std::string>(fields, "allocated_by");
+  record.stamp.softwareVersion = as<std::string>(fields, "software");
+  record.previousHash = as<std::string>(fields, "previous_hash");
+  record.hash = as<std::string>(fields, "hash");
+  fields.finish();
+  return record;
+}
+
+/// How many persons each arm has, by its name.
+Json armCounts(const Allocation& allocation) {
+  Json counts = Json::object();
+  for (const std::string& arm : allocation.design.arms) {
+    counts[arm] = 0;
+  }
+  for (const AllocationRecord& record : allocation.records) {
+    Json& count = counts[allocation.design.arms.at(record.arm)];
+    count = count.get<int>() + 1;
+  }
+  return counts;
+}
+
+}  // namespace
+
+AllocationOrder readAllocationOrder(const std::string& file) {
+  const Input json = parsed(file);
+  JsonFields fields(json, file);
+  AllocationOrder order;
+  order.design = designOf(fields);
+  order.jointLeftovers = !fields.has("joint_leftovers") || as<bool>(fields, "joint_leftovers");
+  order.persons = personsOf(listAt(fields, "persons"), order.design, file);
+  fields.finish();
+  return order;
+}
+
+Json allocationJson(const Allocation& allocation) {
+  Json out{{"version", kAllocationVersion}, {"generator", kAllocationGenerator}};
+  out["design"] = designJson(allocation.design);
+  out["seed"] = allocation.seed;
+  out["salt"] = allocation.salt;
+  out["commitment"] = allocation.commitment;
+  out["head"] = allocation.head;
+  out["counts"] = armCounts(allocation);
+  out["records"] = Json::array();
+  for (const AllocationRecord& record : allocation.records) {
+    out["records"].push_back(recordJson(record, allocation.design));
+  }
+  return out;
+}
+
+KeptAllocation readAllocation(const std::string& file) {
+  const Input json = parsed(file);
+  JsonFields fields(json, file);
+  const std::string version = fields.text("version");
+  if (version != kAllocationVersion) {
+    throw Error(ErrorCode::kBadData, "allocations of version \"" + version + "\" cannot be repeated", file,
+                "This program repeats " + std::string(kAllocationVersion));
+  }
+  JsonFields designFields(fields.child("design"), file + ", design");
+  KeptAllocation kept;
+  Allocation& allocation = kept.allocation;
+  allocation.design = designOf(designFields);
+  designFields.finish();
+  allocation.seed = count(fields, "seed");
+  if (fields.has("salt")) {
+    allocation.salt = fields.text("salt");
+  }
+  if (fields.has("head")) {
+    allocation.head = fields.text("head");
+  }
+  allocation.commitment = fields.text("commitment");
+  const Input& records = listAt(fields, "records");
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    allocation.records.push_back(
+        recordOf(records.at(i), allocation.design, file + ", records[" + std::to_string(i) + "]"));
+  }
+  if (fields.has("counts")) {
+    kept.countsFit = Input(armCounts(allocation)) == fields.child("counts");
+  }
+  return kept;
+}
+
+}  // namespace torsio::cli
