@@ -1166,10 +1166,6 @@
 <context>
     <name>Scoring</name>
     <message>
-        <source>Every rater gets an order of their own and case labels that tell neither name, group nor stage.</source>
-        <translation>每位评分者的顺序各不相同，案例标签不透露姓名、组别和阶段。</translation>
-    </message>
-    <message>
         <source>Rater</source>
         <translation>评分者</translation>
     </message>
@@ -1272,6 +1268,10 @@
     <message>
         <source>for each case the freest of the same class</source>
         <translation>每个案例交给同类别中任务最少者</translation>
+    </message>
+    <message>
+        <source>Case labels tell neither name, group nor occasion. Recordings come in an order of their own for each rater, the real arm as you call.</source>
+        <translation>案例标签不透露姓名、组别或评分时点。每位评分者的录制顺序各不相同；实物手臂按您的叫号进行。</translation>
     </message>
 </context>
 <context>
@@ -15728,6 +15728,62 @@ audit trail %3</source>
         <source>Warning about the organ of a recording</source>
         <translation>关于录制所用器官的警告</translation>
     </message>
+    <message>
+        <source>the centre has set no mail server</source>
+        <translation>本中心尚未设置邮件服务器</translation>
+    </message>
+    <message>
+        <source>Set one first</source>
+        <translation>请先设置</translation>
+    </message>
+    <message>
+        <source>the mail server offers no encryption: nothing was sent</source>
+        <translation>邮件服务器不提供加密：未发送任何内容</translation>
+    </message>
+    <message>
+        <source>Choose TLS from the beginning, or ask who runs it</source>
+        <translation>请选择从一开始就使用 TLS，或询问其管理者</translation>
+    </message>
+    <message>
+        <source>somebody else speaks before the encryption of the mail server begins</source>
+        <translation>在邮件服务器开始加密之前，有他人插入了内容</translation>
+    </message>
+    <message>
+        <source>Choose TLS from the beginning, or ask who runs the network</source>
+        <translation>请选择从一开始就使用 TLS，或询问网络管理者</translation>
+    </message>
+    <message>
+        <source>the mail server takes no sign-in with a password</source>
+        <translation>邮件服务器不接受密码登录</translation>
+    </message>
+    <message>
+        <source>Take the sign-in name out of its settings, or ask who runs it</source>
+        <translation>请在设置中去掉登录名，或询问其管理者</translation>
+    </message>
+    <message>
+        <source>the mail server cannot be trusted: %1</source>
+        <translation>无法信任该邮件服务器：%1</translation>
+    </message>
+    <message>
+        <source>Check its name; the authority of its certificate must be known to this computer</source>
+        <translation>请检查其名称；本机须认识其证书的颁发机构</translation>
+    </message>
+    <message>
+        <source>it is not known whether it was taken: %1</source>
+        <translation>不清楚是否已被接收：%1</translation>
+    </message>
+    <message>
+        <source>not sent: %1</source>
+        <translation>未发送：%1</translation>
+    </message>
+    <message>
+        <source>Reminder sent by mail</source>
+        <translation>已通过邮件发送提醒</translation>
+    </message>
+    <message>
+        <source>Reminder copied</source>
+        <translation>已复制提醒</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -18143,6 +18199,22 @@ MSM = 质点弹簧</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Name at least one place.</source>
+        <translation>请至少填写一个地点。</translation>
+    </message>
+    <message>
+        <source>! That would take longer than this day: name more places, or choose fewer trainees.</source>
+        <translation>! 这一天排不下：请增加地点，或少选几名学员。</translation>
+    </message>
+    <message>
+        <source>! The last slot ends at %1. The first one has begun already: whoever is not there is overdue.</source>
+        <translation>! 最后一个时段于 %1 结束。第一个时段已经开始：未到者即为逾期。</translation>
+    </message>
+    <message>
+        <source>The last slot ends at %1.</source>
+        <translation>最后一个时段于 %1 结束。</translation>
     </message>
 </context>
 <context>
@@ -23410,6 +23482,10 @@ Leave it empty to remove it.</source>
         <source>%1 *</source>
         <translation>%1 *</translation>
     </message>
+    <message>
+        <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters: who is imported as a trainee stays one.</source>
+        <translation>! “%1”列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”：一旦作为学员导入，将一直是学员。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterFilePage</name>
@@ -24152,6 +24228,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Planned</source>
         <translation>已安排</translation>
+    </message>
+    <message>
+        <source>no group yet</source>
+        <translation>尚未分组</translation>
     </message>
 </context>
 <context>
