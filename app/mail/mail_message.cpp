@@ -12,11 +12,14 @@ namespace torsio {
 
 namespace {
 
-constexpr qsizetype kBodyLine = 76;     // letters of base64
-constexpr qsizetype kSubjectPart = 42;  // bytes in an encoded word, so that a line stays below 78
+constexpr qsizetype kBodyLine = 76;           // letters of base64
+constexpr std::size_t kLongestAddress = 254;  // RFC 5321
+constexpr qsizetype kSubjectPart = 42;        // bytes in an encoded word, so that a line stays below 78
 
-/// Text of a header, whatever letters it has: encoded words of whole characters.
-QByteArray headerText(const std::string& text) {
+/// Text of a header, whatever letters it has: encoded words of whole characters, and no line of its own.
+QByteArray headerText(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == '\x7f'; }, ' ');
   QByteArray header;
   QByteArray part;
   const auto flush = [&] {
@@ -48,7 +51,8 @@ void checkAddress(const std::string& address) {
   const bool plain = std::all_of(address.begin(), address.end(), [](char letter) {
     return letter > ' ' && letter < '\x7f' && std::string("<>()[],;:\\\"").find(letter) == std::string::npos;
   });
-  if (!plain || at == 0 || at == std::string::npos || at + 1 == address.size() || address.rfind('@') != at) {
+  if (!plain || address.size() > kLongestAddress || at == 0 || at == std::string::npos ||
+      at + 1 == address.size() || address.rfind('@') != at) {
     refuseParameter(Text::tr("this is no mail address"), address, Text::tr("Write it like li@example.org"));
   }
 }
@@ -64,7 +68,8 @@ std::string written(const MailMessage& message, const std::string& id, std::int6
       "\r\nMessage-ID: <" + QByteArray::fromStdString(id + "@" + home) +
       ">\r\nMIME-Version: 1.0\r\nContent-Type: text/plain; charset=UTF-8\r\n"
       "Content-Transfer-Encoding: base64\r\nAuto-Submitted: auto-generated\r\n\r\n";
-  const QByteArray body = QByteArray::fromStdString(message.body).toBase64();
+  const QByteArray body =
+      QByteArray::fromStdString(message.body).replace("\r\n", "\n").replace('\n', "\r\n").toBase64();
   for (qsizetype at = 0; at < body.size(); at += kBodyLine) {
     text += body.mid(at, kBodyLine) + "\r\n";
   }

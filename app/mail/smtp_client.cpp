@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include <QByteArrayList>
+#include <QDeadlineTimer>
+#include <QHostAddress>
 #include <QSslSocket>
 #include <QUuid>
 
@@ -13,19 +16,27 @@ namespace torsio {
 
 namespace {
 
-constexpr int kAnswer_ms = 30'000;
 constexpr qsizetype kLongestAnswer_bytes = 64 * 1024;
+constexpr int kReady = 220;
+constexpr int kDone = 250;
+constexpr int kSignedIn = 235;
+constexpr int kSignInGoesOn = 334;
+constexpr int kBodyFollows = 354;
 
 bool isThisComputer(const std::string& host) {
-  return host == "localhost" || host == "::1" || host.starts_with("127.");
+  return host == "localhost" || QHostAddress(QString::fromStdString(host)).isLoopback();
 }
 
-/// What a server says: a number of three digits, and words.
+/// What a server says: a number of three digits, and lines.
 struct MailAnswer {
   int code = 0;
-  std::string text{};
+  QByteArrayList lines{};
 
-  [[nodiscard]] bool good() const noexcept { return code >= 200 && code < 400; }
+  [[nodiscard]] bool done() const noexcept { return code >= 200 && code < 300; }
+  /// "550 nobody of this name"
+  [[nodiscard]] std::string text() const {
+    return QByteArray::number(code).append(' ').append(lines.join(' ')).toStdString();
+  }
 };
 
 /// One conversation with a mail server.
@@ -37,18 +48,15 @@ class MailTalk {
     const QString host = QString::fromStdString(server_.host);
     if (server_.encryption == MailEncryption::kTls) {
       socket_.connectToHostEncrypted(host, server_.port);
-      require(socket_.waitForEncrypted(kAnswer_ms));
+      requireTrust();
     } else {
       socket_.connectToHost(host, server_.port);
-      require(socket_.waitForConnected(kAnswer_ms));
+      require(socket_.waitForConnected(server_.patience_ms));
     }
-    require(hear());
+    require(hear(), kReady);
     greet();
     if (server_.encryption == MailEncryption::kStartTls) {
-      require(ask("STARTTLS"));
-      socket_.startClientEncryption();
-      require(socket_.waitForEncrypted(kAnswer_ms));
-      greet();
+      encrypt();
     }
     if (!server_.user.empty()) {
       signIn();
@@ -56,53 +64,90 @@ class MailTalk {
   }
 
   /// Empty: taken.
-  std::string send(const MailMessage& message, const std::string& text) {
+  Text send(const MailMessage& message, const std::string& text) {
     for (const std::string& line : {"MAIL FROM:<" + message.from + ">", "RCPT TO:<" + message.to + ">"}) {
-      if (const MailAnswer answer = ask(line); !answer.good()) {
+      if (const MailAnswer answer = ask(line); !answer.done()) {
         (void)ask("RSET");
-        return answer.text;
+        return answer.text();
       }
     }
-    if (const MailAnswer answer = ask("DATA"); !answer.good()) {
-      return answer.text;
+    if (const MailAnswer answer = ask("DATA"); answer.code != kBodyFollows) {
+      (void)ask("RSET");
+      return answer.text();
     }
+    handedOver_ = true;
     const MailAnswer answer = ask(text + ".");  // no line of it begins with a dot
-    return answer.good() ? std::string() : answer.text;
+    handedOver_ = false;
+    return answer.done() ? Text() : Text(answer.text());
   }
+
+  /// Whether a whole message went out that nothing was said about.
+  [[nodiscard]] bool handedOver() const noexcept { return handedOver_; }
 
   void close() {
     say("QUIT");
     if (socket_.bytesToWrite() > 0) {
-      socket_.waitForBytesWritten(kAnswer_ms);
+      socket_.waitForBytesWritten(server_.patience_ms);
     }
   }
 
  private:
   void greet() {
-    const MailAnswer answer = ask("EHLO torsio");
-    require(answer);
-    offers_ = answer.text;
+    const QHostAddress here = socket_.localAddress();
+    const QString literal = here.protocol() == QAbstractSocket::IPv6Protocol
+                                ? QStringLiteral("IPv6:") + QHostAddress(here.toIPv6Address()).toString()
+                                : here.toString();
+    MailAnswer answer = ask("EHLO [" + literal.toStdString() + "]");
+    require(answer, kDone);
+    offers_ = std::move(answer.lines);
+  }
+
+  /// Whatever stands between here and the server can leave the offer out, or put words behind the answer.
+  void encrypt() {
+    if (!offered("STARTTLS")) {
+      refuseServer(Text::tr("the mail server offers no encryption: nothing was sent"),
+                   Text::tr("Choose TLS from the beginning, or ask who runs it"));
+    }
+    require(ask("STARTTLS"), kReady);
+    if (socket_.bytesAvailable() > 0) {
+      refuseServer(Text::tr("somebody else speaks before the encryption of the mail server begins"),
+                   Text::tr("Choose TLS from the beginning, or ask who runs the network"));
+    }
+    socket_.startClientEncryption();
+    requireTrust();
+    greet();
   }
 
   void signIn() {
     const auto packed = [](const std::string& text) {
       return QByteArray::fromStdString(text).toBase64().toStdString();
     };
-    const bool plain =
-        offers_.find("PLAIN") != std::string::npos || offers_.find("LOGIN") == std::string::npos;
     MailAnswer answer;
-    if (plain) {
+    if (offered("AUTH", "PLAIN")) {
       answer = ask("AUTH PLAIN " + packed(std::string(1, '\0') + server_.user + '\0' + server_.password));
-    } else {
-      require(ask("AUTH LOGIN"));
-      require(ask(packed(server_.user)));
+    } else if (offered("AUTH", "LOGIN")) {
+      require(ask("AUTH LOGIN"), kSignInGoesOn);
+      require(ask(packed(server_.user)), kSignInGoesOn);
       answer = ask(packed(server_.password));
+    } else {
+      refuseServer(Text::tr("the mail server takes no sign-in with a password"),
+                   Text::tr("Take the sign-in name out of its settings, or ask who runs it"));
     }
-    if (!answer.good()) {
-      throw Error(ErrorCode::kFileUnreadable,
-                  Text::tr("the mail server refuses the sign-in: %1", answer.text), server_.host,
-                  Text::tr("Check the sign-in name and the password"));
+    if (answer.code != kSignedIn) {
+      refuseServer(Text::tr("the mail server refuses the sign-in: %1", answer.text()),
+                   Text::tr("Check the sign-in name and the password"));
     }
+  }
+
+  /// Whether a line of the greeting begins with `word`, and names `way` behind it.
+  [[nodiscard]] bool offered(const char* word, const char* way = nullptr) const {
+    for (const QByteArray& line : offers_) {
+      const QByteArrayList words = line.toUpper().replace('=', ' ').split(' ');
+      if (words.first() == word && (way == nullptr || words.contains(way))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   void say(const std::string& line) { socket_.write(QByteArray::fromStdString(line) + "\r\n"); }
@@ -114,15 +159,17 @@ class MailTalk {
 
   MailAnswer hear() {
     MailAnswer answer;
+    QDeadlineTimer deadline(server_.patience_ms);
     for (qsizetype heard = 0; heard < kLongestAnswer_bytes;) {
       while (!socket_.canReadLine()) {
-        require(socket_.waitForReadyRead(kAnswer_ms));
-        require(socket_.bytesAvailable() < kLongestAnswer_bytes);
+        require(!deadline.hasExpired() &&
+                socket_.waitForReadyRead(static_cast<int>(deadline.remainingTime())) &&
+                socket_.bytesAvailable() < kLongestAnswer_bytes);
       }
       const QByteArray line = socket_.readLine().trimmed();
       heard += line.size() + 1;
       answer.code = line.left(3).toInt();
-      answer.text += (answer.text.empty() ? "" : " ") + line.mid(4).toStdString();
+      answer.lines << line.mid(4);
       if (line.size() < 4 || line[3] != '-') {
         return answer;
       }
@@ -131,23 +178,37 @@ class MailTalk {
     return answer;
   }
 
-  void require(const MailAnswer& answer) const {
-    if (!answer.good()) {
-      throw Error(ErrorCode::kFileUnreadable, Text::tr("the mail server refuses: %1", answer.text),
-                  server_.host, Text::tr("Check its settings"));
+  void require(const MailAnswer& answer, int code) const {
+    if (answer.code != code) {
+      refuseServer(Text::tr("the mail server refuses: %1", answer.text()), Text::tr("Check its settings"));
     }
   }
   void require(bool answers) const {
     if (!answers) {
-      throw Error(ErrorCode::kFileUnreadable,
-                  Text::tr("the mail server does not answer: %1", socket_.errorString().toStdString()),
-                  server_.host, Text::tr("Check its name, port and encryption, and the network"));
+      refuseServer(Text::tr("the mail server does not answer: %1", socket_.errorString().toStdString()),
+                   Text::tr("Check its name, port and encryption, and the network"));
     }
+  }
+  void requireTrust() {
+    if (socket_.waitForEncrypted(server_.patience_ms)) {
+      return;
+    }
+    if (!socket_.sslHandshakeErrors().isEmpty()) {
+      refuseServer(
+          Text::tr("the mail server cannot be trusted: %1",
+                   socket_.sslHandshakeErrors().first().errorString().toStdString()),
+          Text::tr("Check its name; the authority of its certificate must be known to this computer"));
+    }
+    require(false);
+  }
+  [[noreturn]] void refuseServer(const Text& what, const Text& remedy) const {
+    throw Error(ErrorCode::kFileUnreadable, what, server_.host, remedy);
   }
 
   const MailServer& server_;
   QSslSocket socket_;
-  std::string offers_;
+  QByteArrayList offers_;
+  bool handedOver_ = false;
 };
 
 }  // namespace
@@ -159,8 +220,8 @@ void requireProtectedWay(const MailServer& server) {
   }
 }
 
-std::vector<std::string> sendMail(const MailServer& server, std::span<const MailMessage> messages,
-                                  std::int64_t utc_us, const ProgressCallback& progress) {
+std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage> messages,
+                           std::int64_t utc_us, const ProgressCallback& progress, const MailTaken& taken) {
   requireProtectedWay(server);
   std::vector<std::string> texts;
   for (const MailMessage& message : messages) {  // before anything is sent
@@ -169,9 +230,20 @@ std::vector<std::string> sendMail(const MailServer& server, std::span<const Mail
   }
   MailTalk talk(server);
   talk.open();
-  std::vector<std::string> refusals;
+  std::vector<Text> refusals;
   for (std::size_t i = 0; i < messages.size(); ++i) {
-    refusals.push_back(talk.send(messages[i], texts[i]));
+    try {
+      refusals.push_back(talk.send(messages[i], texts[i]));
+    } catch (const Error& error) {
+      if (talk.handedOver()) {
+        refusals.push_back(Text::tr("it is not known whether it was taken: %1", error.happenedText()));
+      }
+      refusals.resize(messages.size(), Text::tr("not sent: %1", error.happenedText()));
+      return refusals;
+    }
+    if (taken && refusals.back().empty()) {
+      taken(i);
+    }
     tellProgress(progress, Text::tr("Message to %1", messages[i].to),
                  static_cast<double>(i + 1) / static_cast<double>(messages.size()));
   }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/base/progress.h"
 #include "app/mail/mail_message.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -25,19 +27,24 @@ struct MailServer {
   MailEncryption encryption = MailEncryption::kStartTls;
   std::string user{};  ///< empty: the server asks for none
   std::string password{};
+  int patience_ms = 30'000;  ///< the longest wait for one answer
 };
 
 /// Refuses a server elsewhere without encryption: throws Error{kBadParameter}.
 void requireProtectedWay(const MailServer& server);
 
-/// Hands messages over, one connection for all (SMTP, RFC 5321; PLAIN or LOGIN). Certificates are checked.
-/// Returns for each what the server said against it, empty: taken. A message that another one follows is not
-/// held up by it. Throws Error: {kBadParameter} for an address that is none, or a server elsewhere without
-/// encryption; {kFileUnreadable} when the server does not answer, cannot be trusted, or refuses the sign-in:
-/// then nothing was sent after those that `progress` told of. A worker thread; takes up to half a minute a
-/// step.
-[[nodiscard]] std::vector<std::string> sendMail(const MailServer& server,
-                                                std::span<const MailMessage> messages, std::int64_t utc_us,
-                                                const ProgressCallback& progress = {});
+/// Told of a message that the server took: its index.
+using MailTaken = std::function<void(std::size_t index)>;
+
+/// Hands messages over, one connection for all (SMTP, RFC 5321; PLAIN or LOGIN). Certificates are checked,
+/// and nothing but the greeting is said before the encryption stands. Returns for each what speaks against
+/// it, empty: taken; `taken` is told at once. A message that another one follows is not held up by it; when
+/// the connection is lost on the way, the rest says so. Throws Error: {kBadParameter} for an address that is
+/// none, or a server elsewhere without encryption; {kFileUnreadable} when the server does not answer, cannot
+/// be trusted, offers no encryption, or refuses the sign-in: then nothing was sent. What `taken` and
+/// `progress` throw goes through. A worker thread.
+[[nodiscard]] std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage> messages,
+                                         std::int64_t utc_us, const ProgressCallback& progress = {},
+                                         const MailTaken& taken = {});
 
 }  // namespace torsio

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/blinded_due.h"
@@ -25,7 +27,9 @@ std::map<RaterId, Reminder> addressees(SessionContext& session) {
   PeopleRepository people(session.connection());
   std::map<RaterId, Reminder> all;
   for (const Rater& rater : people.raters()) {
-    all[rater.person.id].raterCode = rater.person.code;
+    Reminder& one = all[rater.person.id];
+    one.raterId = rater.person.id;
+    one.raterCode = rater.person.code;
   }
   if (session.may(Operation::kPersonViewIdentity)) {
     for (const Identity& identity : people.identities()) {
@@ -91,6 +95,23 @@ std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortI
   std::sort(owed.begin(), owed.end(),
             [](const Reminder& a, const Reminder& b) { return a.raterCode < b.raterCode; });
   return owed;
+}
+
+void noteReminders(SessionContext& session, std::span<const Reminder> reminded, ReminderWay way) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  for (const Reminder& one : reminded) {
+    nlohmann::json cases = nlohmann::json::array();
+    for (const SheetAwaited& sheet : one.sheets) {
+      cases.push_back(sheet.caseLabel);
+    }
+    session.note(
+        {.action = way == ReminderWay::kMail ? AuditAction::kReminderMail : AuditAction::kReminderCopy,
+         .objectKind = AuditObject::kPerson,
+         .objectId = one.raterId.text(),
+         .newJson = nlohmann::json{{"cases", std::move(cases)}}.dump()});
+  }
+  transaction.commit();
 }
 
 }  // namespace torsio

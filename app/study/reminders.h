@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct SheetAwaited {
 };
 /// A rater who still owes sheets.
 struct Reminder {
+  RaterId raterId{};
   std::string raterCode{};
   std::string name{};                  ///< empty: who asks may not see names, or none is kept
   std::string email{};                 ///< the same
@@ -29,5 +31,13 @@ struct Reminder {
 /// Whom to remind: of live sheets that were called, and of recorded cases that are open. Raters by code;
 /// those who owe nothing are left out. kStudySetup.
 [[nodiscard]] std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortId);
+
+/// How somebody is reminded.
+enum class ReminderWay {
+  kMail,    ///< the mail server took the message
+  kCopied,  ///< the words were copied, for a message that Torsio does not see
+};
+/// Audited: an entry for each rater, with the labels of the cases. kStudySetup.
+void noteReminders(SessionContext& session, std::span<const Reminder> reminded, ReminderWay way);
 
 }  // namespace torsio

@@ -15932,6 +15932,62 @@ audit trail %3</source>
         <source>False alarm</source>
         <translation>误报警</translation>
     </message>
+    <message>
+        <source>the centre has set no mail server</source>
+        <translation>本中心尚未设置邮件服务器</translation>
+    </message>
+    <message>
+        <source>Set one first</source>
+        <translation>请先设置</translation>
+    </message>
+    <message>
+        <source>the mail server offers no encryption: nothing was sent</source>
+        <translation>邮件服务器不提供加密：未发送任何内容</translation>
+    </message>
+    <message>
+        <source>Choose TLS from the beginning, or ask who runs it</source>
+        <translation>请选择从一开始就使用 TLS，或询问其管理者</translation>
+    </message>
+    <message>
+        <source>somebody else speaks before the encryption of the mail server begins</source>
+        <translation>在邮件服务器开始加密之前，有他人插入了内容</translation>
+    </message>
+    <message>
+        <source>Choose TLS from the beginning, or ask who runs the network</source>
+        <translation>请选择从一开始就使用 TLS，或询问网络管理者</translation>
+    </message>
+    <message>
+        <source>the mail server takes no sign-in with a password</source>
+        <translation>邮件服务器不接受密码登录</translation>
+    </message>
+    <message>
+        <source>Take the sign-in name out of its settings, or ask who runs it</source>
+        <translation>请在设置中去掉登录名，或询问其管理者</translation>
+    </message>
+    <message>
+        <source>the mail server cannot be trusted: %1</source>
+        <translation>无法信任该邮件服务器：%1</translation>
+    </message>
+    <message>
+        <source>Check its name; the authority of its certificate must be known to this computer</source>
+        <translation>请检查其名称；本机须认识其证书的颁发机构</translation>
+    </message>
+    <message>
+        <source>it is not known whether it was taken: %1</source>
+        <translation>不清楚是否已被接收：%1</translation>
+    </message>
+    <message>
+        <source>not sent: %1</source>
+        <translation>未发送：%1</translation>
+    </message>
+    <message>
+        <source>Reminder sent by mail</source>
+        <translation>已通过邮件发送提醒</translation>
+    </message>
+    <message>
+        <source>Reminder copied</source>
+        <translation>已复制提醒</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

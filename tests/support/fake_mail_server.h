@@ -2,20 +2,39 @@
 #pragma once
 
 #include <future>
+#include <map>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <QByteArray>
+#include <QFile>
 #include <QHostAddress>
+#include <QSslCertificate>
+#include <QSslKey>
+#include <QSslSocket>
 #include <QTcpServer>
-#include <QTcpSocket>
 
 namespace torsio::testing {
 
+/// How a mail server behaves.
+struct MailManner {
+  enum class Way { kClear, kTls, kStartTls };
+
+  Way way = Way::kClear;
+  std::string certificate = "server.pem";  ///< of tests/data/mail
+  std::string refused = "nobody@example.org";
+  std::string password = "a good one";
+  std::string signIn = "AUTH PLAIN LOGIN";  ///< how it is offered; empty: not at all
+  /// What it says instead to a line that begins so ("." ends a message): empty: nothing at all, "drop": it
+  /// hangs up.
+  std::map<std::string, std::string> instead{};
+  std::string behindStartTls{};  ///< what somebody puts behind its answer to STARTTLS
+};
+
 /// A mail server on this computer that takes one conversation, refuses one recipient, and keeps what it
-/// heard.
+/// heard. With encryption it is a TLS peer of its own, by OpenSSL.
 class FakeMailServer {
  public:
   struct Taken {
@@ -23,16 +42,15 @@ class FakeMailServer {
     std::string text{};  ///< head and body as they came, lines ended by "\n"
   };
 
-  explicit FakeMailServer(std::string refused = "nobody@example.org", std::string password = "a good one")
-      : refused_(std::move(refused)), password_(std::move(password)) {
+  explicit FakeMailServer(MailManner manner = {}) : manner_(std::move(manner)) {
     std::promise<quint16> listening;
     std::future<quint16> port = listening.get_future();
     thread_ = std::thread([this, &listening] {
-      QTcpServer server;
-      server.listen(QHostAddress::LocalHost);
-      listening.set_value(server.serverPort());
-      if (server.waitForNewConnection(kPatience_ms)) {
-        talk(*server.nextPendingConnection());
+      Door door;
+      door.listen(QHostAddress::LocalHost);
+      listening.set_value(door.serverPort());
+      if (door.waitForNewConnection(kPatience_ms)) {
+        receive(*static_cast<QSslSocket*>(door.nextPendingConnection()));
       }
     });
     port_ = port.get();
@@ -47,61 +65,146 @@ class FakeMailServer {
     finish();
     return taken_;
   }
+  /// Lines that came without encryption, and with it, once the conversation is over.
+  const std::vector<std::string>& inTheClear() {
+    finish();
+    return inTheClear_;
+  }
+  const std::vector<std::string>& encrypted() {
+    finish();
+    return encrypted_;
+  }
 
  private:
   static constexpr int kPatience_ms = 20'000;
 
+  class Door : public QTcpServer {
+   protected:
+    void incomingConnection(qintptr descriptor) override {
+      auto* socket = new QSslSocket(this);
+      socket->setSocketDescriptor(descriptor);
+      addPendingConnection(socket);
+    }
+  };
+
+  static QByteArray pem(const std::string& name) {
+    QFile file(QStringLiteral(TORSIO_TEST_DATA "/mail/") + QString::fromStdString(name));
+    (void)file.open(QIODevice::ReadOnly);
+    return file.readAll();
+  }
   void finish() {
     if (thread_.joinable()) {
       thread_.join();
     }
   }
-  static std::string line(QTcpSocket& socket) {
+  [[nodiscard]] bool encrypt(QSslSocket& socket) const {
+    socket.setLocalCertificate(QSslCertificate(pem(manner_.certificate)));
+    socket.setPrivateKey(QSslKey(pem("server.key"), QSsl::Ec));
+    socket.startServerEncryption();
+    return socket.waitForEncrypted(kPatience_ms);
+  }
+  std::string line(QSslSocket& socket) {
     while (!socket.canReadLine()) {
       if (!socket.waitForReadyRead(kPatience_ms)) {
         return "QUIT";
       }
     }
-    return socket.readLine().trimmed().toStdString();
+    const std::string heard = socket.readLine().trimmed().toStdString();
+    (socket.isEncrypted() ? encrypted_ : inTheClear_).push_back(heard);
+    return heard;
   }
-  static void say(QTcpSocket& socket, const char* words) {
-    socket.write(words);
+  static void say(QSslSocket& socket, const std::string& words) {
+    socket.write(QByteArray::fromStdString(words) + "\r\n");
     socket.flush();
   }
-  void talk(QTcpSocket& socket) {
-    say(socket, "220 fake\r\n");
-    Taken message;
-    for (std::string heard = line(socket); heard != "QUIT"; heard = line(socket)) {
-      if (heard.starts_with("EHLO")) {
-        say(socket, "250-fake\r\n250-AUTH PLAIN LOGIN\r\n250 8BITMIME\r\n");
-      } else if (heard.starts_with("AUTH PLAIN ")) {
-        const QByteArray secret = QByteArray::fromBase64(QByteArray::fromStdString(heard.substr(11)));
-        say(socket,
-            secret.endsWith(QByteArray::fromStdString(password_)) ? "235 welcome\r\n" : "535 wrong\r\n");
-      } else if (heard.starts_with("RCPT TO:<" + refused_)) {
-        say(socket, "550 nobody of this name\r\n");
-      } else if (heard.starts_with("RCPT TO:<")) {
-        message = {heard.substr(9, heard.size() - 10), {}};
-        say(socket, "250 ok\r\n");
-      } else if (heard == "DATA") {
-        say(socket, "354 go on\r\n");
-        for (heard = line(socket); heard != "."; heard = line(socket)) {
-          message.text += heard + "\n";
+  /// Whether the conversation goes on.
+  bool answer(QSslSocket& socket, const std::string& heard, const std::string& usual) {
+    for (const auto& [beginning, words] : manner_.instead) {
+      if (heard.starts_with(beginning)) {
+        if (words == "drop") {
+          return false;
         }
-        taken_.push_back(message);
-        say(socket, "250 taken\r\n");
-      } else {
-        say(socket, "250 ok\r\n");
+        if (!words.empty()) {
+          say(socket, words);
+        }
+        return true;
       }
     }
-    say(socket, "221 bye\r\n");
-    socket.waitForBytesWritten(kPatience_ms);
+    say(socket, usual);
+    return true;
+  }
+  void receive(QSslSocket& socket) {
+    if ((manner_.way != MailManner::Way::kTls || encrypt(socket)) && answer(socket, "GREETING", "220 fake")) {
+      talk(socket);
+    }
+    socket.flush();
+    socket.disconnectFromHost();
+    if (socket.state() != QAbstractSocket::UnconnectedState) {
+      socket.waitForDisconnected(kPatience_ms);
+    }
+  }
+  [[nodiscard]] std::string greeting(const QSslSocket& socket) const {
+    const bool more = manner_.way == MailManner::Way::kStartTls && !socket.isEncrypted();
+    return std::string("250-fake\r\n") + (more ? "250-STARTTLS\r\n" : "") +
+           (manner_.signIn.empty() ? "" : "250-" + manner_.signIn + "\r\n") + "250 8BITMIME";
+  }
+  [[nodiscard]] std::string verdict(const QByteArray& secret) const {
+    return secret.endsWith(QByteArray::fromStdString(manner_.password)) ? "235 welcome" : "535 wrong";
+  }
+  static QByteArray unpacked(const std::string& text) {
+    return QByteArray::fromBase64(QByteArray::fromStdString(text));
+  }
+  /// The usual answer to what was heard.
+  std::string reply(QSslSocket& socket, const std::string& heard, Taken& message) {
+    if (heard.starts_with("EHLO ")) {
+      return greeting(socket);
+    }
+    if (heard.starts_with("AUTH PLAIN ")) {
+      return verdict(unpacked(heard.substr(11)));
+    }
+    if (heard == "AUTH LOGIN") {
+      say(socket, "334 VXNlcm5hbWU6");
+      (void)line(socket);
+      say(socket, "334 UGFzc3dvcmQ6");
+      return verdict(unpacked(line(socket)));
+    }
+    if (heard.starts_with("RCPT TO:<" + manner_.refused)) {
+      return "550 nobody of this name";
+    }
+    if (heard.starts_with("RCPT TO:<")) {
+      message = {heard.substr(9, heard.size() - 10), {}};
+    }
+    if (heard == "STARTTLS") {
+      return "220 go on" + (manner_.behindStartTls.empty() ? "" : "\r\n" + manner_.behindStartTls);
+    }
+    return heard == "DATA" ? "354 go on" : heard == "QUIT" ? "221 bye" : "250 ok";
+  }
+  void talk(QSslSocket& socket) {
+    Taken message;
+    for (bool open = true; open;) {
+      std::string heard = line(socket);
+      if (!answer(socket, heard, reply(socket, heard, message)) || heard == "QUIT") {
+        return;
+      }
+      if (heard == "STARTTLS" && !manner_.instead.contains(heard)) {
+        open = encrypt(socket);
+      } else if (heard == "DATA" && !manner_.instead.contains(heard)) {
+        for (heard = line(socket); heard != "." && heard != "QUIT"; heard = line(socket)) {
+          message.text += heard + "\n";
+        }
+        open = heard == "." && answer(socket, heard, "250 taken");
+        if (open && !manner_.instead.contains(heard)) {
+          taken_.push_back(message);
+        }
+      }
+    }
   }
 
-  std::string refused_;
-  std::string password_;
+  MailManner manner_;
   quint16 port_ = 0;
   std::vector<Taken> taken_;
+  std::vector<std::string> inTheClear_;
+  std::vector<std::string> encrypted_;
   std::thread thread_;
 };
 

@@ -13,6 +13,7 @@
 #include "app/exchange/dataset_import.h"
 #include "app/exchange/foreign_import.h"
 #include "app/mail/mail_settings.h"
+#include "app/mail/mailed_reminders.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
@@ -264,6 +265,9 @@ std::vector<ServiceCall> studyCalls() {
        [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
       {O::kStudySetup, "createAssignments", [](SessionContext& w, Path) { (void)createAssignments(w, {}); }},
       {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
+      {O::kStudySetup, "sendReminders", [](SessionContext& w, Path) { (void)sendReminders(w, {}, {}); }},
+      {O::kStudySetup, "noteReminders",
+       [](SessionContext& w, Path) { noteReminders(w, {}, ReminderWay::kCopied); }},
       {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
       {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
       {O::kStudySetup, "reassignAll", [](SessionContext& w, Path) { (void)reassignAll(w, {}, {}, "why"); }},

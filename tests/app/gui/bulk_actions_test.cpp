@@ -162,6 +162,7 @@ TEST_F(SeveralAtOnce, RemindersGoByTheMailServerOfTheCentreToAllWhoOweASheet) {
   const QByteArray body = QByteArray::fromBase64(QByteArray::fromStdString(text.substr(text.find("\n\n"))));
   EXPECT_TRUE(body.contains("please submit in Torsio: case ")) << body.toStdString();
   EXPECT_FALSE(body.contains("T-0")) << "no trainee is named";
+  EXPECT_EQ(centre.audited("reminder.mail"), 2);
 }
 
 TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterScoresAlreadyStay) {

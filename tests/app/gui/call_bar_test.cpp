@@ -104,6 +104,7 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   EXPECT_TRUE(child<QLineEdit>(*page_, "callCode").text().isEmpty()) << "ready for the next scan";
   press(*page_, QStringLiteral("Copy reminder"));
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("R-01, R-02")));
+  EXPECT_EQ(office_.centre.audited("reminder.copy"), 2) << "an entry for each of the two";
   press(*page_, QStringLiteral("End call"));
   ASSERT_EQ(lines().size(), 1);
   EXPECT_TRUE(lines()[0].startsWith(QStringLiteral("! Late"))) << lines()[0].toStdString();

@@ -135,6 +135,8 @@ TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
   buttonOf(*page_, "Copy reminders")->click();
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("please submit in Torsio: case ")))
       << QGuiApplication::clipboard()->text().toStdString();
+  EXPECT_EQ(centre_.audited("reminder.copy"),
+            QGuiApplication::clipboard()->text().count(QLatin1Char('\n')) + 1);
 }
 
 TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {

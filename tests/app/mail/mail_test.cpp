@@ -42,9 +42,9 @@ TEST(Mail, GoesToEachWhoIsThereAndSaysWhoWasRefused) {
       {"office@example.org", "nobody@example.org", "Sheets", "case 1A"},
       {"office@example.org", "wang@example.org", "Sheets", std::string(500, 'x')}};
 
-  const std::vector<std::string> refusals = sendMail(way, messages, kNoon_us);
+  const std::vector<Text> refusals = sendMail(way, messages, kNoon_us);
 
-  EXPECT_EQ(refusals, (std::vector<std::string>{"", "nobody of this name", ""}));
+  EXPECT_EQ(refusals, (std::vector<Text>{"", std::string("550 nobody of this name"), ""}));
   ASSERT_EQ(server.taken().size(), 2U);
   const testing::FakeMailServer::Taken& first = server.taken()[0];
   EXPECT_EQ(first.to, "li@example.org");
@@ -53,7 +53,7 @@ TEST(Mail, GoesToEachWhoIsThereAndSaysWhoWasRefused) {
                             QByteArray("Caf\u00e9: \u8bc4\u5206\u8868").toBase64().toStdString() + "?=\n"),
             std::string::npos)
       << first.text;
-  EXPECT_EQ(bodyOf(first.text), "case 7L\n.\ncase 9F") << "a line with a dot alone ends nothing";
+  EXPECT_EQ(bodyOf(first.text), "case 7L\r\n.\r\ncase 9F") << "a line with a dot alone ends nothing";
   EXPECT_EQ(server.taken()[1].to, "wang@example.org");
   EXPECT_EQ(bodyOf(server.taken()[1].text), std::string(500, 'x'));
 }
@@ -71,13 +71,16 @@ TEST(Mail, AWrongPasswordIsSaidAndNothingIsSent) {
 }
 
 TEST(Mail, NoAddressBringsASecondHeaderOrARecipientIn) {
-  for (const char* address : {"", "li", "@example.org", "li@", "li@example.org\r\nBcc: all@example.org",
-                              "li@example.org>", "li wang@example.org", "li@a@b", "l\u00ef@example.org"}) {
+  for (const char* address :
+       {"", "li", "@example.org", "li@", "li@example.org\r\nBcc: all@example.org", "li@example.org>",
+        "li wang@example.org", "li@a@b", "l\u00ef@example.org", (std::string(250, 'x') + "@a.b").c_str()}) {
     EXPECT_EQ(refusalOf([&] { checkAddress(address); }), ErrorCode::kBadParameter) << address;
   }
   EXPECT_NO_THROW(checkAddress("li.na+study@mail.example.org"));
   const std::string text = written({"a@b.c", "d@e.f", "Two\r\nBcc: all@example.org", "x"}, "id", kNoon_us);
   EXPECT_EQ(text.find("Bcc"), std::string::npos) << text;
+  EXPECT_NE(text.find(QByteArray("Two  Bcc: all@example.org").toBase64().toStdString()), std::string::npos)
+      << "no line end hides in the packed words either: " << text;
 }
 
 TEST(Mail, NothingGoesInTheClearToAnotherComputerAndASilentOneIsSaid) {
@@ -87,6 +90,13 @@ TEST(Mail, NothingGoesInTheClearToAnotherComputerAndASilentOneIsSaid) {
                              kNoon_us);
             }),
             ErrorCode::kBadParameter);
+  for (const char* host : {"127.0.0.1.example.org", "127.example.org", "localhost.example.org"}) {
+    EXPECT_EQ(refusalOf([&] {
+                (void)sendMail({.host = host, .encryption = MailEncryption::kNone}, {&message, 1}, kNoon_us);
+              }),
+              ErrorCode::kBadParameter)
+        << host;
+  }
   quint16 closed = 0;
   {
     testing::FakeMailServer server;

@@ -59,6 +59,7 @@ void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale&
     return;
   }
   QGuiApplication::clipboard()->setText(reminderText(owed, locale));
+  noteReminders(shell.session(), owed, ReminderWay::kCopied);
   shell.notify(
       ReminderText::tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
 }

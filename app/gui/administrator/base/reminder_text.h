@@ -16,7 +16,8 @@ class ShellContext;
 /// Plain text to paste into messages, a rater a line: whom, which cases, since when. No trainee, no stage.
 [[nodiscard]] QString reminderText(const std::vector<Reminder>& owed, const QLocale& locale);
 
-/// Puts that text of a cohort on the clipboard and says so. GUI thread. Throws Error.
+/// Puts that text of a cohort on the clipboard, notes it in the audit trail and says so. GUI thread. Throws
+/// Error.
 void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale& locale);
 
 }  // namespace torsio::gui

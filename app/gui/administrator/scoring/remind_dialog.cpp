@@ -181,12 +181,12 @@ void RemindDialog::askServer() {
   read();
 }
 
-std::vector<MailMessage> RemindDialog::messages() const {
-  std::vector<MailMessage> messages;
+std::vector<MailedReminder> RemindDialog::messages() const {
+  std::vector<MailedReminder> messages;
   const QStringList chosen = table_->selectedIds();
   for (const Reminder& one : owed_) {
     if (settings_ && !one.email.empty() && chosen.contains(toQString(one.raterCode))) {
-      messages.push_back({settings_->from, one.email, tr("Torsio: sheets to submit").toStdString(),
+      messages.push_back({one, tr("Torsio: sheets to submit").toStdString(),
                           reminderText({one}, locale()).toStdString() + "\n"});
     }
   }
@@ -194,14 +194,13 @@ std::vector<MailMessage> RemindDialog::messages() const {
 }
 
 void RemindDialog::send() {
-  MailServer server = settings_->server;
-  server.password = password_->text().toStdString();
+  const std::string password = password_->text().toStdString();
   password_->clear();
-  const auto refusals = std::make_shared<std::vector<std::string>>();
+  const auto refusals = std::make_shared<std::vector<Text>>();
   shell_.run(
       tr("Sending reminders"),
-      [refusals, server, sent = messages()](SessionContext& session, const ProgressCallback& progress) {
-        *refusals = sendMail(server, sent, session.now_us(), progress);
+      [refusals, password, sent = messages()](SessionContext& session, const ProgressCallback& progress) {
+        *refusals = sendReminders(session, password, sent, progress);
       },
       [dialog = QPointer<RemindDialog>(this), refusals, sent = messages()] {
         if (!dialog.isNull()) {
@@ -210,12 +209,11 @@ void RemindDialog::send() {
       });
 }
 
-void RemindDialog::showRefusals(const std::vector<MailMessage>& sent,
-                                const std::vector<std::string>& refusals) {
+void RemindDialog::showRefusals(const std::vector<MailedReminder>& sent, const std::vector<Text>& refusals) {
   QStringList refused;
   for (std::size_t i = 0; i < sent.size(); ++i) {
     if (!refusals[i].empty()) {
-      refused << tr("%1: %2").arg(toQString(sent[i].to), toQString(refusals[i]));
+      refused << tr("%1: %2").arg(toQString(sent[i].reminder.email), toQString(refusals[i]));
     }
   }
   server_->setText(

@@ -9,8 +9,10 @@
 #include <QDialog>
 
 #include "app/mail/mail_settings.h"
+#include "app/mail/mailed_reminders.h"
 #include "app/study/reminders.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 
 class QLabel;
 class QLineEdit;
@@ -34,8 +36,8 @@ class RemindDialog : public QDialog {
   void askServer();
   void send();
   /// What is sent to whom, of the chosen who have an address.
-  [[nodiscard]] std::vector<MailMessage> messages() const;
-  void showRefusals(const std::vector<MailMessage>& sent, const std::vector<std::string>& refusals);
+  [[nodiscard]] std::vector<MailedReminder> messages() const;
+  void showRefusals(const std::vector<MailedReminder>& sent, const std::vector<Text>& refusals);
 
   ShellContext& shell_;
   CohortId cohortId_;

@@ -2,6 +2,7 @@
 #include "app/gui/administrator/study/call_bar.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QClipboard>
 #include <QComboBox>
@@ -20,6 +21,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/study/reminders.h"
 #include "sim/base/ids.h"
 
 namespace torsio::gui {
@@ -142,6 +144,24 @@ QString CallBar::lineText(const CalledCase& called) const {
   return text;
 }
 
+void CallBar::copyReminder(const CalledCase& called) {
+  attempt(shell_, [&] {
+    std::vector<Reminder> reminded;
+    for (Reminder& one : reminders(shell_.session(), cohortId_)) {
+      std::erase_if(one.sheets, [&](const SheetAwaited& sheet) {
+        return !sheet.live || sheet.caseLabel != called.caseLabel;
+      });
+      if (!one.sheets.empty()) {
+        reminded.push_back(std::move(one));
+      }
+    }
+    QGuiApplication::clipboard()->setText(tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2")
+                                              .arg(toQString(called.caseLabel), joined(called.missing)));
+    noteReminders(shell_.session(), reminded, ReminderWay::kCopied);
+    shell_.notify(tr("Copied: paste it into a message to these raters."));
+  });
+}
+
 void CallBar::addLine(int row, const CalledCase& called) {
   QLabel* text = sentence(this, false);
   text->setText(lineText(called));
@@ -149,11 +169,7 @@ void CallBar::addLine(int row, const CalledCase& called) {
   setLook(text, "caution", called.call.endedUtc_us.has_value());
   auto* copy = new QPushButton(tr("Copy reminder"), this);
   copy->setVisible(!called.missing.empty());
-  connect(copy, &QPushButton::clicked, this, [this, called] {
-    QGuiApplication::clipboard()->setText(tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2")
-                                              .arg(toQString(called.caseLabel), joined(called.missing)));
-    shell_.notify(tr("Copied: paste it into a message to these raters."));
-  });
+  connect(copy, &QPushButton::clicked, this, [this, called] { copyReminder(called); });
   auto* wrong = new QPushButton(tr("Wrong person\u2026"), this);
   auto* end = new QPushButton(tr("End call"), this);
   end->setObjectName(QStringLiteral("endCall"));

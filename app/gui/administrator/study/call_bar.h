@@ -40,6 +40,7 @@ class CallBar : public QWidget {
 
  private:
   void callTyped();
+  void copyReminder(const CalledCase& called);
   void addLine(int row, const CalledCase& called);
   [[nodiscard]] QString lineText(const CalledCase& called) const;
 
