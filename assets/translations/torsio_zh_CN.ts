@@ -15988,6 +15988,138 @@ audit trail %3</source>
         <source>Reminder copied</source>
         <translation>已复制提醒</translation>
     </message>
+    <message>
+        <source>N07 the file has no label at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N07 the file has no label %1; it has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one of its labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gaps of up to %1 mm were closed, so that the surface has no handles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scan does not show where the wall ends: %1 mm are assumed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give its thickness with --wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the wall is %1 mm thick in the middle, %2 to %3 mm in eight tenths of the %4 % of its surface where its end is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a label must lie between 1 and %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a label of the mask: --tissue label N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 the seed %1 lies outside of the scan or the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a point in millimetres: x to the left, y to the back, z up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 no such tissue lies at the seed %1, where the scan has the value %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a point inside of the organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 no gas is enclosed in this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 no such tissue lies in this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another --tissue, or another scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 several spaces are filled with gas: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the organ with --seed x,y,z, or look at a part with --box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the largest of several pieces was taken: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name another one with --seed x,y,z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 the tissue reaches %1 of the 6 borders of the scan: it leaks, or the scan shows a part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a --seed inside of the organ, or cut it out with --box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 the gas leaks: it fills %1 ml, a stomach holds at most %2 ml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the feet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scan cuts the organ off towards %1: the flat end is none of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name it as an end of the organ, or give a scan that shows all of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D16 the box lies beside the scan, or holds nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give two opposite corners in millimetres: x to the left, y to the back, z up</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

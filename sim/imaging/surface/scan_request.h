@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/vec3.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/imaging/scan/scan_volume.h"
+#include "sim/imaging/surface/work_grid.h"
+
+namespace torsio {
+
+/// What of a scan the organ is.
+enum class ScanTissue {
+  kSkin,      ///< everything within the skin: an arm
+  kGasLumen,  ///< the inside of an organ that is filled with gas
+  kWall,      ///< such an organ with its wall
+  kLabel,     ///< a number of a label mask
+};
+
+/// What is to be made of a scan.
+struct ScanRequest {
+  std::filesystem::path source;  ///< a NIfTI file, or a folder of DICOM files
+  ScanTissue tissue = ScanTissue::kSkin;
+  int label = 0;                  ///< 1 to 32767, of kLabel
+  std::optional<Vec3> seed_mm;    ///< a point inside, LPS
+  std::optional<ScanBox> box_mm;  ///< what to look at
+  std::optional<double> wall_mm;  ///< its thickness, where it is known
+  int series = 0;                 ///< which of several series, from 1; 0: the one with the most slices
+  bool resample = false;          ///< take slices at uneven distances
+};
+
+/// Thickness of a wall along the rays on which a scan shows where it ends.
+struct WallThickness {
+  double median_mm = 0.0;
+  double tenth_mm = 0.0;   ///< a tenth of the rays is thinner
+  double ninety_mm = 0.0;  ///< nine tenths are thinner
+  double seen = 0.0;       ///< share of the rays that end in fat or gas; elsewhere another organ lies behind
+};
+
+/// What became of it.
+struct ScanSurface {
+  TriangleMesh mesh;  ///< metres, LPS; closed, outwards
+  std::vector<ScanRemark> remarks;
+  std::string kind;  ///< "CT, 275 slices": says nothing of the patient
+  std::array<std::size_t, 3> count{};
+  Vec3 voxel_mm;                   ///< sides of the scan's voxels
+  double step_mm = 0.0;            ///< side of the voxels that the surface was drawn on
+  std::optional<double> level_HU;  ///< at which it was drawn
+  std::optional<WallThickness> wall;
+  std::size_t rawTriangles = 0;  ///< before thinning
+};
+
+/// Triangles of the surface that is kept.
+inline constexpr std::size_t kKeptTriangles = 20'000;
+
+}  // namespace torsio

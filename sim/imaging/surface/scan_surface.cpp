@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/imaging/surface/scan_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/base/short_number.h"
+#include "sim/base/text_list.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_repair.h"
+#include "sim/geometry/mesh/mesh_smoothing.h"
+#include "sim/geometry/mesh/mesh_thinning.h"
+#include "sim/imaging/scan/nifti_file.h"
+#include "sim/imaging/surface/mask_surface.h"
+#include "sim/imaging/surface/segmentation.h"
+#include "sim/imaging/surface/wall_thickness.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kMostWorkVoxels = 16e6;
+constexpr int kMostClosing = 3;    // voxels
+constexpr double kSoftBlur = 0.6;  // voxels: shares of voxels are smooth already
+constexpr double kHardBlur = 0.9;  // whole voxels are stairs
+constexpr int kSmoothingPasses = 20;
+constexpr double kMostRestored = 0.25;  // voxels that the surface is moved to give its volume back
+constexpr double kCubicMetres = 1e-9;   // in a cubic millimetre
+constexpr double kAssumedWall_mm = 3.0;
+constexpr double kLeastSeen = 0.2;  // of the rays, to believe what they say
+constexpr double kThickestWall_mm = 12.0;
+constexpr std::size_t kListedLabels = 12;
+
+void tell(const ScanProgress& progress, ScanStep step, double fraction) {
+  if (progress) {
+    progress(step, fraction);
+  }
+}
+
+/// Refuses a label that the mask does not have, with those that it has.
+void requireLabel(const ScanVolume& scan, int label, const std::string& where) {
+  std::map<std::int16_t, std::size_t> voxels;
+  std::int16_t last = 0;
+  std::size_t* count = &voxels[0];
+  for (const std::int16_t value : scan.values) {
+    if (value != last) {
+      count = &voxels[value];
+      last = value;
+      if (voxels.size() > 5000) {
+        break;  // these are no labels
+      }
+    }
+    ++*count;
+  }
+  if (voxels.contains(static_cast<std::int16_t>(label)) && voxels.size() <= 5000) {
+    return;
+  }
+  std::vector<Text> labels;
+  for (const auto& [value, number] : voxels) {
+    if (value != 0 && labels.size() < kListedLabels) {
+      labels.emplace_back(
+          Text::verbatim("%1 (%2 ml)", std::to_string(value),
+                         shortNumber(0.001 * std::abs(scan.voxel_mm3()) * static_cast<double>(number))));
+    }
+  }
+  throw Error(ErrorCode::kFileUnreadable,
+              labels.empty() ? Text::tr("N07 the file has no label at all")
+                             : Text::tr("N07 the file has no label %1; it has %2", std::to_string(label),
+                                        listed(labels)),
+              where, Text::tr("Choose one of its labels"));
+}
+
+WorkGrid gridFor(const ScanVolume& scan, const ScanRequest& request, const std::string& where) {
+  const VoxelRange range = rangeOf(scan, request.box_mm, where);
+  if (request.tissue == ScanTissue::kLabel) {
+    const auto wanted = static_cast<std::int16_t>(request.label);
+    return workGrid(
+        scan, range, kMostWorkVoxels,
+        [wanted](std::int16_t value) { return value == wanted ? kWholeVoxel : 0.0F; }, 0);
+  }
+  return workGrid(
+      scan, range, kMostWorkVoxels, [](std::int16_t value) { return static_cast<float>(value); },
+      kOutsideScan_HU);
+}
+
+/// The largest piece of a surface and whether it is one without handles.
+bool isWhole(TriangleMesh& mesh) {
+  MeshRepairs ignored;
+  static_cast<void>(keepMainComponent(mesh, kSmallPieceShare, ignored));
+  removeUnusedVertices(mesh, ignored);
+  return mesh.vertices_m.size() == mesh.triangles.size() / 2 + 2;  // Euler number 2
+}
+
+/// An organ's voxels, and its surface as it was drawn on them.
+struct DrawnOrgan {
+  VoxelMask organ;
+  TriangleMesh mesh;
+  double volume_m3 = 0.0;  ///< of the shares of voxels: the surface has lost some of it in bends
+};
+
+/// Draws the organ, closing wider gaps until its surface has no handles.
+DrawnOrgan drawn(const WorkGrid& grid, const VoxelMask& start, const ScanProgress& progress, double blur,
+                 const std::function<OrganShares(const VoxelMask&)>& sharesOfOrgan,
+                 std::vector<ScanRemark>& remarks) {
+  DrawnOrgan result{start, {}, 0.0};
+  for (int closing = 1; closing <= kMostClosing; ++closing) {
+    tell(progress, ScanStep::kDrawing, static_cast<double>(closing - 1) / kMostClosing);
+    result.organ = wholeOrgan(grid, start, closing);
+    OrganShares shares = sharesOfOrgan(result.organ);
+    result.volume_m3 = kCubicMetres * volume_mm3(shares, grid.volume);
+    result.mesh = surfaceOf(std::move(shares), grid.volume, blur);
+    if (isWhole(result.mesh)) {
+      if (closing > 1) {
+        remarks.push_back({"M16", false,
+                           Text::tr("gaps of up to %1 mm were closed, so that the surface has no handles",
+                                    shortNumber(2.0 * closing * grid.step_mm)),
+                           2.0 * closing * grid.step_mm, ""});
+      }
+      break;
+    }
+  }
+  return result;
+}
+
+/// Moves a surface outwards evenly so that it encloses a volume, as far as that is a small part of a voxel.
+void restoreVolume(TriangleMesh& mesh, double volume_m3, double most_m) {
+  double area_m2 = 0.0;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices_m[t[0]];
+    area_m2 += 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+  }
+  const double out_m = area_m2 > 0.0 ? (volume_m3 - signedVolume_m3(mesh)) / area_m2 : 0.0;
+  const double moved_m = std::clamp(out_m, -most_m, most_m);
+  const std::vector<Vec3> normals = vertexNormals(mesh);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    mesh.vertices_m[v] += moved_m * normals[v];
+  }
+}
+
+TriangleMesh finished(DrawnOrgan organ, double step_mm, const ScanProgress& progress, std::size_t& raw) {
+  raw = organ.mesh.triangles.size();
+  tell(progress, ScanStep::kThinning, 0.0);
+  smooth(organ.mesh, kSmoothingPasses);
+  TriangleMesh mesh = thinned(std::move(organ.mesh), kKeptTriangles);
+  restoreVolume(mesh, organ.volume_m3, 1e-3 * kMostRestored * step_mm);
+  return mesh;
+}
+
+/// How thick a wall is taken to be, and what there is to say of it.
+double wallFor(const ScanRequest& request, const std::optional<WallThickness>& seen,
+               std::vector<ScanRemark>& remarks) {
+  if (request.wall_mm) {
+    return *request.wall_mm;
+  }
+  if (seen && seen->seen >= kLeastSeen) {
+    return std::min(seen->ninety_mm, kThickestWall_mm);
+  }
+  remarks.push_back({"D18", true,
+                     Text::tr("the scan does not show where the wall ends: %1 mm are assumed",
+                              shortNumber(kAssumedWall_mm)),
+                     kAssumedWall_mm, Text::tr("Give its thickness with --wall")});
+  return kAssumedWall_mm;
+}
+
+void tellWall(const std::optional<WallThickness>& wall, std::vector<ScanRemark>& remarks) {
+  if (!wall) {
+    return;
+  }
+  remarks.push_back(
+      {"D18", false,
+       Text::tr("the wall is %1 mm thick in the middle, %2 to %3 mm in eight tenths of the %4 % of its "
+                "surface where its end is seen",
+                shortNumber(wall->median_mm), shortNumber(wall->tenth_mm), shortNumber(wall->ninety_mm),
+                shortNumber(100.0 * wall->seen)),
+       wall->median_mm, ""});
+}
+
+void checkScanRequest(const ScanRequest& request) {
+  constexpr int kMostLabel = 32'767;
+  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMostLabel)) {
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
+                Text::tr("Name a label of the mask: --tissue label N"));
+  }
+}
+
+}  // namespace
+
+ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::string& where,
+                          const ScanProgress& progress) {
+  checkScanRequest(request);
+  ScanSurface result;
+  result.remarks = std::move(scan.remarks);
+  result.count = scan.volume.count;
+  result.voxel_mm = {norm(scan.volume.step_mm[0]), norm(scan.volume.step_mm[1]),
+                     norm(scan.volume.step_mm[2])};
+  tell(progress, ScanStep::kSegmenting, 0.0);
+  const bool label = request.tissue == ScanTissue::kLabel;
+  if (label) {
+    requireLabel(scan.volume, request.label, where);
+  } else {
+    requireHounsfield(scan.volume, where);
+  }
+  const WorkGrid grid = gridFor(scan.volume, request, where);
+  result.step_mm = grid.step_mm;
+  const FoundPiece found = foundPiece(grid, request, where, result.remarks);
+  const auto lumen = [&](const VoxelMask& organ) { return organShares(grid, organ, found); };
+  DrawnOrgan organ = drawn(grid, found.piece, progress, label ? kHardBlur : kSoftBlur, lumen, result.remarks);
+  VoxelMask whole = organ.organ;
+  result.mesh = finished(std::move(organ), grid.step_mm, progress, result.rawTriangles);
+  if (!label) {
+    result.level_HU = found.level.level;
+  }
+  if (request.tissue == ScanTissue::kGasLumen || request.tissue == ScanTissue::kWall) {
+    tell(progress, ScanStep::kMeasuring, 0.0);
+    result.wall = wallThickness(scan.volume, result.mesh, found.level.level);
+    tellWall(result.wall, result.remarks);
+  }
+  if (request.tissue == ScanTissue::kWall) {
+    const OrganShares shares = wallShares(grid, whole, wallFor(request, result.wall, result.remarks));
+    const auto outer = [&shares](const VoxelMask& closed) { return agreeing(shares, closed); };
+    organ = drawn(grid, maskOf(shares, grid.volume.count), progress, kSoftBlur, outer, result.remarks);
+    whole = organ.organ;
+    result.mesh = finished(std::move(organ), grid.step_mm, progress, result.rawTriangles);
+  }
+  if (const auto cut = cutOff(grid, whole)) {
+    result.remarks.push_back(*cut);
+  }
+  return result;
+}
+
+ScanSurface surfaceOfScan(const ScanRequest& request, const ScanProgress& progress) {
+  tell(progress, ScanStep::kReading, 0.0);
+  ScanSurface surface = surfaceOfScan(readNifti(request.source), request, request.source.string(), progress);
+  surface.kind =
+      request.tissue == ScanTissue::kLabel ? "NIfTI label " + std::to_string(request.label) : "NIfTI";
+  return surface;
+}
+
+}  // namespace torsio

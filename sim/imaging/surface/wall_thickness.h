@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/imaging/scan/scan_volume.h"
+#include "sim/imaging/surface/mask_surface.h"
+#include "sim/imaging/surface/scan_request.h"
+#include "sim/imaging/surface/segmentation.h"
+#include "sim/imaging/surface/voxel_mask.h"
+#include "sim/imaging/surface/work_grid.h"
+
+namespace torsio {
+
+/// Value at which a wall ends: half way between soft tissue and fat.
+inline constexpr double kWallEnd_HU = -30.0;
+
+/// Measures the wall round a lumen of gas: from each vertex of its surface a ray leaves along the normal
+/// through the scan as it is, from where the gas ends to where the soft tissue does, at most 10 mm on. None
+/// where no ray finds an end. `lumen` in metres, LPS; `level_HU` is that of its border.
+[[nodiscard]] std::optional<WallThickness> wallThickness(const ScanVolume& scan, const TriangleMesh& lumen,
+                                                         double level_HU);
+
+/// Shares of a lumen with its wall: soft tissue within `wall_mm` of the lumen, and no further.
+[[nodiscard]] OrganShares wallShares(const WorkGrid& grid, const VoxelMask& lumen, double wall_mm);
+
+}  // namespace torsio

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From voxels to the surface of an organ: shipped organs there and back, and what cannot become one.
+#include "sim/imaging/surface/scan_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_crossings.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/query/collision_mesh.h"
+#include "tests/support/procedural_mesh.h"
+#include "tests/support/scan_files.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::int16_t kTissue_HU = 40;
+constexpr std::int16_t kFat_HU = -100;
+constexpr std::int16_t kGas_HU = -1000;
+
+TriangleMesh shippedOrgan(const std::string& name) {
+  return importMesh(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/organs" / (name + ".ply"));
+}
+
+ScanSurface reconstructed(ScanVolume scan, const ScanRequest& request) {
+  ScanRead read;
+  read.volume = std::move(scan);
+  return surfaceOfScan(std::move(read), request, "scan");
+}
+
+std::string refusalOfScan(ScanVolume scan, const ScanRequest& request) {
+  try {
+    static_cast<void>(reconstructed(std::move(scan), request));
+  } catch (const Error& error) {
+    EXPECT_FALSE(error.remedy().empty()) << error.happened();
+    return error.happened();
+  }
+  return "accepted";
+}
+
+const ScanRemark* remark(const ScanSurface& surface, const std::string& code) {
+  const auto at = std::find_if(surface.remarks.begin(), surface.remarks.end(),
+                               [&code](const ScanRemark& one) { return one.code == code; });
+  return at == surface.remarks.end() ? nullptr : &*at;
+}
+
+/// The distance that 95 % of the vertices keep from a surface, either way round.
+double p95Distance_mm(const TriangleMesh& a, const TriangleMesh& b) {
+  std::vector<double> distances_mm;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const CollisionMesh surface(*to);
+    for (std::size_t v = 0; v < from->vertices_m.size(); v += 7) {
+      distances_mm.push_back(1000.0 * std::abs(surface.closest(from->vertices_m[v]).distance_m));
+    }
+  }
+  std::sort(distances_mm.begin(), distances_mm.end());
+  return distances_mm[distances_mm.size() * 95 / 100];
+}
+
+void expectRoundTrip(const ScanSurface& made, const TriangleMesh& organ, double voxel_mm) {
+  const MeshReport report = checkMesh(made.mesh);
+  EXPECT_EQ(report.euler, 2);
+  EXPECT_EQ(report.components, 1U);
+  EXPECT_TRUE(report.closed() && report.manifold() && report.oriented());
+  EXPECT_TRUE(crossingTriangles(made.mesh).empty());
+  EXPECT_NEAR(report.volume_m3 / signedVolume_m3(organ), 1.0, 0.01);
+  EXPECT_LT(p95Distance_mm(made.mesh, organ), voxel_mm);
+  // A mirror image would lie elsewhere.
+  EXPECT_GT(p95Distance_mm(made.mesh, testing::mirroredX(organ)), voxel_mm);
+}
+
+ScanVolume scanOf(const TriangleMesh& organ, const Vec3& voxel_mm, std::int16_t value, std::int16_t around) {
+  ScanVolume scan = testing::blankScanAround(organ, voxel_mm);
+  std::fill(scan.values.begin(), scan.values.end(), around);
+  testing::fillWith(scan, organ, value);
+  return scan;
+}
+
+TEST(ScanSurface, BringsTheArmBackFromItsSkin) {
+  const TriangleMesh arm = shippedOrgan("forearm");
+  const ScanSurface made = reconstructed(scanOf(arm, {2.0, 2.0, 2.5}, kTissue_HU, kGas_HU), {});
+  expectRoundTrip(made, arm, 2.0);
+  EXPECT_LE(made.mesh.triangles.size(), kKeptTriangles);
+  EXPECT_NEAR(made.level_HU.value(), -480.0, 5.0);
+  EXPECT_TRUE(made.remarks.empty());
+}
+
+TEST(ScanSurface, BringsTheStomachBackAsALabelAndAsGas) {
+  const TriangleMesh stomach = shippedOrgan("stomach");
+  const Vec3 voxel_mm{3.0, 3.0, 4.0};
+  ScanRequest label;
+  label.tissue = ScanTissue::kLabel;
+  label.label = 6;
+  ScanVolume mask = scanOf(stomach, voxel_mm, 1000, 0);
+  for (std::int16_t& value : mask.values) {
+    value = value >= 500 ? 6 : 1;
+  }
+  expectRoundTrip(reconstructed(mask, label), stomach, 3.0);
+  // The same with voxels that run the other way: left-handed, as most NIfTI files are.
+  ScanVolume turned = mask;
+  turned.origin_mm = mask.place_mm({static_cast<double>(mask.count[0] - 1), 0, 0});
+  turned.step_mm[0] *= -1.0;
+  for (std::size_t row = 0; row < turned.values.size(); row += turned.count[0]) {
+    const auto first = turned.values.begin() + static_cast<std::ptrdiff_t>(row);
+    std::reverse(first, first + static_cast<std::ptrdiff_t>(turned.count[0]));
+  }
+  expectRoundTrip(reconstructed(turned, label), stomach, 3.0);
+
+  ScanRequest gas;
+  gas.tissue = ScanTissue::kGasLumen;
+  const ScanSurface made = reconstructed(scanOf(stomach, voxel_mm, kGas_HU, kTissue_HU), gas);
+  expectRoundTrip(made, stomach, 3.0);
+  EXPECT_FALSE(made.wall.has_value());  // tissue all round: no end of the wall is seen
+}
+
+TEST(ScanSurface, MeasuresAWallWhereTheScanShowsItsEnd) {
+  // A tube of gas, 40 mm wide, in a wall of 4 mm, in fat; a liver lies against its upper half.
+  const TriangleMesh lumen = testing::shifted(testing::capsule(0.020, 0.06, 48, 12), {0, 0, 0.05});
+  const TriangleMesh outer = testing::shifted(testing::capsule(0.024, 0.06, 48, 12), {0, 0, 0.05});
+  ScanVolume scan = scanOf(outer, {1.5, 1.5, 2.0}, kTissue_HU, kFat_HU);
+  for (std::size_t k = 0; k < scan.count[2]; ++k) {
+    for (std::size_t j = 0; j < scan.count[1]; ++j) {
+      for (std::size_t i = 0; i < scan.count[0]; ++i) {
+        const bool liver = scan.place_mm({0, static_cast<double>(j), 0}).y > 0.0;
+        auto& value = scan.values[scan.index(i, j, k)];
+        value = liver ? std::max(value, kTissue_HU) : value;
+      }
+    }
+  }
+  testing::fillWith(scan, lumen, kGas_HU);
+  ScanRequest request;
+  request.tissue = ScanTissue::kGasLumen;
+  const ScanSurface inside = reconstructed(scan, request);
+  ASSERT_TRUE(inside.wall.has_value());
+  EXPECT_NEAR(inside.wall->median_mm, 4.0, 0.3);
+  EXPECT_NEAR(inside.wall->seen, 0.5, 0.1);
+  EXPECT_LT(inside.wall->tenth_mm, inside.wall->ninety_mm);
+  EXPECT_NEAR(signedVolume_m3(inside.mesh) / signedVolume_m3(lumen), 1.0, 0.02);
+
+  request.tissue = ScanTissue::kWall;
+  const ScanSurface whole = reconstructed(scan, request);
+  EXPECT_NEAR(signedVolume_m3(whole.mesh) / signedVolume_m3(outer), 1.0, 0.03);
+  EXPECT_EQ(checkMesh(whole.mesh).euler, 2);
+  ASSERT_NE(remark(whole, "D18"), nullptr);
+  request.wall_mm = 8.0;  // said to be thicker: but fat is none of it
+  const double thick_m3 = signedVolume_m3(reconstructed(scan, request).mesh);
+  EXPECT_GT(thick_m3, 1.05 * signedVolume_m3(whole.mesh));
+}
+
+TEST(ScanSurface, PutsALidWhereTheScanCutsTheOrgan) {
+  const TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 48), 0.2, 12);
+  ScanVolume scan = testing::blankScan({48, 48, 30}, {2, 2, 4}, {-47, -47, 40});  // 38 to 158 mm of 200
+  testing::fillWith(scan, bar, kTissue_HU);
+  testing::fillWith(scan, testing::prism(testing::circleOutline(0.01, 24), 0.2, 12),
+                    kGas_HU);  // a pipe in it
+  const ScanSurface made = reconstructed(scan, {});
+  const MeshReport report = checkMesh(made.mesh);
+  EXPECT_EQ(report.euler, 2);
+  EXPECT_NEAR(report.boxMin_m.z, 0.038, 2e-4);
+  EXPECT_NEAR(report.boxMax_m.z, 0.158, 2e-4);
+  EXPECT_NEAR(report.volume_m3, 0.12 * testing::areaOf(testing::circleOutline(0.03, 48)), 4e-6);
+  ASSERT_NE(remark(made, "D17"), nullptr);
+  EXPECT_THAT(remark(made, "D17")->what.str(), HasSubstr("the feet, the head"));
+}
+
+TEST(ScanSurface, TakesThePieceOfTheSeedAndTheBox) {
+  const TriangleMesh small = testing::shifted(testing::capsule(0.02, 0.05, 24, 8), {0.05, 0, 0.06});
+  const TriangleMesh large = testing::shifted(testing::capsule(0.03, 0.05, 24, 8), {-0.05, 0, 0.06});
+  ScanVolume scan = testing::blankScan({90, 45, 70}, {2.5, 2.5, 2.5}, {-110, -55, -10});
+  testing::fillWith(scan, small, kTissue_HU);
+  testing::fillWith(scan, large, kTissue_HU);
+
+  const ScanSurface first = reconstructed(scan, {});
+  EXPECT_NEAR(signedVolume_m3(first.mesh) / signedVolume_m3(large), 1.0, 0.01);
+  ASSERT_NE(remark(first, "D16"), nullptr);
+  ScanRequest request;
+  request.seed_mm = Vec3{50, 0, 80};
+  EXPECT_NEAR(signedVolume_m3(reconstructed(scan, request).mesh) / signedVolume_m3(small), 1.0, 0.015);
+  request.seed_mm.reset();
+  request.box_mm = ScanBox{Vec3{10, -60, -20}, Vec3{100, 60, 200}};
+  EXPECT_NEAR(signedVolume_m3(reconstructed(scan, request).mesh) / signedVolume_m3(small), 1.0, 0.015);
+
+  request.box_mm = ScanBox{Vec3{500, 0, 0}, Vec3{600, 10, 10}};
+  EXPECT_THAT(refusalOfScan(scan, request), StartsWith("D16 the box"));
+  request.box_mm.reset();
+  request.seed_mm = Vec3{0, 0, 80};
+  EXPECT_THAT(refusalOfScan(scan, request), HasSubstr("-1000"));
+  request.seed_mm = Vec3{0, 900, 80};
+  EXPECT_THAT(refusalOfScan(scan, request), HasSubstr("outside of the scan"));
+}
+
+TEST(ScanSurface, RefusesGasThatIsNotOneOrgan) {
+  ScanRequest gas;
+  gas.tissue = ScanTissue::kGasLumen;
+  ScanVolume scan = testing::blankScan({60, 40, 40}, {3, 3, 3}, {-88, -58, 0}, kTissue_HU);
+  EXPECT_THAT(refusalOfScan(scan, gas), StartsWith("D13"));
+  ScanVolume open = scan;
+  testing::fillWith(
+      open, testing::shifted(testing::prism(testing::circleOutline(0.03, 24), 0.3, 8), {0, 0.06, -0.1}),
+      kGas_HU);  // out over the side
+  EXPECT_THAT(refusalOfScan(open, gas), StartsWith("D16 no gas is enclosed"));
+  gas.seed_mm = Vec3{0, 50, 60};
+  EXPECT_EQ(refusalOfScan(open, gas), "accepted");  // two ends and a side
+  gas.seed_mm.reset();
+  testing::fillWith(scan, testing::shifted(testing::capsule(0.02, 0.02, 24, 4), {0.04, 0, 0.05}), kGas_HU);
+  testing::fillWith(scan, testing::shifted(testing::capsule(0.02, 0.03, 24, 4), {-0.04, 0, 0.05}), kGas_HU);
+  EXPECT_THAT(refusalOfScan(scan, gas), StartsWith("D16 several spaces are filled with gas"));
+}
+
+TEST(ScanSurface, RefusesALabelThatIsNotThereWithThoseThatAre) {
+  ScanRequest label;
+  label.tissue = ScanTissue::kLabel;
+  label.label = 9;
+  ScanVolume mask = testing::blankScan({20, 20, 20}, {5, 5, 5}, {0, 0, 0}, 0);
+  EXPECT_THAT(refusalOfScan(mask, label), StartsWith("N07 the file has no label at all"));
+  mask.values[400] = 6;
+  mask.values[401] = 6;
+  EXPECT_THAT(refusalOfScan(mask, label), HasSubstr("no label 9; it has 6 (0.25 ml)"));
+}
+
+}  // namespace
+}  // namespace torsio
