@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/access/first_run.h"
+#include "app/access/invitations.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
@@ -49,13 +50,14 @@ bool isHarmless(bool demonstration, const std::string& role) {
 }
 
 bool changesAccount(DutyAct act) {
-  return act == DutyAct::kResetPassword || act == DutyAct::kGrantRoles;
+  return act == DutyAct::kResetPassword || act == DutyAct::kGrantRoles || act == DutyAct::kInvite;
 }
 
 void requireRightTo(SessionContext& session, DutyAct act) {
   switch (act) {
     case DutyAct::kResetPassword:
     case DutyAct::kGrantRoles:
+    case DutyAct::kInvite:
       return session.require(Operation::kUserManage);
     case DutyAct::kErase:
       return session.require(Operation::kPersonErase);
@@ -173,6 +175,19 @@ std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, 
   }
   transaction.commit();
   return second;
+}
+
+/// Makes the link that goes with the code of whoever asked.
+std::string confirmInvitation(SessionContext& session, const DutyRequest& request, const UserAccount& user) {
+  if (!user.active) {
+    throw Error(ErrorCode::kBadData, Text::tr("this account may not sign in"), user.login,
+                Text::tr("Enable it first, or leave it out"));
+  }
+  Transaction transaction(session.connection());
+  confirm(session, request);
+  std::string secret = makeInvitation(session, user.id, detailOf(request).value("first_half", ""));
+  transaction.commit();
+  return secret;
 }
 
 std::string shownOf(SessionContext& session, const DutyRequest& request) {
@@ -321,6 +336,9 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
   if (!user) {
     throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), request.subject,
                 Text::tr("Take the request back"));
+  }
+  if (request.act == DutyAct::kInvite) {
+    return confirmInvitation(session, request, *user);
   }
   if (request.act == DutyAct::kResetPassword) {
     return drawSecondHalf(session, request, *user, nullptr);

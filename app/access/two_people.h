@@ -47,10 +47,11 @@ struct DutyWish {
 };
 
 /// Stores a request, audited. Returns the first half of the start password for kResetPassword and
-/// kGrantRoles, which is told once, to whoever asked; the second half is drawn when somebody else confirms,
-/// so that no single person ever knows a start password. Asks for the right to do the act itself (for
-/// kRevealAllocation kAllocationReveal or kStudySetup). Throws Error{kBadParameter} without a reason,
-/// {kPermission} for the own account, {kBadData} when this is asked for already or a user does not exist.
+/// kGrantRoles, the code of the link for kInvite, which is told once, to whoever asked; the second half, or
+/// the link, is made when somebody else confirms, so that no single person ever knows both. Asks for the
+/// right to do the act itself (for kRevealAllocation kAllocationReveal or kStudySetup). Throws
+/// Error{kBadParameter} without a reason, {kPermission} for the own account, {kBadData} when this is asked
+/// for already or a user does not exist.
 std::string askSecondPerson(SessionContext& session, const DutyWish& wish);
 
 /// A request that waits.
@@ -66,8 +67,9 @@ struct OpenRequest {
 /// Takes the own request back, or refuses another's. Audited. kUserManage or kAllocationReveal.
 void declineRequest(SessionContext& session, const std::string& requestId, const std::string& reason);
 
-/// Confirms a request for a new start password, for roles, or to switch the rule off, and does it. Returns
-/// the second half of the start password; empty for the rule. Audited. kUserManage, for the rule
+/// Confirms a request for a new start password, for roles, for an invitation, or to switch the rule off, and
+/// does it. Returns the second half of the start password, or what stands in the link (invitationLink());
+/// empty for the rule. Audited. kUserManage, for the rule
 /// kSettingsEdit. Throws Error{kPermission} for an own request or the own account, {kBadData} when the
 /// request is gone; ContractError for another act, which its own service confirms.
 std::string confirmRequest(SessionContext& session, const std::string& requestId);

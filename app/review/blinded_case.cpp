@@ -113,6 +113,16 @@ BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentI
   return taskOf(session.connection(), found.trialId, *header);
 }
 
+RecordingName recordingName(SessionContext& session, const AssignmentId& assignmentId) {
+  const Assignment found = ownRecordedCase(session, assignmentId);
+  const std::string hash =
+      DeskRepository(session.connection()).contentHash(found.trialId).value_or(std::string());
+  Digest key;
+  key.update(std::string_view(found.trialId.text()));
+  key.update(hash);
+  return {key.hex(), blindedDigest(hash, assignmentId)};
+}
+
 BlindedRecording loadBlindedRecording(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment found = ownRecordedCase(session, assignmentId);
   return blindedRecordingOf(session.connection(), found.trialId, found.caseLabel, assignmentId);

@@ -69,6 +69,14 @@ struct BlindedRecording {
 /// kTrialViewAssigned, own case. Throws as loadBlindedRecording, without reading the recording.
 [[nodiscard]] BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentId);
 
+/// What a recording of an own case is called.
+struct RecordingName {
+  std::string key{};     ///< the same for whoever may see it, for what a server keeps of it; never told
+  std::string digest{};  ///< as BlindedRecording::digest
+};
+/// kTrialViewAssigned, own case. Throws as loadBlindedRecording, without reading the recording.
+[[nodiscard]] RecordingName recordingName(SessionContext& session, const AssignmentId& assignmentId);
+
 /// Loads the recording of an own case and checks it against its content hash, so that what is played is what
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the

@@ -11,6 +11,7 @@
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/rating/campaign.h"
+#include "assessment/scoring/index_meaning.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
@@ -151,7 +152,35 @@ std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
               Text::tr("Open the form again"));
 }
 
+std::vector<RubricAnchor> meaningAnchors(const std::string& indexId, const ScoreScale& scale) {
+  const std::optional<IndexMeaning> meaning = indexMeaning(indexId);
+  if (!meaning) {
+    return {};
+  }
+  return {{scale.lo, meaning->lowest.str()},
+          {(scale.lo + scale.hi) / 2, meaning->middle.str()},
+          {scale.hi, meaning->highest.str()}};
+}
+
 }  // namespace
+
+RubricRevision evaluationRubric(const EvaluationForm& form) {
+  RubricRevision rubric;
+  rubric.overall = form.scale;
+  for (std::size_t i = 0; i < form.indices.size(); ++i) {
+    rubric.rows.push_back(
+        {std::to_string(i + 1), form.indices[i], form.scale, meaningAnchors(form.indexIds[i], form.scale)});
+  }
+  return rubric;
+}
+
+Sheet evaluationSheet(const EvaluationFormModel& model) {
+  Sheet sheet;
+  for (std::size_t i = 0; i < model.scores.size(); ++i) {
+    sheet.rows.push_back({std::to_string(i + 1), model.scores[i], {}});
+  }
+  return sheet;
+}
 
 bool EvaluationForm::complete() const noexcept {
   return std::all_of(models.begin(), models.end(),

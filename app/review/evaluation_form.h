@@ -8,6 +8,8 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
 #include "sim/base/ids.h"
 
@@ -32,6 +34,12 @@ struct EvaluationForm {
   std::vector<EvaluationFormModel> models{};
   [[nodiscard]] bool complete() const noexcept;
 };
+
+/// The indices as rows of a rubric ("1" to "9"), so that the same sheet and the same keys serve; the meanings
+/// are their anchors, the definitions their descriptions.
+[[nodiscard]] RubricRevision evaluationRubric(const EvaluationForm& form);
+/// The marks of a model as a sheet of that rubric.
+[[nodiscard]] Sheet evaluationSheet(const EvaluationFormModel& model);
 
 /// The campaigns that ask the actor, oldest first. kEvaluationSubmit.
 [[nodiscard]] std::vector<EvaluationForm> evaluationForms(SessionContext& session);

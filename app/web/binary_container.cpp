@@ -2,8 +2,11 @@
 #include "app/web/binary_container.h"
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+#include <vector>
 #include <zlib.h>
 
 #include "sim/base/contracts.h"
@@ -38,6 +41,44 @@ template void BinaryContainer::put(const std::string&, const char*, std::span<co
 template void BinaryContainer::put(const std::string&, const char*, std::span<const std::int16_t>);
 template void BinaryContainer::put(const std::string&, const char*, std::span<const std::uint32_t>);
 template void BinaryContainer::put(const std::string&, const char*, std::span<const std::uint8_t>);
+
+template <typename Value>
+void BinaryContainer::putDifferences(const std::string& name, const char* type, std::span<const Value> values,
+                                     std::size_t stride) {
+  TORSIO_EXPECTS(stride > 0);
+  std::vector<Value> differences(values.begin(), values.end());
+  for (std::size_t i = stride; i < values.size(); ++i) {
+    // What does not fit wraps round, and wraps back when it is added up.
+    differences[i] = static_cast<Value>(static_cast<std::uint32_t>(values[i]) -
+                                        static_cast<std::uint32_t>(values[i - stride]));
+  }
+  put(name, type, std::span<const Value>(differences));
+  arrays_.back()["delta"] = stride;
+}
+
+void BinaryContainer::addDifferences(const std::string& name, std::span<const std::int16_t> values,
+                                     std::size_t stride) {
+  putDifferences(name, "i16", values, stride);
+}
+
+void BinaryContainer::addDifferences(const std::string& name, std::span<const std::uint32_t> values,
+                                     std::size_t stride) {
+  putDifferences(name, "u32", values, stride);
+}
+
+void BinaryContainer::addMultiples(const std::string& name, std::span<const float> values, float step,
+                                   std::size_t stride) {
+  std::vector<std::int16_t> multiples;
+  multiples.reserve(values.size());
+  for (const float value : values) {
+    const long multiple = std::lround(value / step);
+    TORSIO_EXPECTS(multiple >= std::numeric_limits<std::int16_t>::min() &&
+                   multiple <= std::numeric_limits<std::int16_t>::max());
+    multiples.push_back(static_cast<std::int16_t>(multiple));
+  }
+  addDifferences(name, std::span<const std::int16_t>(multiples), stride);
+  arrays_.back()["scale"] = step;
+}
 
 std::string BinaryContainer::bytes() const {
   std::string text = nlohmann::json{{"meta", meta_}, {"arrays", arrays_}}.dump();

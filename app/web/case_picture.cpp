@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -15,7 +16,8 @@
 
 #include "app/recording/trial_playback.h"
 #include "app/web/binary_container.h"
-#include "app/web/shape_basis.h"
+#include "app/web/case_json.h"
+#include "app/web/shapes/shape_basis.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -24,7 +26,9 @@
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/tissue_look.h"
 #include "sim/servo/pose_track.h"
+#include "sim/tissue/hollow/wrung_organ.h"
 
 namespace torsio::web {
 
@@ -34,10 +38,10 @@ constexpr std::int64_t kTraceRate_hz = 60;
 constexpr std::int64_t kShapeRate_hz = 30;
 constexpr std::int64_t kSecondOfRecording_us = 1'000'000;
 constexpr std::size_t kMostComponents = 48;
-constexpr std::size_t kMostTraining = 160;  // shapes from which the components are made
+constexpr std::size_t kLearnt = 48;   // shapes from which most components are made
+constexpr std::size_t kAtATime = 16;  // shapes that are in memory at once
 constexpr std::size_t kToolColumns = 7;
 constexpr float kMillimetresAMetre = 1000.0F;
-constexpr std::array<std::uint8_t, 3> kTissue = {196, 132, 120};
 
 /// The page's frame: y up, z towards the viewer; the simulation's: LPS.
 void appendPoint(std::vector<float>& to, const Vec3& point_m) {
@@ -90,6 +94,15 @@ class FrameColumns {
     container.add("tool", std::span(tool_));
     container.add("closed", std::span(closed_));
     container.add("held", std::span(held_));
+    if (!untwisting_) {
+      return;
+    }
+    container.add("flow_percent", std::span(flow_));
+    container.add("dose", std::span(dose_));
+    if (hasLumen_) {  // a testis has none
+      container.add("patency_percent", std::span(patency_));
+      container.add("pressure_mmHg", std::span(pressure_));
+    }
   }
 
  private:
@@ -107,12 +120,25 @@ class FrameColumns {
     constexpr double kWhole = 255.0;
     closed_.push_back(static_cast<std::uint8_t>(std::lround(kWhole * std::clamp(state.grip, 0.0, 1.0))));
     held_.push_back((state.contact & kContactHeld) != 0 ? 1 : 0);
+    untwisting_ = untwisting_ || sample.rules == kRulesOfDetorsion;
+    addBlood(sample.hollow);
+  }
+  void addBlood(const HollowReading& organ) {
+    constexpr float kPercent = 100.0F;
+    flow_.push_back(kPercent * static_cast<float>(organ.flow));
+    dose_.push_back(static_cast<float>(organ.dose));
+    patency_.push_back(kPercent * static_cast<float>(organ.patency));
+    pressure_.push_back(static_cast<float>(organ.pressure_Pa / kPascalsPerMmHg));
+    hasLumen_ = hasLumen_ || organ.patency < 1.0 || organ.pressure_Pa != 0.0;
   }
 
   std::optional<std::int64_t> begin_us_;
   std::int64_t length_us_ = 0;
   std::vector<float> angle_, torque_, force_, low_, high_, target_, tool_;
+  std::vector<float> flow_, dose_, patency_, pressure_;
   std::vector<std::uint8_t> closed_, held_;
+  bool untwisting_ = false;
+  bool hasLumen_ = false;
 };
 
 /// The organ at the times of the frames, from the scene.
@@ -155,37 +181,35 @@ class ShapeTrack {
   std::vector<Vec3> places_m_;
 };
 
-/// Components from shapes spread evenly over what happened, and the weights of every frame; shapes that come
-/// out badly join the training, so that what was kept holds for all of them.
+/// A basis for all that happened, and the weights of each state.
 struct FoundShapes {
   ShapeBasis basis;
-  std::vector<float> weights;  // of each state
+  std::vector<float> weights;  // as many as components for each state
   float farthest_mm = 0.0F;
 };
 
 FoundShapes findShapes(ShapeTrack& track) {
-  std::vector<std::vector<float>> training{track.rest()};
-  const std::size_t stride = std::max<std::size_t>(1, track.states() / kMostTraining);
+  ShapeFitter fitter(track.rest(), kWithin_mm, kMostComponents);
+  std::vector<std::vector<float>> shapes;
+  const std::size_t stride = std::max<std::size_t>(1, track.states() / kLearnt);
   for (std::size_t state = 0; state < track.states(); state += stride) {
-    training.push_back(track.shape(state));
+    shapes.push_back(track.shape(state));
   }
-  constexpr int kRounds = 3;
-  FoundShapes found;
-  for (int round = 0; round < kRounds; ++round) {
-    found = {shapeBasis(training, kWithin_mm / 2.0F, kMostComponents), {}, 0.0F};
-    for (std::size_t state = 0; state < track.states(); ++state) {
-      std::vector<float> shape = track.shape(state);
-      const std::vector<float> weights = found.basis.weightsOf(shape);
-      const float off = found.basis.farthest(shape, weights);
-      found.weights.insert(found.weights.end(), weights.begin(), weights.end());
-      if (off > kWithin_mm && off > found.farthest_mm) {
-        training.push_back(std::move(shape));
-      }
-      found.farthest_mm = std::max(found.farthest_mm, off);
+  fitter.learn(shapes);
+  std::vector<ShapeFitter::Fit> fits;
+  for (std::size_t state = 0; state < track.states();) {
+    shapes.clear();
+    for (; state < track.states() && shapes.size() < kAtATime; ++state) {
+      shapes.push_back(track.shape(state));
     }
-    if (found.farthest_mm <= kWithin_mm) {
-      break;
-    }
+    std::vector<ShapeFitter::Fit> some = fitter.fit(shapes);
+    std::move(some.begin(), some.end(), std::back_inserter(fits));
+  }
+  FoundShapes found{fitter.basis(), {}, 0.0F};
+  for (ShapeFitter::Fit& fit : fits) {
+    fit.weights.resize(found.basis.components(), 0.0F);
+    found.weights.insert(found.weights.end(), fit.weights.begin(), fit.weights.end());
+    found.farthest_mm = std::max(found.farthest_mm, fit.farthest);
   }
   return found;
 }
@@ -195,7 +219,7 @@ void addMesh(BinaryContainer& container, const std::string& name, const Triangle
   for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
     index.insert(index.end(), triangle.begin(), triangle.end());
   }
-  container.add(name, std::span<const std::uint32_t>(index));
+  container.addDifferences(name, std::span<const std::uint32_t>(index), 3);
 }
 
 /// Shaft and jaws in the instrument's own frame, one after the other.
@@ -227,6 +251,23 @@ void addInstrument(BinaryContainer& container, const std::filesystem::path& asse
                               {"opening_deg", file.at("jaws").at("opening_deg")}};
 }
 
+/// What the window's tissue has at each vertex before light falls on it: its own colour and its patches.
+std::vector<std::uint8_t> tissueColours(const Scene& scene) {
+  const TissueLook look = tissueLook(scene.id);
+  std::vector<std::uint8_t> colours;
+  colours.reserve(3 * scene.mesh.vertices_m.size());
+  for (const Vec3& place_m : scene.mesh.vertices_m) {
+    const std::array<float, 3> factor = mottle(look, place_m);
+    for (std::size_t k = 0; k < factor.size(); ++k) {
+      // The factor is on light; a page's shader takes the square of what it gets for that.
+      constexpr float kWhite = 255.0F;
+      const float byte = static_cast<float>(look.colour[k]) * std::sqrt(std::max(factor[k], 0.0F));
+      colours.push_back(static_cast<std::uint8_t>(std::lround(std::min(byte, kWhite))));
+    }
+  }
+  return colours;
+}
+
 std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
                     const std::filesystem::path& assets, float& farthest_mm) {
   const Scene scene = loadScene(sceneOf(recording, assets));
@@ -242,10 +283,7 @@ std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
     const auto first = found.weights.begin() + static_cast<std::ptrdiff_t>(state * components);
     weights.insert(weights.end(), first, first + static_cast<std::ptrdiff_t>(components));
   }
-  std::vector<std::uint8_t> colour;
-  for (std::size_t v = 0; v < scene.mesh.vertices_m.size(); ++v) {
-    colour.insert(colour.end(), kTissue.begin(), kTissue.end());
-  }
+  const std::vector<std::uint8_t> colour = tissueColours(scene);
   BinaryContainer container;
   container.meta() = {{"vertices", scene.mesh.vertices_m.size()},
                       {"components", components},
@@ -253,9 +291,9 @@ std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
                       {"rate_hz", kShapeRate_hz},
                       {"scale", found.basis.scale}};
   addMesh(container, "index", scene.mesh);
-  container.add("mean", std::span<const float>(found.basis.mean));
-  container.add("basis", std::span<const std::int16_t>(found.basis.steps));
-  container.add("weights", std::span<const float>(weights));
+  container.addMultiples("mean", found.basis.mean, found.basis.meanStep, 3);
+  container.addDifferences("basis", std::span<const std::int16_t>(found.basis.steps), 3);
+  container.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
   container.add("colour", std::span<const std::uint8_t>(colour));
   addInstrument(container, assets, "grasper");
   return gzipped(container.bytes());
@@ -282,7 +320,7 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
   }
   BinaryContainer container;
   columns.writeTo(container);
-  container.meta()["digest"] = recording.digest;
+  container.meta()["task"] = taskJson(recording.task);
   container.meta()["picture"] = !picture.organ.empty();
   picture.recording = gzipped(container.bytes());
   return picture;

@@ -18,9 +18,9 @@ struct CasePicture {
 /// Largest distance of a drawn vertex from where the window would draw it, mm.
 inline constexpr float kWithin_mm = 0.15F;
 
-/// Decodes, rebuilds the scene and follows it through the recording: a second of processor time, some more
-/// for long ones. Takes what it needs out of `recording`. No byte of it tells whose recording it is. Throws
-/// as loadBlindedRecording.
+/// The same for every rater of a recording. Decodes, rebuilds the scene and follows it through the recording:
+/// a second of processor time, some more for long ones. Takes what it needs out of `recording`. No byte of it
+/// tells whose recording it is. Throws as loadBlindedRecording.
 [[nodiscard]] CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets);
 
 }  // namespace torsio::web

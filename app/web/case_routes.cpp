@@ -2,7 +2,6 @@
 #include <string>
 #include <utility>
 
-#include "app/access/signing.h"
 #include "app/base/assets.h"
 #include "app/review/blinded_case.h"
 #include "app/review/case_remarks.h"
@@ -12,6 +11,7 @@
 #include "app/review/viewing_report.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
+#include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/people/signature.h"
 #include "assessment/rating/written_words.h"
@@ -25,7 +25,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestPassword_bytes = 1024;
 constexpr std::size_t kBytesOfACharacter = 4;
 
 /// The case of an address; one that this session was never given is as absent as one of somebody else.
@@ -51,7 +50,11 @@ json taskOf(SessionContext& context, const OpenedSheet& opened) {
 }
 
 HttpResponse answerQueue(Call& call) {
-  return jsonAnswer(queueJson(reviewQueue(call.context), *call.session));
+  const ReviewQueue queue = reviewQueue(call.context);
+  if (queue.next) {
+    call.desk.prepare(call.context.actor(), *queue.next);
+  }
+  return jsonAnswer(queueJson(queue, *call.session));
 }
 
 HttpResponse answerCase(Call& call) {
@@ -68,6 +71,7 @@ HttpResponse answerCase(Call& call) {
                      {"live", opened.shown.live},
                      {"state", states[state]},
                      {"length_us", opened.shown.length_us.value_or(0)},
+                     {"digest", opened.shown.live ? "" : recordingName(call.context, id).digest},
                      {"kept_at", keptAt(call.context) == KeptAt::kServer ? "server" : "machine"},
                      {"task", taskOf(call.context, opened)},
                      {"rules", {{"minimum_watched", rules.minimumWatched}, {"speeds", rules.speeds}}},
@@ -117,50 +121,15 @@ HttpResponse answerViewing(Call& call) {
                      {"check", checkJson(checkOf(call.context, opened, opened.sheet, watched))}});
 }
 
-Text meaningText(SignatureMeaning meaning) {
-  return termsOf(meaning)[static_cast<std::size_t>(meaning)].label;
-}
-
-/// A password that came with an act that seals. Empty answer: go on.
-std::optional<HttpResponse> shownPassword(Call& call) {
-  if (!call.body.has("password")) {
-    return std::nullopt;
-  }
-  const std::string password = call.body.text("password", kLongestPassword_bytes);
-  if (!call.desk.enterHashing()) {
-    return refusal(503,
-                   Error(ErrorCode::kDatabase, Text::tr("the server is busy"), "",
-                         Text::tr("Try again in a few seconds")),
-                   call.wording);
-  }
-  struct Leave {
-    WebDesk& desk;
-    ~Leave() { desk.leaveHashing(); }
-  } leave{call.desk};
-  showPassword(call.context, password);
-  return std::nullopt;
-}
-
-/// Runs an act that seals; a password that is due is asked for with what its signature means.
-template <typename Act>
-HttpResponse sealing(Call& call, SignatureMeaning meaning, const Act& act) {
-  try {
-    if (auto busy = shownPassword(call)) {
-      return std::move(*busy);
-    }
-    return act();
-  } catch (const PasswordDue& due) {
-    return refusal(403, due, call.wording,
-                   {{"need_password", true}, {"meaning", call.wording(meaningText(meaning)).toStdString()}});
-  }
-}
-
 HttpResponse answerSubmit(Call& call) {
   const AssignmentId id = caseOf(call);
   return sealing(call, SignatureMeaning::kScored, [&] {
     const OpenedSheet opened = openSheet(call.context, id);
     submitSheet(call.context, id, sheetOf(call.body.object("sheet"), opened.rubric), opened.watched);
     const auto next = reviewQueue(call.context).next;
+    if (next) {
+      call.desk.prepare(call.context.actor(), *next);
+    }
     return jsonAnswer({{"next", next ? json(call.session->handleOf(*next)) : json(nullptr)}});
   });
 }
@@ -190,20 +159,8 @@ HttpResponse answerEditRemark(Call& call) {
   return jsonAnswer({{"remarks", remarksJson(caseRemarks(call.context, id))}});
 }
 
-/// Asks for the right each time, whether or not the picture is at hand.
 std::shared_ptr<const CasePicture> pictureOf(Call& call) {
-  const AssignmentId id = caseOf(call);
-  (void)blindedTask(call.context, id);
-  return call.desk.pictures().of(
-      id, [&] { return casePicture(loadBlindedRecording(call.context, id), assetsFolder()); });
-}
-
-HttpResponse binaryAnswer(const Call& call, const std::string& packed) {
-  HttpResponse response;
-  response.type = "application/octet-stream";
-  response.headers = {{"Cache-Control", "no-store"}};
-  putPacked(response, call.request, packed, nullptr);
-  return response;
+  return pictureOf(call.desk, call.context, caseOf(call));
 }
 
 HttpResponse answerRecording(Call& call) {
@@ -211,17 +168,17 @@ HttpResponse answerRecording(Call& call) {
 }
 
 HttpResponse answerOrgan(Call& call) {
-  const auto picture = pictureOf(call);
-  if (picture->organ.empty()) {
-    return refusal(404,
-                   Error(ErrorCode::kBadData, Text::tr("the organ of this recording is not on this machine"),
-                         "", Text::tr("Score from the traces, or ask an administrator for the organ file")),
-                   call.wording);
-  }
-  return binaryAnswer(call, picture->organ);
+  return organAnswer(call, *pictureOf(call));
 }
 
 }  // namespace
+
+std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
+                                             const AssignmentId& assignmentId) {
+  return desk.pictures().of(recordingName(context, assignmentId).key, [&] {
+    return casePicture(loadBlindedRecording(context, assignmentId), assetsFolder());
+  });
+}
 
 std::vector<Route> caseRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
@@ -233,8 +190,8 @@ std::vector<Route> caseRoutes() {
           {"POST", "/api/cases/*/amend", kIn, answerAmend},
           {"POST", "/api/cases/*/remarks", kIn, answerRemark},
           {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
-          {"GET", "/api/cases/*/recording", kIn, answerRecording},
-          {"GET", "/api/cases/*/organ", kIn, answerOrgan}};
+          {"GET", "/api/cases/*/recording", kIn, answerRecording, true},
+          {"GET", "/api/cases/*/organ", kIn, answerOrgan, true}};
 }
 
 }  // namespace torsio::web

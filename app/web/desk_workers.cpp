@@ -56,6 +56,11 @@ bool DeskWorkers::take(Work work) {
   return true;
 }
 
+bool DeskWorkers::isIdle() {
+  const std::lock_guard lock(mutex_);
+  return waiting_.empty() && busy_ == 0;
+}
+
 void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
   try {
     SessionContext session({locator, stationName(), {}});
@@ -70,10 +75,12 @@ void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
       }
       const Work work = std::move(waiting_.front());
       waiting_.pop_front();
+      ++busy_;
       lock.unlock();
       work(session);
       session.setActor({});
       lock.lock();
+      --busy_;
     }
   } catch (...) {
     const std::lock_guard lock(mutex_);

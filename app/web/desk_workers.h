@@ -31,6 +31,8 @@ class DeskWorkers {
 
   /// False: too much waits already. `work` throws nothing; nobody is signed in when it begins.
   [[nodiscard]] bool take(Work work);
+  /// Nothing is done and nothing waits.
+  [[nodiscard]] bool isIdle();
 
  private:
   void serve(const std::string& locator, PasswordCost passwordCost);
@@ -39,6 +41,7 @@ class DeskWorkers {
   std::condition_variable changed_;
   std::deque<Work> waiting_;
   std::size_t open_ = 0;
+  std::size_t busy_ = 0;
   std::exception_ptr failure_;
   bool ending_ = false;
   std::vector<std::thread> threads_;

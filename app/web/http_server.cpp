@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <microhttpd.h>
@@ -366,6 +367,16 @@ HttpServer::HttpServer(const HttpAddress& address, const TlsMaterial& tls, const
     options.push_back({MHD_OPTION_HTTPS_MEM_CERT, 0, const_cast<char*>(tls.certificate.c_str())});
     options.push_back({MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(kTlsPriorities)});
   }
+  // What stands for a zero would cut the address off there: it becomes a sign that no address has.
+  const auto unescaped = [](void* /*self*/, MHD_Connection* /*connection*/, char* text) {
+    for (char* at = std::strstr(text, "%00"); at != nullptr; at = std::strstr(at, "%00")) {
+      at[2] = '1';
+    }
+    return MHD_http_unescape(text);
+  };
+  using Unescape = std::size_t (*)(void*, MHD_Connection*, char*);
+  options.push_back({MHD_OPTION_UNESCAPE_CALLBACK,
+                     reinterpret_cast<std::intptr_t>(static_cast<Unescape>(unescaped)), nullptr});
   options.push_back({MHD_OPTION_END, 0, nullptr});
   const auto access = [](void* self, MHD_Connection* connection, const char* url, const char* method,
                          const char* /*version*/, const char* data, std::size_t* size, void** context) {

@@ -9,6 +9,8 @@ namespace torsio::web {
 
 namespace {
 
+constexpr int kDeepest = 16;
+
 [[noreturn]] void refuseField(const std::string& field) {
   throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"), field,
               Text::tr("Load the page again"));
@@ -17,8 +19,14 @@ namespace {
 }  // namespace
 
 JsonBody JsonBody::parse(const std::string& text) {
-  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object()) {
+  // Whatever goes through a value goes down its depths by calls: what is deeper than any page's is not kept.
+  bool tooDeep = false;
+  const auto keep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    tooDeep = tooDeep || depth > kDeepest;
+    return !tooDeep;
+  };
+  nlohmann::json json = nlohmann::json::parse(text, keep, false);
+  if (tooDeep || !json.is_object()) {
     refuseField("");
   }
   return JsonBody(std::move(json));

@@ -13,11 +13,10 @@ std::size_t bytesOf(const CasePicture& picture) {
 
 }  // namespace
 
-std::shared_ptr<const CasePicture> PictureCache::kept(const AssignmentId& assignmentId) {
+std::shared_ptr<const CasePicture> PictureCache::kept(const std::string& recording) {
   const std::lock_guard lock(mutex_);
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&assignmentId](const Kept& one) {
-    return one.assignmentId == assignmentId;
-  });
+  const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                  [&recording](const Kept& one) { return one.recording == recording; });
   if (found == kept_.end()) {
     return nullptr;
   }
@@ -25,18 +24,18 @@ std::shared_ptr<const CasePicture> PictureCache::kept(const AssignmentId& assign
   return kept_.front().picture;
 }
 
-std::shared_ptr<const CasePicture> PictureCache::of(const AssignmentId& assignmentId,
+std::shared_ptr<const CasePicture> PictureCache::of(const std::string& recording,
                                                     const std::function<CasePicture()>& make) {
-  if (auto picture = kept(assignmentId)) {
+  if (auto picture = kept(recording)) {
     return picture;
   }
   const std::lock_guard one(making_);
-  if (auto picture = kept(assignmentId)) {
+  if (auto picture = kept(recording)) {
     return picture;  // somebody else has made it meanwhile
   }
   auto made = std::make_shared<const CasePicture>(make());
   const std::lock_guard lock(mutex_);
-  kept_.push_front({assignmentId, made});
+  kept_.push_front({recording, made});
   bytes_ += bytesOf(*made);
   while (bytes_ > most_bytes_ && kept_.size() > 1) {
     bytes_ -= bytesOf(*kept_.back().picture);

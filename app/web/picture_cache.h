@@ -6,29 +6,29 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "app/web/case_picture.h"
-#include "sim/base/ids.h"
 
 namespace torsio::web {
 
-/// Pictures of cases that were opened lately, so that the traces, the organ and a second look cost one
-/// making. One is made at a time: it takes a core. Any thread.
+/// Pictures of recordings that were opened lately, so that the traces, the organ, a second look and the look
+/// of another rater cost one making. One is made at a time: it takes a core. Any thread.
 class PictureCache {
  public:
   explicit PictureCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Returns the picture of a case; `make` is called when there is none. The caller has asked for the right
-  /// to see the case in this very call.
-  [[nodiscard]] std::shared_ptr<const CasePicture> of(const AssignmentId& assignmentId,
+  /// Returns the picture of a recording (RecordingName::key); `make` is called when there is none. The caller
+  /// has asked for the right to see it in this very call.
+  [[nodiscard]] std::shared_ptr<const CasePicture> of(const std::string& recording,
                                                       const std::function<CasePicture()>& make);
 
  private:
   struct Kept {
-    AssignmentId assignmentId{};
+    std::string recording{};
     std::shared_ptr<const CasePicture> picture;
   };
-  [[nodiscard]] std::shared_ptr<const CasePicture> kept(const AssignmentId& assignmentId);
+  [[nodiscard]] std::shared_ptr<const CasePicture> kept(const std::string& recording);
 
   std::size_t most_bytes_;
   std::mutex making_;

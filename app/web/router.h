@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/wording.h"
+#include "app/web/case_picture.h"
 #include "app/web/http_message.h"
 #include "app/web/json_body.h"
 #include "app/web/web_sessions.h"
@@ -40,6 +42,9 @@ struct Route {
   std::string path{};  ///< "/api/cases/*/sheet"
   RouteAccess access = RouteAccess::kSignedIn;
   std::function<HttpResponse(Call&)> answer{};
+  /// May take seconds of a core: done beside the others, and never while its session waits for it. Its answer
+  /// changes nothing of the session.
+  bool heavy = false;
 };
 
 /// All addresses of the desk but those of its pages. What stands nowhere here does not exist.
@@ -61,6 +66,17 @@ class Router {
 
 /// The routes of signing in and out, and of what a page needs before (sign_in_routes.cpp).
 [[nodiscard]] std::vector<Route> signInRoutes();
+/// Who is signed in with a browser (session_routes.cpp).
+[[nodiscard]] std::vector<Route> sessionRoutes();
+/// The form of an evaluation, calibration and own severity, own records, the boards (the files of these
+/// names).
+[[nodiscard]] std::vector<Route> evaluationRoutes();
+[[nodiscard]] std::vector<Route> raterRoutes();
+[[nodiscard]] std::vector<Route> ownRoutes();
+[[nodiscard]] std::vector<Route> boardRoutes();
+/// The picture of an own case, made or kept; asks for the right each time (case_routes.cpp).
+[[nodiscard]] std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
+                                                           const AssignmentId& assignmentId);
 /// The routes of a rater's cases (case_routes.cpp).
 [[nodiscard]] std::vector<Route> caseRoutes();
 

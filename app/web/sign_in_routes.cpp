@@ -5,6 +5,8 @@
 #include <string>
 
 #include "app/access/access_service.h"
+#include "app/access/browser_sessions.h"
+#include "app/access/invitations.h"
 #include "app/access/settings_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
@@ -19,6 +21,7 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestLogin = 200;
 constexpr std::size_t kLongestPassword = 1024;
+constexpr std::size_t kLongestInvitation = 100;
 constexpr std::chrono::seconds kBusy{2};
 
 HttpResponse wait(Call& call, std::chrono::seconds time) {
@@ -34,8 +37,25 @@ std::string cookieOf(const std::string& value) {
   return std::string(kCookie) + "=" + value + "; Path=/; Secure; HttpOnly; SameSite=Strict";
 }
 
-json userJson(const Actor& actor) {
-  return {{"login", actor.login}, {"roles", actor.roles}};
+/// What the pages offer to whom; each route asks its service again.
+struct PageRight {
+  const char* page;
+  Operation operation;
+};
+constexpr PageRight kPageRights[] = {{"queue", Operation::kMarkSubmit},
+                                     {"evaluation", Operation::kEvaluationSubmit},
+                                     {"own", Operation::kTrialViewOwn},
+                                     {"board", Operation::kStudySetup},
+                                     {"people", Operation::kUserManage}};
+
+json userJson(const Actor& actor, const SessionContext& context) {
+  json pages = json::array();
+  for (const PageRight& right : kPageRights) {
+    if (context.may(right.operation)) {
+      pages.push_back(right.page);
+    }
+  }
+  return {{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
 }
 
 /// Hashes under the desk's lock. Empty: too many wait.
@@ -70,17 +90,19 @@ HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
                            Text::tr("Type both again, or ask an administrator for a new start password")),
                      call.wording);
   }
-  if (!call.context.may(Operation::kMarkSubmit)) {
+  const json user = userJson(answer->actor, call.context);
+  if (user.at("pages").empty()) {
     signOut(call.context);
     return refusal(403,
-                   Error(ErrorCode::kPermission, Text::tr("the browser is for physicians who score"), "",
+                   Error(ErrorCode::kPermission, Text::tr("there is no page for you in the browser"), "",
                          Text::tr("Use Torsio's window at a station")),
                    call.wording);
   }
-  const std::string cookie = call.desk.sessions().open(answer->actor, call.now);
+  const std::string cookie =
+      call.desk.sessions().open(answer->actor, browserName(call.request.header("user-agent")),
+                                passwordStamp(call.context, answer->actor.userId), call.now);
   const auto session = call.desk.sessions().find(cookie, call.now);
-  HttpResponse response =
-      jsonAnswer({{"outcome", "ok"}, {"token", session->token}, {"user", userJson(answer->actor)}});
+  HttpResponse response = jsonAnswer({{"outcome", "ok"}, {"token", session->token}, {"user", user}});
   response.headers.emplace_back("Set-Cookie", cookieOf(cookie));
   return response;
 }
@@ -111,6 +133,28 @@ HttpResponse answerPassword(Call& call) {
   return welcome(call, changed);
 }
 
+/// The link of an invitation and a password: whatever is wrong with a link is answered alike.
+HttpResponse answerJoin(Call& call) {
+  const auto left = call.desk.signInTries().tried(call.request.address, call.now);
+  if (left.count() > 0) {
+    return wait(call, left);
+  }
+  const std::string token = call.body.text("token", kLongestInvitation);
+  const std::string code = call.body.textOrNone("code", kLongestInvitation);
+  const std::string newPassword = call.body.text("newPassword", kLongestPassword);
+  const auto joined = hashed(call, [&] { return acceptInvitation(call.context, token, code, newPassword); });
+  if (joined && joined->outcome == SignIn::kWrong) {
+    return refusal(401,
+                   Error(ErrorCode::kPermission, Text::tr("this invitation is not good, or not any more"), "",
+                         Text::tr("Look at the link again, or ask an administrator for a new one")),
+                   call.wording);
+  }
+  if (joined && joined->outcome == SignIn::kOk) {
+    call.desk.sessions().closeAll(joined->actor.userId);
+  }
+  return welcome(call, joined);
+}
+
 HttpResponse answerSignOut(Call& call) {
   signOut(call.context);
   call.desk.sessions().close(call.request.cookie(kCookie));
@@ -122,7 +166,7 @@ HttpResponse answerSignOut(Call& call) {
 HttpResponse answerMe(Call& call) {
   const IdleLimits idle = centreIdleLimits(call.context.connectionWithoutRight());
   return jsonAnswer({{"token", call.session->token},
-                     {"user", userJson(call.session->actor)},
+                     {"user", userJson(call.session->actor, call.context)},
                      {"idle_s", idle.lock_us / kSecond_us}});
 }
 
@@ -148,6 +192,7 @@ std::vector<Route> signInRoutes() {
   return {{"GET", "/api/texts", RouteAccess::kOpen, answerTexts},
           {"POST", "/api/sign-in", RouteAccess::kOpen, answerSignIn},
           {"POST", "/api/password", RouteAccess::kOpen, answerPassword},
+          {"POST", "/api/join", RouteAccess::kOpen, answerJoin},
           {"POST", "/api/sign-out", RouteAccess::kSignedIn, answerSignOut},
           {"GET", "/api/me", RouteAccess::kSignedIn, answerMe}};
 }

@@ -6,10 +6,12 @@
 #include <iterator>
 #include <utility>
 
+#include "app/access/browser_sessions.h"
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "db/connection/db_error.h"
 #include "sim/base/error.h"
+#include "sim/base/time_units.h"
 
 namespace torsio::web {
 
@@ -17,12 +19,17 @@ namespace {
 
 constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
 constexpr std::size_t kSignInTries = 10;
-constexpr int kMostHashers = 4;  // one at work, the others wait a second or two
+constexpr std::chrono::seconds kIdleSlack{60};  // a page that is used says so every half a minute
+constexpr int kMostHashers = 4;                 // one at work, the others wait a second or two
+constexpr std::size_t kHeavyThreads = 2;  // pictures are made one at a time; the other one answers trainees
 
 std::vector<Route> allRoutes() {
-  std::vector<Route> routes = signInRoutes();
-  std::vector<Route> cases = caseRoutes();
-  std::move(cases.begin(), cases.end(), std::back_inserter(routes));
+  std::vector<Route> routes;
+  for (auto* const part :
+       {signInRoutes, sessionRoutes, caseRoutes, evaluationRoutes, raterRoutes, ownRoutes, boardRoutes}) {
+    std::vector<Route> some = part();
+    std::move(some.begin(), some.end(), std::back_inserter(routes));
+  }
   return routes;
 }
 
@@ -118,7 +125,8 @@ WebDesk::WebDesk(const DeskSettings& settings)
       sessions_({}),
       signInTries_(kSignInTries, std::chrono::minutes(1)),
       pictures_(kPictures_bytes),
-      workers_(settings.locator, settings.workers, settings.passwordCost) {
+      workers_(settings.locator, settings.workers, settings.passwordCost),
+      heavy_(settings.locator, kHeavyThreads, settings.passwordCost) {
   for (const std::string& language : reportLanguages()) {
     languages_.emplace(language, wordingIn(language));
   }
@@ -138,6 +146,20 @@ bool WebDesk::enterHashing() {
 void WebDesk::leaveHashing() {
   hashing_.unlock();
   hashers_.fetch_sub(1);
+}
+
+void WebDesk::prepare(const Actor& actor, const AssignmentId& assignmentId) {
+  if (!heavy_.isIdle()) {
+    return;  // whoever opens a case comes first
+  }
+  (void)heavy_.take([this, actor, assignmentId](SessionContext& context) {
+    context.setActor(actor);
+    try {
+      (void)pictureOf(*this, context, assignmentId);
+    } catch (...) {
+      // Whoever opens the case is told what is wrong with it.
+    }
+  });
 }
 
 const Wording& WebDesk::wordingFor(const HttpRequest& request) const {
@@ -174,6 +196,7 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   if (match.route == nullptr) {
     return finish(refused(match.otherMethod ? 405 : 404, wording));
   }
+  const Route& route = *match.route;
   auto work = [this, request = std::move(request), match = std::move(match),
                finish](SessionContext& context) {
     try {
@@ -182,7 +205,7 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
       finish(answerOf(std::current_exception(), wordingFor(request)));
     }
   };
-  if (!workers_.take(std::move(work))) {
+  if (!(route.heavy ? heavy_ : workers_).take(std::move(work))) {
     HttpResponse busy = refused(503, wording);
     busy.headers.emplace_back("Retry-After", "2");
     finish(std::move(busy));
@@ -201,9 +224,17 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
         wording);
   }
   const SteadyTime now = std::chrono::steady_clock::now();
+  // The page locks itself then; this is for one that is asleep, closed, or not ours.
+  sessions_.setIdle(
+      std::chrono::seconds(centreIdleLimits(context.connectionWithoutRight()).lock_us / kSecond_us) +
+      kIdleSlack);
   const std::shared_ptr<WebSession> session =
       route.access == RouteAccess::kOpen ? nullptr : sessions_.find(request.cookie(kCookie), now);
   if (route.access == RouteAccess::kSignedIn && session == nullptr) {
+    return refused(401, wording);
+  }
+  if (session != nullptr && passwordStamp(context, session->userId) != session->stamp) {
+    sessions_.closeAll(session->userId);  // another password since, or the account was disabled
     return refused(401, wording);
   }
   std::unique_lock<std::mutex> busy;
@@ -213,11 +244,14 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
     }
     busy = std::unique_lock(session->busy);
     context.setActor(session->actor);
+    if (route.heavy) {
+      busy.unlock();
+    }
   }
   const JsonBody body = change ? JsonBody::parse(request.body) : JsonBody(nlohmann::json::object());
   Call call{request, *this, context, session.get(), parts, body, wording, now};
   const auto keepActor = [&] {
-    if (session != nullptr) {
+    if (session != nullptr && !route.heavy) {
       session->actor = context.actor();  // a signature may have used up the password
     }
   };

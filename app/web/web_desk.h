@@ -52,6 +52,9 @@ class WebDesk {
   /// False: too many wait already.
   [[nodiscard]] bool enterHashing();
   void leaveHashing();
+  /// Makes the picture of a case that somebody will open next, while nothing else is asked of the thread that
+  /// makes pictures.
+  void prepare(const Actor& actor, const AssignmentId& assignmentId);
   [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
 
  private:
@@ -70,6 +73,7 @@ class WebDesk {
   std::mutex hashing_;
   std::atomic<int> hashers_{0};
   DeskWorkers workers_;  // last: their work uses all of the above
+  DeskWorkers heavy_;    // few threads: a picture takes a core
 };
 
 }  // namespace torsio::web

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/web/web_sessions.h"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <sodium.h>
 
@@ -13,6 +17,7 @@ namespace torsio::web {
 namespace {
 
 constexpr std::size_t kSecretBytes = 32;
+constexpr std::string_view kCaseThing = "case ";
 constexpr std::size_t kMostWindows = 10'000;  // addresses; beyond it the old ones are forgotten
 
 std::string hashOf(const std::string& cookie) {
@@ -32,29 +37,83 @@ std::string freshSecret() {
   return text.data();
 }
 
-std::string WebSession::handleOf(const AssignmentId& assignmentId) {
-  const auto found = handles_.find(assignmentId);
+std::string WebSession::handleFor(const std::string& what) {
+  const std::lock_guard lock(mutex_);
+  const auto found = handles_.find(what);
   if (found != handles_.end()) {
     return found->second;
   }
   const std::string handle = freshSecret();
-  handles_.emplace(assignmentId, handle);
-  cases_.emplace(handle, assignmentId);
+  handles_.emplace(what, handle);
+  things_.emplace(handle, what);
   return handle;
 }
 
-std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const {
-  const auto found = cases_.find(handle);
-  return found == cases_.end() ? std::nullopt : std::optional(found->second);
+std::string WebSession::whatOf(const std::string& handle) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = things_.find(handle);
+  return found == things_.end() ? std::string() : found->second;
 }
 
-std::string WebSessions::open(const Actor& actor, SteadyTime now) {
+std::string WebSession::handleOf(const AssignmentId& assignmentId) {
+  return handleFor(std::string(kCaseThing) + std::string(assignmentId.text()));
+}
+
+std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const {
+  const std::string what = whatOf(handle);
+  if (what.rfind(kCaseThing, 0) != 0) {
+    return std::nullopt;
+  }
+  return AssignmentId(what.substr(kCaseThing.size()));
+}
+
+std::string browserName(const std::string& userAgent) {
+  // A browser names those that it resembles after itself: the first that is found is it.
+  constexpr std::array<std::pair<const char*, const char*>, 5> kBrowsers{{{"Edg/", "Edge"},
+                                                                          {"Firefox/", "Firefox"},
+                                                                          {"Chrome/", "Chrome"},
+                                                                          {"Chromium/", "Chromium"},
+                                                                          {"Safari/", "Safari"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 6> kSystems{{{"Android", "Android"},
+                                                                         {"iPhone", "iPhone"},
+                                                                         {"iPad", "iPad"},
+                                                                         {"Windows", "Windows"},
+                                                                         {"Mac OS", "macOS"},
+                                                                         {"Linux", "Linux"}}};
+  const auto first = [&](const auto& known) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) {
+      return userAgent.find(one.first) != std::string::npos;
+    });
+    return found == known.end() ? std::string() : std::string(found->second);
+  };
+  const std::string browser = first(kBrowsers);
+  const std::string system = first(kSystems);
+  return browser + (browser.empty() || system.empty() ? "" : ", ") + system;
+}
+
+void WebSessions::setIdle(std::chrono::seconds idle) {
+  const std::lock_guard lock(mutex_);
+  limits_.idle = idle;
+}
+
+bool WebSessions::isOver(const Held& held, SteadyTime now) const {
+  return now - held.seen > limits_.idle || now - held.session->begun > limits_.whole;
+}
+
+std::string WebSessions::open(const Actor& actor, const std::string& browser, const std::string& stamp,
+                              SteadyTime now) {
   const std::string cookie = freshSecret();
   auto session = std::make_shared<WebSession>();
   session->actor = actor;
+  session->userId = actor.userId;
+  session->login = actor.login;
+  session->id = freshSecret();
+  session->browser = browser;
+  session->stamp = stamp;
   session->token = freshSecret();
   session->begun = now;
   const std::lock_guard lock(mutex_);
+  std::erase_if(held_, [&](const auto& one) { return isOver(one.second, now); });
   held_[hashOf(cookie)] = {std::move(session), now};
   return cookie;
 }
@@ -68,12 +127,39 @@ std::shared_ptr<WebSession> WebSessions::find(const std::string& cookie, SteadyT
   if (found == held_.end()) {
     return nullptr;
   }
-  if (now - found->second.seen > limits_.idle || now - found->second.session->begun > limits_.whole) {
+  if (isOver(found->second, now)) {
     held_.erase(found);
     return nullptr;
   }
   found->second.seen = now;
   return found->second.session;
+}
+
+std::vector<WebSessions::Line> WebSessions::list(SteadyTime now) {
+  using std::chrono::duration_cast;
+  using std::chrono::seconds;
+  std::vector<Line> lines;
+  const std::lock_guard lock(mutex_);
+  std::erase_if(held_, [&](const auto& one) { return isOver(one.second, now); });
+  std::vector<const Held*> newestFirst;
+  for (const auto& [hash, held] : held_) {
+    newestFirst.push_back(&held);
+  }
+  std::sort(newestFirst.begin(), newestFirst.end(), [](const Held* one, const Held* other) {
+    return std::tie(other->session->begun, one->session->id) <
+           std::tie(one->session->begun, other->session->id);
+  });
+  for (const Held* held : newestFirst) {
+    const WebSession& session = *held->session;
+    lines.push_back({session.id, session.userId, session.login, session.browser,
+                     duration_cast<seconds>(now - session.begun), duration_cast<seconds>(now - held->seen)});
+  }
+  return lines;
+}
+
+bool WebSessions::end(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  return std::erase_if(held_, [&](const auto& one) { return one.second.session->id == id; }) > 0;
 }
 
 void WebSessions::close(const std::string& cookie) {
@@ -84,7 +170,7 @@ void WebSessions::close(const std::string& cookie) {
 void WebSessions::closeAll(const UserId& userId) {
   const std::lock_guard lock(mutex_);
   for (auto it = held_.begin(); it != held_.end();) {
-    it = it->second.session->actor.userId == userId ? held_.erase(it) : std::next(it);
+    it = it->second.session->userId == userId ? held_.erase(it) : std::next(it);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/access/session_context.h"
 #include "sim/base/ids.h"
@@ -23,16 +24,25 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 [[nodiscard]] std::string freshSecret();
 
 /// Somebody who is signed in with a browser. Whoever works for it holds `busy`, so that two requests of one
-/// browser never overtake each other.
+/// browser never overtake each other; a heavy route only while it begins.
 struct WebSession {
   std::mutex busy;
   Actor actor{};
-  std::string token{};  ///< asked of every change, so that no other site can order one
+  UserId userId{};  ///< as in `actor`, and never changed: read without `busy`
+  std::string login{};
+  std::string id{};       ///< names it in lists; opens nothing
+  std::string browser{};  ///< "Firefox, Windows", as it says itself
+  std::string stamp{};    ///< passwordStamp() when it began: another one ends it
+  std::string token{};    ///< asked of every change, so that no other site can order one
   SteadyTime begun{};
 
-  /// A name for a case that means nothing outside of this session; the same one each time.
+  /// A name for something of the record ("run 17") that means nothing outside of this session; the same one
+  /// each time.
+  [[nodiscard]] std::string handleFor(const std::string& what);
+  /// What is behind it; empty for what was never given out.
+  [[nodiscard]] std::string whatOf(const std::string& handle) const;
+  /// The same for cases.
   [[nodiscard]] std::string handleOf(const AssignmentId& assignmentId);
-  /// The case behind it; nothing for what was never given out.
   [[nodiscard]] std::optional<AssignmentId> caseOf(const std::string& handle) const;
 
   /// The recording that plays: no rater watches two at once.
@@ -40,8 +50,9 @@ struct WebSession {
   SteadyTime reported{};  ///< when it was reported last
 
  private:
-  std::map<std::string, AssignmentId> cases_;
-  std::map<AssignmentId, std::string> handles_;
+  mutable std::mutex mutex_;                    // of the handles: heavy routes read them without `busy`
+  std::map<std::string, std::string> things_;   // by handle
+  std::map<std::string, std::string> handles_;  // by thing
 };
 
 /// Everybody who is signed in with a browser, by the hash of the cookie. In memory alone: whoever stops the
@@ -53,10 +64,26 @@ class WebSessions {
     std::chrono::seconds idle{std::chrono::minutes(30)};
     std::chrono::seconds whole{std::chrono::hours(12)};
   };
+  /// One of them, for whoever asks who is signed in.
+  struct Line {
+    std::string id{};
+    UserId userId{};
+    std::string login{};
+    std::string browser{};
+    std::chrono::seconds age{};
+    std::chrono::seconds idle{};
+  };
   explicit WebSessions(Limits limits) : limits_(limits) {}
 
+  /// How long a session lasts without a request from now on.
+  void setIdle(std::chrono::seconds idle);
   /// Returns what the browser's cookie will hold; nothing else can find the session.
-  [[nodiscard]] std::string open(const Actor& actor, SteadyTime now);
+  [[nodiscard]] std::string open(const Actor& actor, const std::string& browser, const std::string& stamp,
+                                 SteadyTime now);
+  /// The newest first.
+  [[nodiscard]] std::vector<Line> list(SteadyTime now);
+  /// Ends the session of this name. False: there is none any more.
+  bool end(const std::string& id);
   /// Null: nobody, or too long ago.
   [[nodiscard]] std::shared_ptr<WebSession> find(const std::string& cookie, SteadyTime now);
   void close(const std::string& cookie);
@@ -68,10 +95,16 @@ class WebSessions {
     std::shared_ptr<WebSession> session;
     SteadyTime seen{};
   };
+  [[nodiscard]] bool isOver(const Held& held, SteadyTime now) const;
+
   Limits limits_;
   std::mutex mutex_;
   std::map<std::string, Held> held_;
 };
+
+/// A browser and a system, out of what a browser says about itself: "Firefox, Windows"; empty for none that
+/// is known. Nothing else of it is kept.
+[[nodiscard]] std::string browserName(const std::string& userAgent);
 
 /// How often something may be tried from one address. Any thread.
 class TryLimit {

@@ -18,6 +18,7 @@ enum class DutyAct : std::uint8_t {
   kRestore,           ///< subject: the hash of the backup
   kRevealAllocation,  ///< subject: the design
   kOnePerson,         ///< that none of this needs two people any more
+  kInvite,            ///< a link for an account of somebody who scores or runs the study; subject: the user
   kEnd,               ///< how many there are
 };
 inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
@@ -27,6 +28,7 @@ inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
     {DutyAct::kRestore, "restore", Text::tr("Restore a backup")},
     {DutyAct::kRevealAllocation, "reveal_allocation", Text::tr("Open the allocation")},
     {DutyAct::kOnePerson, "one_person", Text::tr("One person is enough from now on")},
+    {DutyAct::kInvite, "invite", Text::tr("Invitation")},
 });
 [[nodiscard]] constexpr const auto& termsOf(DutyAct) noexcept {
   return kDutyActs;

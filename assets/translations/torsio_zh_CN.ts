@@ -215,6 +215,37 @@
     </message>
 </context>
 <context>
+    <name>InvitationQuestion</name>
+    <message>
+        <source>Invite</source>
+        <translation>邀请登录</translation>
+    </message>
+    <message>
+        <source>%1: a link each, with which they set a password of their own in a browser. A link made before is of no use then.</source>
+        <translation>%1：每人一个链接，可在浏览器中设置自己的密码。之前生成的链接随即失效。</translation>
+    </message>
+    <message>
+        <source>&amp;Address of the review desk</source>
+        <translation>评分台地址(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>This needs two people: you get a code for each to hand over, and another administrator, who confirms it, the link.</source>
+        <translation>此操作需要两人：您得到每人的代码并转交，另一位管理员确认后得到链接。</translation>
+    </message>
+    <message>
+        <source>As torsio serve says it when it starts, or as your proxy is called.</source>
+        <translation>即 torsio serve 启动时显示的地址，或您的代理服务器的地址。</translation>
+    </message>
+    <message>
+        <source>&amp;Invite</source>
+        <translation>邀请(&amp;I)</translation>
+    </message>
+</context>
+<context>
     <name>MailServerDialog</name>
     <message>
         <source>Mail server</source>
@@ -615,6 +646,26 @@
     <message>
         <source>Cards for the kiosk: %1</source>
         <translation>自助终端卡片：%1</translation>
+    </message>
+    <message>
+        <source>Open this address in a browser, once, and choose a password</source>
+        <translation>在浏览器中打开此地址（仅一次），并设置密码</translation>
+    </message>
+    <message>
+        <source>For you alone. Your sign-in name: %1</source>
+        <translation>仅供您本人使用。您的登录名：%1</translation>
+    </message>
+    <message>
+        <source>The code that goes with your link</source>
+        <translation>与您的链接配套的代码</translation>
+    </message>
+    <message>
+        <source>The link comes by another way.</source>
+        <translation>链接通过其他途径送达。</translation>
+    </message>
+    <message>
+        <source>Invitations: %1</source>
+        <translation>登录邀请：%1</translation>
     </message>
 </context>
 <context>
@@ -14629,10 +14680,6 @@ audit trail %3</source>
         <translation>请重新输入，或请管理员设置新的初始密码</translation>
     </message>
     <message>
-        <source>the browser is for physicians who score</source>
-        <translation>浏览器界面仅供评分医师使用</translation>
-    </message>
-    <message>
         <source>Use Torsio&apos;s window at a station</source>
         <translation>请在工作站上使用 Torsio 窗口</translation>
     </message>
@@ -16120,6 +16167,574 @@ audit trail %3</source>
         <source>Give two opposite corners in millimetres: x to the left, y to the back, z up</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>this account may not sign in</source>
+        <translation>此账户不可登录</translation>
+    </message>
+    <message>
+        <source>Enable it first, or leave it out</source>
+        <translation>请先启用该账户，或不选择它</translation>
+    </message>
+    <message>
+        <source>Change your password where you are signed in</source>
+        <translation>请在您登录的地方修改密码</translation>
+    </message>
+    <message>
+        <source>browsers cannot reach the review desk at this address</source>
+        <translation>浏览器无法通过此地址访问评分台</translation>
+    </message>
+    <message>
+        <source>Write it as https://desk.example.org</source>
+        <translation>请写成 https://desk.example.org 的形式</translation>
+    </message>
+    <message>
+        <source>invitations</source>
+        <translation>登录邀请</translation>
+    </message>
+    <message>
+        <source>Choose at least one user</source>
+        <translation>请至少选择一名用户</translation>
+    </message>
+    <message>
+        <source>an invitation is taken back with a reason only</source>
+        <translation>撤回登录邀请必须说明原因</translation>
+    </message>
+    <message>
+        <source>this evaluation does not ask for you</source>
+        <translation>此评价未邀请您参加</translation>
+    </message>
+    <message>
+        <source>this session is over</source>
+        <translation>此会话已结束</translation>
+    </message>
+    <message>
+        <source>there is no page for you in the browser</source>
+        <translation>浏览器中没有适合您的页面</translation>
+    </message>
+    <message>
+        <source>this invitation is not good, or not any more</source>
+        <translation>此登录邀请无效或已失效</translation>
+    </message>
+    <message>
+        <source>Look at the link again, or ask an administrator for a new one</source>
+        <translation>请核对链接，或向管理员索取新的链接</translation>
+    </message>
+    <message>
+        <source>%1 min ago</source>
+        <translation>%1 分钟前</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on target</source>
+        <translation>%1/%2 达标</translation>
+    </message>
+    <message>
+        <source>%1 over %2 tries: first %3, last %4</source>
+        <translation>%1，共 %2 次：首次 %3，最近 %4</translation>
+    </message>
+    <message>
+        <source>%1 recording now, %2 of %3 done, sheets missing: %4</source>
+        <translation>%1 人正在录制，%2/%3 人已完成，缺评分表：%4</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 {twist was|twists were} not completed.</source>
+        <translation>%1 次扭转未完成。</translation>
+    </message>
+    <message>
+        <source>%1. Model %2</source>
+        <translation>%1. 模型 %2</translation>
+    </message>
+    <message>
+        <source>%1. Model %2, submitted</source>
+        <translation>%1. 模型 %2，已提交</translation>
+    </message>
+    <message>
+        <source>%1: mastered</source>
+        <translation>%1：已掌握</translation>
+    </message>
+    <message>
+        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others&apos; %5.</source>
+        <translation>95 % 区间 %1 至 %2；案例数：%3。您的均分 %4，他人 %5。</translation>
+    </message>
+    <message>
+        <source>a physician</source>
+        <translation>一位医师</translation>
+    </message>
+    <message>
+        <source>All are scored. Press again to seal them; sealed marks stay as they are.</source>
+        <translation>均已评分。再按一次即封存；封存后的评分不再改变。</translation>
+    </message>
+    <message>
+        <source>All models are submitted. Thank you.</source>
+        <translation>所有模型均已提交，谢谢。</translation>
+    </message>
+    <message>
+        <source>all phases done</source>
+        <translation>全部阶段已完成</translation>
+    </message>
+    <message>
+        <source>An untwisting: the traces show how the organ fared.</source>
+        <translation>解除扭转：曲线显示器官的状况。</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>答复</translation>
+    </message>
+    <message>
+        <source>Asked for</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>Being read …</source>
+        <translation>正在读取……</translation>
+    </message>
+    <message>
+        <source>Blood flow</source>
+        <translation>血流</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Browser</source>
+        <translation>浏览器</translation>
+    </message>
+    <message>
+        <source>Cases appear here once all physicians have submitted them.</source>
+        <translation>所有医师提交后，案例会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Choose a password that only you know: at least fifteen characters, a short sentence for example. The link is good once.</source>
+        <translation>请设置只有您知道的密码：至少十五个字符，例如一个短句。此链接只能使用一次。</translation>
+    </message>
+    <message>
+        <source>Compare with the panel</source>
+        <translation>与专家组比较</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>无响应</translation>
+    </message>
+    <message>
+        <source>Dose</source>
+        <translation>剂量</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>已修改</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>End the session: %1</source>
+        <translation>结束会话：%1</translation>
+    </message>
+    <message>
+        <source>Everything that you have done, to print or to keep. That it was made is noted in the audit trail.</source>
+        <translation>您的全部训练记录，可打印或保存。生成成绩单会记入审计记录。</translation>
+    </message>
+    <message>
+        <source>For your eyes only: overall marks of cases that all have submitted. The mean of the others does not hold your own mark.</source>
+        <translation>仅供您本人查看：所有人均已提交的案例的总评。他人均分不含您自己的评分。</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>From one case; an interval needs two at least.</source>
+        <translation>仅有一个案例；区间至少需要两个。</translation>
+    </message>
+    <message>
+        <source>Go on with reference %1</source>
+        <translation>继续参考操作 %1</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>I have read it</source>
+        <translation>我已阅读</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>刚刚</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>最近在线</translation>
+    </message>
+    <message>
+        <source>Last used</source>
+        <translation>最近使用</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Let go at</source>
+        <translation>松开角度</translation>
+    </message>
+    <message>
+        <source>Lumen</source>
+        <translation>管腔</translation>
+    </message>
+    <message>
+        <source>Made on %1 with Torsio %2. A training record, no certificate of clinical competence.</source>
+        <translation>由 Torsio %2 于 %1 生成。本记录为训练记录，不是临床能力证明。</translation>
+    </message>
+    <message>
+        <source>Make the transcript</source>
+        <translation>生成成绩单</translation>
+    </message>
+    <message>
+        <source>Model %1 is submitted and sealed</source>
+        <translation>模型 %1 已提交并封存</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>My severity</source>
+        <translation>我的严格度</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新</translation>
+    </message>
+    <message>
+        <source>Nine indices for each model. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <translation>每个模型九项指标。字母代表哪个模型不公开，顺序因人而异。</translation>
+    </message>
+    <message>
+        <source>No evaluation asks for you at present.</source>
+        <translation>目前没有需要您参加的评价。</translation>
+    </message>
+    <message>
+        <source>No reference run has been chosen yet. You may begin with your queue.</source>
+        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
+    </message>
+    <message>
+        <source>No try has this figure yet.</source>
+        <translation>尚无任何尝试具有此数值。</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. Remarks appear when the marks are released.</source>
+        <translation>尚无评语。评语在评分公布后显示。</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>未邀请</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>Nothing to compare yet.</source>
+        <translation>暂无可比较的内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded yet.</source>
+        <translation>尚无录制。</translation>
+    </message>
+    <message>
+        <source>Now at</source>
+        <translation>当前阶段</translation>
+    </message>
+    <message>
+        <source>On to the queue</source>
+        <translation>前往队列</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未开始</translation>
+    </message>
+    <message>
+        <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
+        <translation>全部参考操作：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>专家组</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>已安排</translation>
+    </message>
+    <message>
+        <source>points from the panel: you are milder.</source>
+        <translation>分，与专家组之差：您较宽松。</translation>
+    </message>
+    <message>
+        <source>points from the panel: you are stricter.</source>
+        <translation>分，与专家组之差：您较严格。</translation>
+    </message>
+    <message>
+        <source>points from the panel: you judge as the others do.</source>
+        <translation>分，与专家组之差：您与他人判断一致。</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压力</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>打印</translation>
+    </message>
+    <message>
+        <source>records at %1</source>
+        <translation>在 %1 录制</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>Reference %1, scored</source>
+        <translation>参考 %1，已评</translation>
+    </message>
+    <message>
+        <source>Reference runs</source>
+        <translation>参考操作</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>Score each run before you see what the panel has said. It counts for nothing but yourself.</source>
+        <translation>先为每次操作评分，再看专家组的评分。结果只供您自己参考。</translation>
+    </message>
+    <message>
+        <source>Score first; then the panel&apos;s mark is shown.</source>
+        <translation>请先评分，然后显示专家组的评分。</translation>
+    </message>
+    <message>
+        <source>Scoring due</source>
+        <translation>待评分时点</translation>
+    </message>
+    <message>
+        <source>Scoring point</source>
+        <translation>评分时点</translation>
+    </message>
+    <message>
+        <source>Sheets missing</source>
+        <translation>缺评分表</translation>
+    </message>
+    <message>
+        <source>Signed in now</source>
+        <translation>当前登录</translation>
+    </message>
+    <message>
+        <source>Simulated people</source>
+        <translation>模拟人员</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Still open</source>
+        <translation>尚未完成</translation>
+    </message>
+    <message>
+        <source>Submit this model</source>
+        <translation>提交此模型</translation>
+    </message>
+    <message>
+        <source>That is as the panel sees it.</source>
+        <translation>与专家组看法一致。</translation>
+    </message>
+    <message>
+        <source>The code that you were given besides the link</source>
+        <translation>链接之外另行交给您的代码</translation>
+    </message>
+    <message>
+        <source>The session was ended</source>
+        <translation>会话已结束</translation>
+    </message>
+    <message>
+        <source>There is no cohort yet.</source>
+        <translation>尚无批次。</translation>
+    </message>
+    <message>
+        <source>There is no recording of this model here: score what you have met at the station.</source>
+        <translation>此处没有该模型的录制：请按您在工作站的体验评分。</translation>
+    </message>
+    <message>
+        <source>this one</source>
+        <translation>当前会话</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>剩余时间</translation>
+    </message>
+    <message>
+        <source>To the first page</source>
+        <translation>返回首页</translation>
+    </message>
+    <message>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
+    </message>
+    <message>
+        <source>Transcript</source>
+        <translation>成绩单</translation>
+    </message>
+    <message>
+        <source>tries left: %1</source>
+        <translation>剩余次数：%1</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Virtual %1 min, real arm %2 min, rest %3 min</source>
+        <translation>虚拟 %1 分钟，实臂 %2 分钟，休息 %3 分钟</translation>
+    </message>
+    <message>
+        <source>wanted: %1</source>
+        <translation>要求：%1</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>欢迎</translation>
+    </message>
+    <message>
+        <source>What physicians wrote at moments of your runs. Who it was is not told.</source>
+        <translation>医师针对您操作中某些时刻写下的评语，不透露作者。</translation>
+    </message>
+    <message>
+        <source>What stands in the link behind the #</source>
+        <translation>链接中 # 之后的内容</translation>
+    </message>
+    <message>
+        <source>Where you are signed in with a browser. End what you do not know, then change your password.</source>
+        <translation>您在哪些浏览器中登录。请结束您不认识的会话，然后修改密码。</translation>
+    </message>
+    <message>
+        <source>Who has scored what</source>
+        <translation>评分进度</translation>
+    </message>
+    <message>
+        <source>Whoever is signed in with a browser. Ending a session keeps every draft; the person can sign in again.</source>
+        <translation>所有通过浏览器登录的人。结束会话不会丢失任何草稿，本人可再次登录。</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>without felt force</source>
+        <translation>无力反馈</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>您</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>您</translation>
+    </message>
+    <message>
+        <source>You and the panel</source>
+        <translation>您与专家组</translation>
+    </message>
+    <message>
+        <source>You are milder by %1.</source>
+        <translation>您宽松了 %1 分。</translation>
+    </message>
+    <message>
+        <source>You are stricter by %1.</source>
+        <translation>您严格了 %1 分。</translation>
+    </message>
+    <message>
+        <source>You may score it again, or go on with the next run.</source>
+        <translation>您可以重新评分，或继续下一个操作。</translation>
+    </message>
+    <message>
+        <source>You: %1. Panel of %2: %3.</source>
+        <translation>您：%1。%2 人专家组：%3。</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>您的答复</translation>
+    </message>
+    <message>
+        <source>Your cases that wait for the others: %1.</source>
+        <translation>等待他人提交的案例：%1。</translation>
+    </message>
+    <message>
+        <source>Your record</source>
+        <translation>您的记录</translation>
+    </message>
+    <message>
+        <source>Your runs</source>
+        <translation>您的操作</translation>
+    </message>
+    <message>
+        <source>Your sessions</source>
+        <translation>您的会话</translation>
+    </message>
+    <message>
+        <source>Your sign-in name is %1: with it and your password you come in the next time.</source>
+        <translation>您的登录名是 %1：下次用它和您的密码登录。</translation>
+    </message>
+    <message>
+        <source>● submitted, ◐ draft, ○ open. No marks are shown here.</source>
+        <translation>● 已提交，◐ 草稿，○ 未开始。此处不显示评分。</translation>
+    </message>
+    <message>
+        <source>Invitation made</source>
+        <translation>已生成登录邀请</translation>
+    </message>
+    <message>
+        <source>Invitation revoked</source>
+        <translation>已撤销登录邀请</translation>
+    </message>
+    <message>
+        <source>Password set by an invitation</source>
+        <translation>已通过登录邀请设置密码</translation>
+    </message>
+    <message>
+        <source>Sessions in browsers ended</source>
+        <translation>已结束浏览器会话</translation>
+    </message>
+    <message>
+        <source>Invitation</source>
+        <translation>登录邀请</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -16187,14 +16802,6 @@ audit trail %3</source>
 <context>
     <name>torsio::gui::AccountsDialog</name>
     <message>
-        <source>&amp;Copy</source>
-        <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Save &amp;cards (PDF)…</source>
-        <translation>保存卡片 (PDF)(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Start passwords</source>
         <translation>初始密码</translation>
     </message>
@@ -16215,32 +16822,8 @@ audit trail %3</source>
         <translation>初始密码</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Copied</source>
-        <translation>已复制</translation>
-    </message>
-    <message>
-        <source>Cards saved</source>
-        <translation>卡片已保存</translation>
-    </message>
-    <message>
-        <source>Save cards</source>
-        <translation>保存卡片</translation>
-    </message>
-    <message>
         <source>start-passwords.pdf</source>
         <translation>初始密码.pdf</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Nothing was copied or saved, and these passwords are not shown again. Close all the same?</source>
-        <translation>尚未复制或保存，这些密码不会再次显示。仍要关闭吗？</translation>
     </message>
 </context>
 <context>
@@ -20592,6 +21175,53 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::InvitationsDialog</name>
+    <message>
+        <source>Invitations</source>
+        <translation>登录邀请</translation>
+    </message>
+    <message>
+        <source>Links and codes are shown only now. Each is for one person, and a link is good once and for a week. A code goes to its person by another way than the link that another administrator hands over.</source>
+        <translation>链接和代码只在此时显示。每项只供一人使用，链接限用一次，一周内有效。代码应通过与链接不同的途径交给本人，链接由另一位管理员转交。</translation>
+    </message>
+    <message>
+        <source>invitations.pdf</source>
+        <translation>登录邀请.pdf</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>链接</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>For %1:</source>
+        <translation>致 %1：</translation>
+    </message>
+    <message>
+        <source>The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.</source>
+        <translation>您在 %1 使用 Torsio 的登录邀请代码是 %2。链接通过其他途径送达。</translation>
+    </message>
+    <message>
+        <source>You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a password:</source>
+        <translation>%1 邀请您使用 Torsio，可在任意计算机的浏览器中进行。请打开此链接并设置密码：</translation>
+    </message>
+    <message>
+        <source>Your sign-in name is %1. The link is good once, until %2, and for you alone: please do not pass it on.</source>
+        <translation>您的登录名是 %1。链接限用一次，有效期至 %2，仅供您本人使用，请勿转发。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::JobPanel</name>
     <message>
         <source>%1 min left</source>
@@ -20629,10 +21259,6 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::KioskCardsDialog</name>
     <message>
-        <source>Save &amp;cards (PDF)…</source>
-        <translation>保存卡片 (PDF)(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Cards for the kiosk</source>
         <translation>自助终端卡片</translation>
     </message>
@@ -20653,28 +21279,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>代码</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Cards saved</source>
-        <translation>卡片已保存</translation>
-    </message>
-    <message>
-        <source>Save cards</source>
-        <translation>保存卡片</translation>
-    </message>
-    <message>
         <source>kiosk-cards.pdf</source>
         <translation>自助终端卡片.pdf</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>No cards were saved, and these codes are not shown again. Close all the same?</source>
-        <translation>尚未保存卡片，这些代码不会再次显示。仍要关闭吗？</translation>
     </message>
 </context>
 <context>
@@ -23453,6 +24059,10 @@ Leave it empty to remove it.</source>
             <numerusform>%n 项申请将关闭，并保留在审计记录中。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 asks to invite %2. Do you know of it, and is it right? You get the links, and hand each to its person.</source>
+        <translation>%1 申请邀请 %2 登录。您是否知情并同意？您将得到链接，请分别转交本人。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RestorePage</name>
@@ -25195,6 +25805,41 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ShownOnceDialog</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Save &amp;cards (PDF)…</source>
+        <translation>保存卡片 (PDF)(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Cards saved</source>
+        <translation>卡片已保存</translation>
+    </message>
+    <message>
+        <source>Save cards</source>
+        <translation>保存卡片</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Nothing was copied or saved, and this is not shown again. Close all the same?</source>
+        <translation>尚未复制或保存，且此内容不再显示。仍要关闭吗？</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SignInPanel</name>
     <message>
         <source>Too many wrong tries. Please wait %1 s</source>
@@ -26670,6 +27315,34 @@ T-02,master,17</translation>
     <message>
         <source>Cards revoked: %1</source>
         <translation>已撤销卡片：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Invite…</source>
+        <translation>邀请登录(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>A link for each of the chosen users, with which they set a password in a browser.</source>
+        <translation>为每个所选用户生成一个链接，用于在浏览器中设置密码。</translation>
+    </message>
+    <message>
+        <source>Revoke in&amp;vitations…</source>
+        <translation>撤销登录邀请(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Invited until</source>
+        <translation>邀请有效期</translation>
+    </message>
+    <message>
+        <source>Revoke invitations</source>
+        <translation>撤销登录邀请</translation>
+    </message>
+    <message>
+        <source>The links of the chosen users are of no use any more.</source>
+        <translation>所选用户的链接随即失效。</translation>
+    </message>
+    <message>
+        <source>Invitations revoked: %1</source>
+        <translation>已撤销登录邀请：%1</translation>
     </message>
 </context>
 <context>

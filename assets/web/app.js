@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the pages: texts, who is signed in, which page the address names.
 import { api, useToken, whenSignedOut } from './api.js';
+import { BoardPage } from './board_page.js';
+import { CalibrationPage } from './calibration_page.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
 import { draftsUnderway, stopDrafts } from './drafts_underway.js';
+import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
+import { OwnPage } from './own_page.js';
+import { OwnRemarksPage } from './own_remarks_page.js';
 import { problemText } from './problem.js';
 import { QueuePage } from './queue_page.js';
-import { putSignInForm } from './sign_in_form.js';
+import { RunPage } from './run_page.js';
+import { SeverityPage } from './severity_page.js';
+import { SessionsPage } from './sessions_page.js';
+import { putJoinForm, putSignInForm } from './sign_in_form.js';
 import { chooseLanguage, language, locale, t, useTexts, wantedLanguage } from './texts.js';
+import { TranscriptPage } from './transcript_page.js';
 import { forgetUnsaved } from './unsaved.js';
 
 const kLanguageNames = { en: 'English', zh_CN: '\u7b80\u4f53\u4e2d\u6587' };
@@ -21,6 +30,7 @@ const main = h('main', { id: 'main', tabindex: '-1' });
 const said = h('div', { class: 'notice', role: 'status' });
 const who = h('span', { class: 'who' });
 const leave = button('', signOut);
+const ways = h('nav', { class: 'ways' });
 const head = h('header', { class: 'top' });
 const foot = h('footer', { class: 'foot' });
 const behind = h('div', { class: 'behind' }, head, main, foot);
@@ -29,9 +39,25 @@ const idle = new IdleWatch({
   warned: (left_s) => frame.notify(t('Nobody here? The screen will be locked in %1 s. Press any key to stay', left_s), kWarning_ms),
   back: () => frame.notify(''),
   idle: lock,
+  present: () => api.get('/api/me').catch(() => {}), // ended elsewhere: the gate is closed by it
 });
 let user = null;
 let page = null;
+
+/// The pages; `of`: what the server calls the right to it, none for everybody. The first one that somebody has opens at "#".
+const kPages = [
+  { hash: '#queue', of: 'queue', title: () => t('Your queue'), make: () => new QueuePage(frame) },
+  { hash: '#calibration', of: 'queue', title: () => t('Calibration'), make: () => new CalibrationPage(frame) },
+  { hash: '#severity', of: 'queue', title: () => t('My severity'), make: () => new SeverityPage(frame) },
+  { hash: '#evaluation', of: 'evaluation', title: () => t('Evaluation'), make: () => new EvaluationPage(frame) },
+  { hash: '#own', of: 'own', title: () => t('Your record'), make: () => new OwnPage(frame) },
+  { hash: '#remarks', of: 'own', title: () => t('Remarks'), make: () => new OwnRemarksPage(frame) },
+  { hash: '#transcript', of: 'own', title: () => t('Transcript'), make: () => new TranscriptPage(frame) },
+  { hash: '#board', of: 'board', title: () => t("Today's sessions"), make: () => new BoardPage(frame, false) },
+  { hash: '#scored', of: 'board', title: () => t('Who has scored what'), make: () => new BoardPage(frame, true) },
+  { hash: '#signed-in', of: 'people', title: () => t('Signed in now'), make: () => new SessionsPage(frame, true) },
+  { hash: '#sessions', of: '', title: () => t('Your sessions'), make: () => new SessionsPage(frame, false) },
+];
 
 /// What pages may ask of the frame they stand in.
 const frame = {
@@ -84,6 +110,10 @@ async function begin(texts) {
   whenSignedOut(() => {
     if (user) gate.close(user.login, null, comeBack);
   });
+  if (window.location.pathname === '/join') {
+    showJoin();
+    return;
+  }
   try {
     const me = await api.get('/api/me', { quiet: true });
     enter(me, me.idle_s);
@@ -104,8 +134,9 @@ function drawFrame({ centre, languages }) {
     h('a', { class: 'skip', href: '#main', onclick: skip }, t('To the content')),
     h('a', { class: 'brand', href: '#' }, 'Torsio'),
     h('span', { class: 'centre' }, centre ?? ''),
-    who, choice, leave,
+    ways, who, choice, leave,
   );
+  ways.setAttribute('aria-label', t('Pages'));
   foot.replaceChildren(t('A training tool and not a medical device. No patient data.'));
 }
 
@@ -129,10 +160,46 @@ function showSignIn() {
   document.title = `${t('Sign in')} \u2013 Torsio`;
   say(who, '');
   show(leave, false);
+  showWays();
   const place = h('div', {});
   main.replaceChildren(h('div', { class: 'card narrow' },
     h('h1', {}, t('Sign in')), place));
   putSignInForm(place, { onSignedIn: (answer) => enter(answer) });
+}
+
+/// The first visit, by the link of an invitation. Whoever is signed in here meanwhile is not asked.
+function showJoin() {
+  document.title = `${t('Welcome')} \u2013 Torsio`;
+  show(leave, false);
+  showWays();
+  const link = window.location.hash.slice(1);
+  const away = () => window.history.replaceState(null, '', '/'); // a link that is used up stays in no list of pages
+  const place = h('div', { class: 'card narrow' });
+  main.replaceChildren(place);
+  putJoinForm(place, {
+    link,
+    onBack: () => {
+      away();
+      showSignIn();
+    },
+    onSignedIn: (answer) => {
+      away();
+      enter(answer);
+      frame.notify(t('Your sign-in name is %1: with it and your password you come in the next time.', answer.user.login), kWarning_ms);
+    },
+  });
+}
+
+/// The pages that this person has.
+function showWays() {
+  const known = user
+    ? [...kPages.filter((one) => one.of && user.pages.includes(one.of)).map((one) => [one.hash, one.title()]),
+      ['#sessions', t('Your sessions')]]
+    : [];
+  const present = pageOf(window.location.hash)?.hash;
+  ways.replaceChildren(...known.map(([hash, title]) =>
+    h('a', { href: hash, 'aria-current': hash === present ? 'page' : null }, title)));
+  show(ways, known.length > 0);
 }
 
 function enter(answer, idle_s) {
@@ -201,11 +268,17 @@ async function signOut() {
   showSignIn();
 }
 
+/// The line of kPages that an address names.
+function pageOf(hash) {
+  return kPages.find((one) => one.hash === hash) ?? kPages.find((one) => one.of && user?.pages.includes(one.of));
+}
+
 async function route() {
   if (!user) return;
-  const found = /^#case\/(.+)$/.exec(window.location.hash);
+  const found = /^#(case|run)\/(.+)$/.exec(window.location.hash);
   page?.left?.();
-  page = found ? new CasePage(frame, decodeURIComponent(found[1])) : new QueuePage(frame);
+  page = found ? new (found[1] === 'case' ? CasePage : RunPage)(frame, decodeURIComponent(found[2])) : pageOf(window.location.hash).make();
+  showWays();
   const opened = page;
   main.replaceChildren(page.element);
   window.scrollTo(0, 0);
@@ -228,7 +301,7 @@ function showProblem(error) {
     h('p', {}, problemText(error)),
     h('div', { class: 'actions' },
       button(t('Try again'), route, { class: 'primary' }),
-      button(t('Your queue'), () => frame.open('#')))));
+      button(t('To the first page'), () => frame.open('#')))));
 }
 
 start();

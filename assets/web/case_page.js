@@ -15,17 +15,13 @@ import { problemText } from './problem.js';
 import { remarkStore } from './remark_store.js';
 import { RemarksView } from './remarks_view.js';
 import { SaveStatus } from './save_status.js';
+import { shownPassword } from './signing.js';
 import { SheetEditor } from './sheet_editor.js';
 import { SheetView } from './sheet_view.js';
 import { SubmitBar } from './submit_bar.js';
 import { t } from './texts.js';
 import { dropUnsaved, keepUnsaved, unsavedSheet } from './unsaved.js';
 import { ViewingReporter } from './viewing_reporter.js';
-
-/// A password that was not asked for is not sent.
-function shown(password) {
-  return password === null ? {} : { password };
-}
 
 export class CasePage {
   element = h('div', { class: 'case-page' });
@@ -222,7 +218,7 @@ export class CasePage {
     await this.keeper.settled();
     if (this.doubtful && (await api.get(this.path)).state === 'submitted') return;
     try {
-      this.answer = await api.post(`${this.path}/submit`, { sheet: this.editor.sheet, ...shown(password) });
+      this.answer = await api.post(`${this.path}/submit`, { sheet: this.editor.sheet, ...shownPassword(password) });
     } catch (error) {
       this.doubtful = error instanceof NoConnection;
       if (error.status === 409) this.#save(); // the keeper finds out and asks
@@ -249,7 +245,7 @@ export class CasePage {
     this.#showHistory();
   }
   sendAmend(reason, password) {
-    return api.post(`${this.path}/amend`, { sheet: this.editor.sheet, reason, ...shown(password) });
+    return api.post(`${this.path}/amend`, { sheet: this.editor.sheet, reason, ...shownPassword(password) });
   }
   amended() {
     this.frame.notify(t('The new version is sealed; the one before is kept'));

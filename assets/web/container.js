@@ -4,7 +4,7 @@
 const kTypes = { f32: Float32Array, i16: Int16Array, u16: Uint16Array, u32: Uint32Array, u8: Uint8Array, i8: Int8Array };
 const kHead = 8;
 
-/// {meta, arrays: {name: typed array}}; the arrays are views into `buffer`. Throws RangeError where it is broken.
+/// {meta, arrays: {name: typed array}}; the arrays are views into `buffer` where they came as they are. Throws RangeError where it is broken.
 export function readContainer(buffer) {
   const view = new DataView(buffer);
   if (buffer.byteLength < kHead || view.getUint32(0) !== 0x54525331) throw new RangeError('not a container');
@@ -12,9 +12,18 @@ export function readContainer(buffer) {
   if (kHead + length > buffer.byteLength) throw new RangeError('the container breaks off');
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, kHead, length)));
   const arrays = {};
-  for (const { name, type, offset, count } of head.arrays) {
+  for (const { name, type, offset, count, delta, scale } of head.arrays) {
     if (!(type in kTypes)) throw new RangeError(`unknown type ${type}`);
-    arrays[name] = new kTypes[type](buffer, kHead + length + offset, count);
+    const values = new kTypes[type](buffer, kHead + length + offset, count);
+    arrays[name] = delta ? summedUp(values, delta, scale) : values;
   }
   return { meta: head.meta, arrays };
+}
+
+/// Each value came as the difference to the one `stride` before it, which wraps round as the type does; with `scale`
+/// the sums are multiples of it.
+function summedUp(differences, stride, scale) {
+  const sums = differences.slice();
+  for (let i = stride; i < sums.length; ++i) sums[i] += sums[i - stride];
+  return scale === undefined ? sums : Float32Array.from(sums, (value) => value * scale);
 }

@@ -3,14 +3,17 @@
 
 const kLook_ms = 1000;
 const kLongestWarning_ms = 60_000;
+const kPresent_ms = 30_000;
 const kWarningShare = 0.2; // of a short time
 
 export class IdleWatch {
   #last_ms = 0;
   #timer = null;
   #warned = false;
+  #said_ms = 0;
 
-  /// `on`: warned(left_s), once before the end; back(), somebody is there after all; idle().
+  /// `on`: warned(left_s), once before the end; back(), somebody is there after all; idle(); present(), now and then
+  /// while somebody is there, so that the server knows it too.
   constructor(on) {
     this.on = on;
     for (const kind of ['keydown', 'pointerdown', 'pointermove', 'wheel', 'touchstart']) {
@@ -24,6 +27,7 @@ export class IdleWatch {
     this.idle_ms = 1000 * idle_s;
     this.warn_ms = this.idle_ms - Math.min(kLongestWarning_ms, kWarningShare * this.idle_ms);
     this.#last_ms = Date.now();
+    this.#said_ms = this.#last_ms;
     this.#timer = setInterval(() => this.#look(), Math.min(kLook_ms, this.idle_ms / 8));
   }
   stop() {
@@ -36,6 +40,10 @@ export class IdleWatch {
     if (!this.#timer) return;
     this.#last_ms = Date.now();
     this.#calm();
+    if (this.#last_ms - this.#said_ms >= kPresent_ms) {
+      this.#said_ms = this.#last_ms;
+      this.on.present?.();
+    }
   }
   #calm() {
     if (this.#warned) this.on.back();

@@ -15,11 +15,12 @@ export class Player {
   #last_ms = 0;
   #watched = [];
 
-  /// `opened`: answer of GET /api/cases/H. `on`: played({from_us, to_us, speed}), paused().
+  /// `opened`: answer of GET /api/cases/H, or of it task (missing: the recording says it), watched, length_us, rules
+  /// and digest. `on`: played({from_us, to_us, speed}), paused().
   constructor(path, opened, on) {
     Object.assign(this, { path, opened, on });
-    this.#watched = opened.watched;
-    this.playback = new Playback(opened.length_us, opened.rules.speeds);
+    this.#watched = opened.watched ?? [];
+    this.playback = new Playback(opened.length_us ?? 0, opened.rules.speeds);
     this.stage = new Stage();
     this.traces = new Traces((position_us) => this.seek(position_us));
     this.sentence = h('p', { class: 'sentence', role: 'status' });
@@ -29,8 +30,9 @@ export class Player {
       button(t('Side'), () => this.stage.look('side')),
       button(t('Fit'), () => this.stage.fit()));
     this.stagePlace = h('div', { class: 'stage' }, this.stage.canvas, this.views);
+    this.asked = h('p', { class: 'task' }, opened.task ? taskText(opened.task) : '');
     this.element = h('section', { class: 'player', 'aria-label': t('Recording') },
-      h('p', { class: 'task' }, opened.task ? taskText(opened.task) : ''), this.stagePlace, this.sentence, this.traces.canvas,
+      this.asked, this.stagePlace, this.sentence, this.traces.canvas,
       this.#transport());
     show(this.stagePlace, false);
     this.#showState();
@@ -48,8 +50,10 @@ export class Player {
     const recording = readContainer(await api.file(`${this.path}/recording`));
     this.playback.length_us = recording.meta.length_us;
     this.recording = recording;
-    this.traces.setRecording(recording, this.opened.task);
-    this.digest.textContent = t('Recording %1, unchanged', recording.meta.digest);
+    const task = this.opened.task ?? recording.meta.task;
+    say(this.asked, taskText(task));
+    this.traces.setRecording(recording, task);
+    if (this.opened.digest) this.digest.textContent = t('Recording %1, unchanged', this.opened.digest);
     this.#showState();
     if (!recording.meta.picture) {
       say(this.sentence, t('The organ of this recording is not on this machine; the traces are complete.'));

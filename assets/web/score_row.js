@@ -15,7 +15,8 @@ export class ScoreRow {
 
   /// `on`: what the row tells: wanted(), scored(steps), adjusted(direction), reasoned(text), takenBack(answer),
   /// finished().
-  constructor({ code, label, scale, anchors = [], reasons = [] }, on) {
+  /// `reasons`: what may be said instead of a mark; null: a mark must be given.
+  constructor({ code, label, description = '', scale, anchors = [], reasons = [] }, on) {
     Object.assign(this, { code, label, scale, anchors, on });
     const id = `row-${++made}`;
     this.value = h('output', { class: 'value', 'aria-hidden': 'true' });
@@ -37,7 +38,7 @@ export class ScoreRow {
       onkeydown: (event) => this.#reasonKey(event),
     });
     this.reasonPlace = h('div', { class: 'reason' }, this.reason,
-      h('datalist', { id: `${id}-reasons` }, reasons.map((one) => h('option', { value: one }))));
+      h('datalist', { id: `${id}-reasons` }, (reasons ?? []).map((one) => h('option', { value: one }))));
     this.buttons = [
       button('\u2212', () => on.adjusted(-1), { tabindex: '-1', 'aria-label': t('%1: half a point less', label) }),
       button('+', () => on.adjusted(+1), { tabindex: '-1', 'aria-label': t('%1: half a point more', label) }),
@@ -48,6 +49,8 @@ export class ScoreRow {
         h('span', { class: 'row-buttons' }, this.buttons)),
       this.strip, this.anchor, this.reasonPlace);
     show(this.anchor, anchors.length > 0);
+    if (reasons === null) this.buttons.pop().remove();
+    if (description) this.element.insertBefore(h('p', { class: 'anchor description' }, description), this.strip);
     this.setAnswer(this.#answer);
   }
 

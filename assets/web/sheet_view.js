@@ -12,9 +12,10 @@ const kLongestComment = 10000;
 export class SheetView {
   readOnly = false;
 
-  /// `on`: edited(), finish(), out().
+  /// `on`: edited(), finish(), out(). `reasons`: null where every row must be scored; such a sheet has no comment.
   constructor(rubric, reasons, on) {
     this.on = on;
+    this.scoresOnly = reasons === null;
     this.names = new Map(rubric.rows.map((row) => [row.code, row.label]));
     this.names.set(kOverallRow, t('Overall'));
     this.rows = rubric.rows.map((line) => this.#row({ ...line, reasons }));
@@ -30,7 +31,7 @@ export class SheetView {
     const wayOut = `Esc: ${t('Out of the sheet, to the button that submits')}`;
     this.element = h('section', { class: 'sheet', 'aria-label': t('Sheet'), 'aria-description': wayOut },
       h('div', { class: 'rows' }, this.rows.filter((row) => !overall.includes(row)).map((row) => row.element)),
-      h('div', { class: 'last-rows' }, overall.map((row) => row.element), commentRow));
+      h('div', { class: 'last-rows' }, overall.map((row) => row.element), this.scoresOnly ? null : commentRow));
     this.element.addEventListener('keydown', (event) => this.#wander(event));
   }
   /// The editor outlives its showing.
@@ -96,6 +97,7 @@ export class SheetView {
       case 'N':
       case 'x':
       case 'X':
+        if (this.scoresOnly) return false;
         this.rows.find((row) => row.code === this.keys.current).askReason();
         return true;
       default:
@@ -149,7 +151,8 @@ export class SheetView {
       return;
     }
     if (event.key !== 'Tab') return;
-    const stops = [...this.rows.map((row) => row.strip), this.comment];
+    const stops = this.rows.map((row) => row.strip);
+    if (!this.scoresOnly) stops.push(this.comment);
     const row = this.rows.find((one) => one.holds(event.target));
     const at = stops.indexOf(row ? row.strip : event.target);
     if (at < 0) return;

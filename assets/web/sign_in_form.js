@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Name and password; a new password where the old one must be changed. Used to sign in and to unlock.
+// Name and password; a new password where the old one must be changed, and at the first visit. Used to sign in and to
+// unlock.
 import { api } from './api.js';
 import { button, field, h, say, show } from './dom.js';
 import { problemText } from './problem.js';
@@ -66,6 +67,43 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
 }
 
 function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
+  putNewPassword(place, {
+    title: t('Choose a new password'),
+    words: t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.'),
+    login,
+    send: (newPassword) => api.post('/api/password', { login, oldPassword, newPassword }, { quiet: true }),
+    onBack: () => putSignInForm(place, { onSignedIn }),
+    onSignedIn,
+  });
+}
+
+/// The first visit, by a link. `link`: what stands behind its #; empty: it is typed, from a card. `onBack()`: to the
+/// sign-in.
+export function putJoinForm(place, { link, onBack, onSignedIn }) {
+  const typed = field(t('What stands in the link behind the #'), { name: 'link', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
+  const code = field(t('The code that you were given besides the link'), { name: 'code', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
+  const fields = link ? [] : [typed];
+  if (!link || isByTwo(link)) fields.push(code);
+  putNewPassword(place, {
+    title: t('Welcome'),
+    words: t('Choose a password that only you know: at least fifteen characters, a short sentence for example. The link is good once.'),
+    fields,
+    send: (newPassword) => {
+      const given = (link || typed.input.value).trim().replace(/^.*#/, '');
+      return api.post('/api/join', { token: given.replace(/^2\./, ''), code: code.input.value.trim(), newPassword }, { quiet: true });
+    },
+    onBack,
+    onSignedIn,
+  });
+}
+
+/// Two people made it: its code came another way.
+function isByTwo(link) {
+  return link.startsWith('2.');
+}
+
+/// `fields`: what is asked for besides. `send(newPassword)`.
+function putNewPassword(place, { title, words, login = '', fields = [], send, onBack, onSignedIn }) {
   const one = { type: 'password', autocomplete: 'new-password', required: true };
   const fresh = field(t('New password'), { ...one, name: 'new' });
   const again = field(t('Repeat password'), { ...one, name: 'again' });
@@ -73,18 +111,19 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
   const go = h('button', { class: 'primary', type: 'submit' }, t('Save password'));
   const form = h(
     'form',
-    { class: 'stack', novalidate: true, onsubmit: send },
-    h('h2', {}, t('Choose a new password')),
-    h('p', {}, t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.')),
+    { class: 'stack', novalidate: true, onsubmit: store },
+    h('h2', {}, title),
+    h('p', {}, words),
     // Keeps password managers from filing the new password under nobody.
     h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
+    fields.map((field) => field.row),
     fresh.row, again.row, said, go,
-    button(t('Back to the sign-in'), () => putSignInForm(place, { onSignedIn })),
+    button(t('Back to the sign-in'), onBack),
   );
   place.replaceChildren(form);
-  fresh.input.focus();
+  (fields[0] ?? fresh).input.focus();
 
-  async function send(event) {
+  async function store(event) {
     event.preventDefault();
     if (go.disabled) return;
     if ([...fresh.input.value].length < kShortestPassword) {
@@ -99,7 +138,7 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
     }
     go.disabled = true;
     try {
-      onSignedIn(await api.post('/api/password', { login, oldPassword, newPassword: fresh.input.value }, { quiet: true }));
+      onSignedIn(await send(fresh.input.value));
     } catch (error) {
       say(said, problemText(error));
       go.disabled = false;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Submitting and amending: what is missing, the question before the seal, the signature.
 import { NoConnection } from './api.js';
-import { askSignature } from './dialogs.js';
 import { button, h, say, show } from './dom.js';
 import { figure } from './numbers.js';
 import { problemText } from './problem.js';
+import { signed } from './signing.js';
 import { t } from './texts.js';
 
 const kRounding = 0.1; // percent: the last tick of a recording has no length
@@ -151,22 +151,8 @@ export class SubmitBar {
       this.refresh();
     }
   }
-  /// Sends; asks for the password where the signature wants it, until it is right or given up.
-  async #signed(send, password) {
-    try {
-      await send(password);
-      return true;
-    } catch (error) {
-      const asked = error.status === 403 && error.body.need_password;
-      if (!asked && (error.status !== 403 || password === null)) throw error;
-      this.meaning = error.body.meaning ?? this.meaning;
-      const problem = asked && password === null ? '' : problemText(error);
-      const given = await askSignature({ meaning: this.meaning, login: this.page.frame.login, problem });
-      return given === null ? false : this.#signed(send, given);
-    }
-  }
   async #submitOnce() {
-    const done = await this.#signed((password) => this.page.sendSubmit(password), null);
+    const done = await signed((password) => this.page.sendSubmit(password), this.page.frame.login);
     if (done) this.page.submitted();
   }
   async #amendOnce() {
@@ -176,7 +162,7 @@ export class SubmitBar {
       this.reason.focus();
       return;
     }
-    const done = await this.#signed((password) => this.page.sendAmend(reason, password), null);
+    const done = await signed((password) => this.page.sendAmend(reason, password), this.page.frame.login);
     if (!done) return;
     this.reason.value = '';
     this.#amending = false;

@@ -6,7 +6,7 @@ const kSmallTorque_Nm = 0.1; // below it an untwisting is told in mN m
 const kRoom = 1.05; // a limit does not lie on the edge
 
 function withUnit(size, unit) {
-  return unit === '\u00b0' ? size + unit : `${size} ${unit}`;
+  return unit === '\u00b0' || unit === '' ? size + unit : `${size} ${unit}`;
 }
 
 /// "1.8 N", with the decimals of the lane.

@@ -9,6 +9,21 @@ const kLaneGap = 6;
 const kWatchedHeight = 4;
 const kTicks_s = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800];
 
+const kLanesOfATwist = 3;
+
+/// What an untwisting does to the organ; none of a twist, and no lumen where the organ has none.
+function bloodLanes(arrays) {
+  if (!arrays.flow_percent) return [];
+  const lanes = [
+    lane({ name: t('Blood flow'), unit: '%', colour: 'caution', low: arrays.flow_percent }),
+    lane({ name: t('Dose'), unit: '', colour: 'text', low: arrays.dose, limit: 1 }),
+  ];
+  if (!arrays.pressure_mmHg) return lanes;
+  return [...lanes,
+    lane({ name: t('Lumen'), unit: '%', colour: 'good', low: arrays.patency_percent }),
+    lane({ name: t('Pressure'), unit: 'mmHg', colour: 'accent', low: arrays.pressure_mmHg })];
+}
+
 function colours() {
   const style = getComputedStyle(document.documentElement);
   const get = (name) => style.getPropertyValue(`--${name}`).trim();
@@ -62,14 +77,16 @@ export class Traces {
         name: t('Force'), unit: 'N', colour: 'caution', low: arrays.force_low_N ?? arrays.force_N,
         high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, limit: task.force_limit_N,
       }),
+      ...bloodLanes(arrays),
     ];
+    this.canvas.classList.toggle('many', this.#lanes.length > kLanesOfATwist);
     this.canvas.setAttribute('aria-valuemax', Math.round(recording.meta.length_us / 1e6));
     this.#describe();
     this.#redraw(true);
   }
   #describe() {
     if (!this.recording) return;
-    const peaks = this.#lanes.map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? 3 : one.decimals));
+    const peaks = this.#lanes.slice(0, kLanesOfATwist).map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? 3 : one.decimals));
     this.canvas.setAttribute(
       'aria-description',
       t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5',

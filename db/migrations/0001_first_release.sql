@@ -304,6 +304,22 @@ CREATE INDEX kiosk_code_user ON kiosk_code (user_id);
 {{frozen kiosk_code user_id}}
 {{frozen kiosk_code code_hash}}
 
+-- Links with which somebody sets a password in a browser, each good once and until it expires. Only a hash of what a link
+-- says is kept.
+CREATE TABLE invitation (
+  id TEXT PRIMARY KEY,
+  user_id TEXT NOT NULL REFERENCES app_user (id),
+  token_hash TEXT NOT NULL UNIQUE,
+  made_utc_us BIGINT NOT NULL,
+  expires_utc_us BIGINT NOT NULL CHECK (expires_utc_us > made_utc_us),
+  state TEXT NOT NULL CHECK (state IN ('open', 'used', 'revoked'))
+);
+CREATE INDEX invitation_user ON invitation (user_id);
+{{frozen invitation user_id}}
+{{frozen invitation token_hash}}
+{{frozen invitation made_utc_us}}
+{{frozen invitation expires_utc_us}}
+
 -- What somebody asked for about their own record: a copy of everything, or that it be erased.
 CREATE TABLE person_request (
   id TEXT PRIMARY KEY,
@@ -325,7 +341,7 @@ CREATE INDEX person_request_person ON person_request (person_id);
 CREATE TABLE duty_request (
   id TEXT PRIMARY KEY,
   act TEXT NOT NULL CHECK (act IN ('reset_password', 'grant_roles', 'erase', 'restore', 'reveal_allocation',
-    'one_person')),
+    'one_person', 'invite')),
   subject TEXT NOT NULL,
   detail_json TEXT NOT NULL,
   reason TEXT NOT NULL,

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real review desk with a centre of made-up people, for the browser's tests: prints its port, and ends
-// with its standard input. `desk_server SCENE`: what the recordings twist.
+// The real review desk with a centre of made-up people, for the browser's tests: prints its port and what
+// stands in an invitation of "physician1", and ends with its standard input. `desk_server SCENE`: what the
+// recordings twist.
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <QCoreApplication>
 
+#include "app/access/invitations.h"
+#include "app/access/two_people.h"
 #include "app/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/people/account.h"
+#include "db/connection/row_reader.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/review_centre.h"
 
@@ -27,6 +33,18 @@ int main(int argc, char** argv) {
   for (const UserAccount& user : access.users()) {
     access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);
   }
+  const std::string trainee =
+      selectFirst(centre.connection(), "SELECT person_id FROM trainee", {}, [](RowReader& row) {
+        return row.text();
+      }).value();
+  access.addUser({.id = "u-apprentice", .login = "apprentice", .personId = trainee, .roles = {"trainee"}},
+                 "correct horse battery");
+  access.setPassword("u-apprentice", access.sealPassword("apprentice", "correct horse battery"), false);
+  SettingRepository(centre.connection()).set(kTwoPeopleSetting, "no", 0);
+  // By the clock of the server: the centre's own stands still.
+  SessionContext office({centre.locator(), "station", centre.administrator()->actor()});
+  const std::vector<UserId> invited{centre.physician(1)->actor().userId};
+  const std::string secret = invite(office, invited).at(0).secret;
   web::WebDesk desk({.locator = centre.locator(),
                      .assets = assetsFolder(),
                      .workers = 2,
@@ -35,7 +53,7 @@ int main(int argc, char** argv) {
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
                                  desk.handle(std::move(request), std::move(reply));
                                });
-  std::cout << server.port() << std::endl;
+  std::cout << server.port() << "\n" << secret << std::endl;
   std::string line;
   std::getline(std::cin, line);
   return 0;

@@ -67,8 +67,7 @@ def recording(length_s=LENGTH_S, picture=True):
     for t in times:
         poses.extend(tool_pose(t))
     return container(
-        {"rate_hz": RATE_HZ, "frames": frames, "length_us": round(1e6 * length_s), "digest": "ab12cd34",
-         "picture": picture},
+        {"rate_hz": RATE_HZ, "frames": frames, "length_us": round(1e6 * length_s), "picture": picture},
         {
             "angle_deg": ("f32", array("f", angles)),
             "torque_Nm": ("f32", array("f", torque)),

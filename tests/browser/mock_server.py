@@ -25,6 +25,7 @@ POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'sel
 KINDS = {".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
          ".svg": "image/svg+xml"}
 PASSWORD = "correct horse battery"
+INVITATION = "abcde-fghjk-mnpqr-stuvw"  # of the rater
 
 
 class Refused(Exception):
@@ -145,7 +146,7 @@ class Desk:
 
     def whole(self, one):
         return {"label": one.label, "live": one.live, "state": one.state, "length_us": one.length_us,
-                "kept_at": "server",
+                "kept_at": "server", "digest": "ab12cd34",
                 "task": {"untwisting": False, "target_deg": 180.0, "tolerance_deg": 5.0, "hold_s": 2.0,
                          "least_twists": 1, "force_limit_N": 3.5, "torque_limit_Nm": None},
                 "rules": {"minimum_watched": 0.8, "speeds": [0.5, 1]}, "rubric": one.rubric,
@@ -180,7 +181,21 @@ class Desk:
         token = secrets.token_urlsafe(24)
         cookie = secrets.token_urlsafe(24)
         self.sessions[cookie] = (body["login"], token)
-        return {"token": token, "user": {"login": body["login"], "roles": ["rater"]}, "outcome": "ok", "cookie": cookie}
+        return {"token": token, "user": self.user(body["login"]), "outcome": "ok", "cookie": cookie}
+
+    @staticmethod
+    def user(login):
+        return {"login": login, "roles": ["rater"], "pages": ["queue"]}
+
+    def join(self, body, who):
+        if body["token"] != INVITATION:
+            raise Refused(401, "This invitation is not good, or not any more", remedy="Ask for a new one")
+        self.passwords["rater"] = body["newPassword"]
+        return self.sign_in({"login": "rater", "password": body["newPassword"]}, who)
+
+    def own_sessions(self, _body, who):
+        return {"sessions": [{"id": cookie, "browser": "Firefox, Linux", "begun_s": 130, "idle_s": 0, "this": len(self.sessions) == 1}
+                             for cookie, (login, _token) in self.sessions.items() if login == who]}
 
     def password(self, body, who):
         if len(body["newPassword"]) < 15:
@@ -241,11 +256,13 @@ class Desk:
 
     def me(self, _body, who):
         token = next(token for login, token in self.sessions.values() if login == who)
-        return {"token": token, "user": {"login": who, "roles": ["rater"]}, "idle_s": self.idle_s}
+        return {"token": token, "user": self.user(who), "idle_s": self.idle_s}
 
     ROUTES = [
         ("POST", r"/api/sign-in", False, sign_in),
         ("POST", r"/api/password", False, password),
+        ("POST", r"/api/join", False, join),
+        ("GET", r"/api/sessions", True, own_sessions),
         ("GET", r"/api/me", True, me),
         ("GET", r"/api/queue", True, lambda self, _body, _who: self.queue()),
         ("GET", r"/api/cases/(\w+)", True, lambda self, _body, _who, handle: self.whole(self.cases[handle])),
@@ -338,7 +355,7 @@ class Handler(BaseHTTPRequestHandler):
         raise Refused(404, "There is nothing here")
 
     def page(self):
-        path = (PAGES / ("index.html" if self.path == "/" else self.path.lstrip("/"))).resolve()
+        path = (PAGES / ("index.html" if self.path in ("/", "/join") else self.path.lstrip("/"))).resolve()
         if PAGES not in path.parents or not path.is_file():
             raise Refused(404, "There is nothing here")
         return self.send(200, path.read_bytes(), KINDS.get(path.suffix, "text/plain"))

@@ -72,6 +72,69 @@ def find_the_draft(url):
         third.says("main", "Continue the draft")
 
 
+def come_by_invitation(url, secret, pictures):
+    """From the link to a sealed case; the person has nothing but the link."""
+    begun = time.monotonic()
+    with Browser() as browser:
+        browser.open(f"{url}join#{secret}")
+        browser.there("[name=new]")
+        browser.picture(pictures / "join.png")
+        browser.keys("too short", "Tab", "too short", "Enter")
+        browser.says(".said", "fifteen")
+        browser.run("document.querySelectorAll('[type=password]').forEach((one) => { one.value = ''; })")
+        browser.keys("seven kites above the bay", "Tab", "seven kites above the bay", "Enter")
+        browser.says(".notice", "Your sign-in name is physician1")
+        check("the link is left in no address", secret not in browser.run("return location.href"))
+        browser.click(".case:not(.live)")
+        browser.there(".stage-canvas")
+        browser.keys("7", "ArrowDown", "8", "ArrowDown", "7")
+        browser.says(".saved", "Saved")
+        browser.keys("Space")
+        browser.until("the recording was watched to its end", lambda: "0:06 of 0:06" in browser.text(".time"))
+        browser.keys("Control+Enter", "Control+Enter")
+        browser.says("body", "sealed")
+        print(f"from the link to a sealed case: {time.monotonic() - begun:.1f} s")
+        check(f"the console is quiet: {browser.faults()}", not browser.faults())
+    with Browser() as browser:
+        browser.open(f"{url}join#{secret}")
+        browser.there("[name=new]")
+        browser.keys("another one that is long", "Tab", "another one that is long", "Enter")
+        browser.says(".said", "not good")
+
+
+def look_round(url, pictures):
+    """Every page of every role opens, in both languages, without a fault and without sideways scrolling."""
+    pages = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "severity": "My severity",
+                            "evaluation": "Evaluation", "sessions": "Your sessions"},
+             "apprentice": {"own": "Your record", "remarks": "Remarks", "transcript": "Transcript"},
+             "office": {"board": "Today's sessions", "scored": "Who has scored what", "signed-in": "Signed in now"}}
+    for login, own in pages.items():
+        with Browser(webgl=False) as browser:
+            browser.open(url)
+            browser.there("[name=login]")
+            browser.keys(login, "Tab", PASSWORD, "Enter")
+            browser.there("nav.ways")
+            for size in ((1280, 800), (320, 640)):
+                browser.resize(*size)
+                for page, title in own.items():
+                    browser.run("location.hash = arguments[0]", f"#{page}")
+                    browser.says("h1", title)
+                    over = browser.run("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
+                    check(f"{page} scrolls sideways at {size}: {over}", over <= 0)
+                    browser.picture(pictures / f"{page}-{size[0]}.png")
+            if login == "apprentice":
+                browser.click("main a[href^='#run/']") if browser.run("return !!document.querySelector(\"main a[href^='#run/']\")") else None
+                browser.run("location.hash = '#transcript'")
+                browser.click("main .primary")
+                browser.says("main", "no certificate")
+                browser.picture(pictures / "transcript-made.png")
+            check(f"the console is quiet: {browser.faults()}", not browser.faults())
+            browser.run("localStorage.setItem('torsio.language', 'zh_CN')")
+            browser.open(url)
+            browser.there("nav.ways")
+            browser.picture(pictures / f"{login}-zh.png")
+
+
 def main():
     if shutil.which("chromedriver") is None:
         print("no chromedriver here")
@@ -79,11 +142,14 @@ def main():
     pictures = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ".")
     server = subprocess.Popen([sys.argv[1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     url = f"http://127.0.0.1:{server.stdout.readline().strip()}/"
+    secret = server.stdout.readline().strip()
     try:
         with Browser() as browser:
             score_a_case(browser, url, pictures)
-            check(f"the console is quiet: {browser.faults()}", True)
+            check(f"the console is quiet: {browser.faults()}", not browser.faults())
         find_the_draft(url)
+        come_by_invitation(url, secret, pictures)
+        look_round(url, pictures)
     finally:
         server.stdin.close()
         server.wait()

@@ -28,39 +28,6 @@
 
 namespace torsio::gui {
 
-namespace {
-
-std::vector<RubricAnchor> anchorsOf(const std::string& indexId, const ScoreScale& scale) {
-  const std::optional<IndexMeaning> meaning = indexMeaning(indexId);
-  if (!meaning) {
-    return {};
-  }
-  return {{scale.lo, meaning->lowest.str()},
-          {(scale.lo + scale.hi) / 2, meaning->middle.str()},
-          {scale.hi, meaning->highest.str()}};
-}
-
-/// The indices as rows, so that the same panel and the same keys serve.
-RubricRevision rubricOf(const EvaluationForm& form) {
-  RubricRevision rubric;
-  rubric.overall = form.scale;
-  for (std::size_t i = 0; i < form.indices.size(); ++i) {
-    rubric.rows.push_back(
-        {std::to_string(i + 1), form.indices[i], form.scale, anchorsOf(form.indexIds[i], form.scale)});
-  }
-  return rubric;
-}
-
-Sheet sheetOf(const EvaluationFormModel& model) {
-  Sheet sheet;
-  for (std::size_t i = 0; i < model.scores.size(); ++i) {
-    sheet.rows.push_back({std::to_string(i + 1), model.scores[i], {}});
-  }
-  return sheet;
-}
-
-}  // namespace
-
 EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
@@ -148,7 +115,7 @@ void EvaluationPage::openModel(std::size_t at) {
   sheet_->endSheet();
   said_->clear();
   if (const EvaluationFormModel* one = model()) {
-    sheet_->beginSheet(rubricOf(*form()), sheetOf(*one), false);
+    sheet_->beginSheet(evaluationRubric(*form()), evaluationSheet(*one), false);
     sheet_->takeFocus();
   }
   openRecording();

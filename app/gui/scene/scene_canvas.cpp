@@ -17,9 +17,9 @@
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
 #include "app/gui/scene/organ_geometry.h"
-#include "app/gui/scene/tissue_look.h"
 #include "app/gui/scene/view_frame.h"
 #include "sim/device/virtual/pointer_device.h"
+#include "sim/scene/tissue_look.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initSceneResources() {

@@ -20,6 +20,10 @@ class QQuickItem;
 class QQuickWidget;
 class QWidget;
 
+namespace torsio {
+struct TissueLook;
+}
+
 namespace torsio::gui {
 
 class MarkerGeometry;
@@ -29,7 +33,6 @@ class RibbonGeometry;
 class SkinTexture;
 class WireGeometry;
 struct InstrumentParts;
-struct TissueLook;
 
 enum class RenderQuality {
   kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast

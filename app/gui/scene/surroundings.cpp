@@ -8,8 +8,8 @@
 #include <QPainterPath>
 
 #include "app/gui/scene/neighbours.h"
-#include "app/gui/scene/tissue_look.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/gui/scene/linear_light.h"
-#include "app/gui/scene/tissue_look.h"
+#include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {
 

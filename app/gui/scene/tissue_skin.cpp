@@ -59,7 +59,7 @@ class Painter {
         mesh_(scene.mesh),
         look_(look),
         palette_(paletteOf(look.kind)),
-        base_(linear(look.colour)),
+        base_(linear(QColor(look.colour[0], look.colour[1], look.colour[2]))),
         skin_(skin),
         vessels_(growVessels(mesh_, scene.lattice(), look)) {
     for (const Vec3& v : mesh_.vertices_m) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/gui/scene/skin_charts.h"
-#include "app/gui/scene/tissue_look.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gui/scene/tissue_look.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {
 

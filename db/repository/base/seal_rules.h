@@ -80,6 +80,7 @@ inline constexpr std::array kSealRules{
              .key = "bucket",
              .reason = "slows down whoever guesses names; every sign-in that failed stands in the trail"},
     SealRule{"kiosk_code", Sealing::kEachChange, "id", "user_id, code_hash"},
+    SealRule{"invitation", Sealing::kEachChange, "id", "user_id, token_hash"},
     SealRule{"person_request", Sealing::kEachChange, "id"},
     SealRule{"duty_request", Sealing::kOnce, "id"},
     SealRule{"duty_decision", Sealing::kOnce, "request_id"},

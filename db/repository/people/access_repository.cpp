@@ -125,10 +125,12 @@ void AccessRepository::setRoles(const UserId& userId, const std::vector<std::str
   Transaction transaction(connection_);
   connection_.execute("DELETE FROM user_role WHERE user_id = ?", {userId});
   insertRoles(connection_, userId, roles);
+  (void)revokeInvitation(userId);
   transaction.commit();
 }
 
 void AccessRepository::setActive(const UserId& userId, bool active) {
+  (void)revokeInvitation(userId);
   connection_.execute("UPDATE app_user SET state = ? WHERE id = ?", {active ? "active" : "disabled", userId});
 }
 
@@ -217,6 +219,7 @@ SignInResult AccessRepository::signInForPractice(const std::string& login, const
 }
 
 void AccessRepository::setPassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
+  (void)revokeInvitation(userId);
   connection_.execute(
       "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
       " locked_until_utc_us = 0 WHERE id = ?",
@@ -249,6 +252,57 @@ std::vector<KioskCodeRow> AccessRepository::kioskCodes() const {
       [](RowReader& row) {
         return KioskCodeRow{row.text(), row.int64()};
       });
+}
+
+void AccessRepository::addInvitation(const std::string& id, const InvitationRow& invitation,
+                                     const std::string& tokenHash) {
+  Transaction transaction(connection_);
+  (void)revokeInvitation(invitation.userId);
+  connection_.execute(
+      insertInto("invitation", "id, user_id, token_hash, made_utc_us, expires_utc_us, state"),
+      {id, invitation.userId, tokenHash, invitation.madeUtc_us, invitation.expiresUtc_us, "open"});
+  transaction.commit();
+}
+
+bool AccessRepository::revokeInvitation(const UserId& userId) {
+  return connection_.execute("UPDATE invitation SET state = 'revoked' WHERE user_id = ? AND state = 'open'",
+                             {userId}) > 0;
+}
+
+std::vector<InvitationRow> AccessRepository::openInvitations() const {
+  return selectAll(connection_,
+                   "SELECT user_id, made_utc_us, expires_utc_us FROM invitation WHERE state = 'open'"
+                   " ORDER BY made_utc_us, id",
+                   {}, [](RowReader& row) {
+                     return InvitationRow{row.text(), row.int64(), row.int64()};
+                   });
+}
+
+std::optional<UserId> AccessRepository::invited(const std::string& tokenHash, std::int64_t now_us) const {
+  return selectFirst(connection_,
+                     "SELECT u.id FROM invitation i JOIN app_user u ON u.id = i.user_id WHERE"
+                     " i.token_hash = ? AND i.state = 'open' AND i.expires_utc_us > ?"
+                     " AND u.state = 'active'",
+                     {tokenHash, now_us}, [](RowReader& row) { return UserId(row.text()); });
+}
+
+bool AccessRepository::useInvitation(const std::string& tokenHash, std::int64_t now_us) {
+  return connection_.execute(
+             "UPDATE invitation SET state = 'used' WHERE token_hash = ? AND state = 'open'"
+             " AND expires_utc_us > ?",
+             {tokenHash, now_us}) == 1;
+}
+
+std::string AccessRepository::passwordStamp(const UserId& userId) const {
+  const auto hash =
+      selectFirst(connection_, "SELECT password_hash FROM app_user WHERE id = ? AND state = 'active'",
+                  {userId}, [](RowReader& row) { return row.text(); });
+  if (!hash) {
+    return {};
+  }
+  Digest digest;
+  digest.update(std::string_view(*hash));
+  return digest.hex();
 }
 
 SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const std::string& station,

@@ -35,6 +35,13 @@ struct KioskCodeRow {
   std::int64_t madeUtc_us = 0;
 };
 
+/// A link that is open. One that has expired stays so until somebody is invited anew.
+struct InvitationRow {
+  UserId userId{};
+  std::int64_t madeUtc_us = 0;
+  std::int64_t expiresUtc_us = 0;
+};
+
 /// Users, roles, and the matrix role x operation (data of the migration). Default deny.
 class AccessRepository {
  public:
@@ -60,12 +67,13 @@ class AccessRepository {
     addUser(user, sealPassword(user.login, password));
   }
   [[nodiscard]] std::vector<UserAccount> users() const;
+  /// Other roles, and disabling, end an invitation too: it was made for what the account could do then.
   void setRoles(const UserId& userId, const std::vector<std::string>& roles);
   void setActive(const UserId& userId, bool active);
 
   [[nodiscard]] SignInResult signIn(const std::string& login, const std::string& password,
                                     std::int64_t now_us);
-  /// Own change, or a reset by an administrator (`mustChange`). Ends any wait.
+  /// Own change, or a reset by an administrator (`mustChange`). Ends any wait, and any invitation.
   void setPassword(const UserId& userId, const SealedSecret& password, bool mustChange);
 
   /// A station PIN opens practice without a record and nothing else; none removes it.
@@ -83,6 +91,19 @@ class AccessRepository {
   /// Failures are counted for each station.
   [[nodiscard]] SignInResult signInWithCode(const std::string& codeHash, const std::string& station,
                                             std::int64_t now_us);
+
+  /// Makes the link behind this hash the only one of its user; none of theirs before is good any more.
+  void addInvitation(const std::string& id, const InvitationRow& invitation, const std::string& tokenHash);
+  /// Returns whether there was an open one.
+  bool revokeInvitation(const UserId& userId);
+  [[nodiscard]] std::vector<InvitationRow> openInvitations() const;
+  /// Whose open link this is; nobody's when it has expired or the user is disabled.
+  [[nodiscard]] std::optional<UserId> invited(const std::string& tokenHash, std::int64_t now_us) const;
+  /// Uses a link up; false: somebody else did, or it is not open any more. Of two at once one succeeds.
+  [[nodiscard]] bool useInvitation(const std::string& tokenHash, std::int64_t now_us);
+
+  /// Changes whenever the user's password does; empty for whoever may not sign in.
+  [[nodiscard]] std::string passwordStamp(const UserId& userId) const;
 
  private:
   struct Account;

@@ -66,6 +66,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"trial_remark", person_conditions::kRemarks, OnErase::kClear, "text = NULL"},
     PersonRule{"kiosk_code", person_conditions::kOwnUser, OnErase::kDelete, "",
                "id, user_id, made_utc_us, revoked_utc_us"},
+    PersonRule{"invitation", person_conditions::kOwnUser, OnErase::kDelete, "",
+               "id, user_id, made_utc_us, expires_utc_us, state"},
     PersonRule{"person_request", "person_id = ?"},
     PersonRule{"day_slot", person_conditions::kAsTrainee},
     PersonRule{"user_role", person_conditions::kOwnUser, OnErase::kDelete},

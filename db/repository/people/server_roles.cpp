@@ -50,6 +50,7 @@ constexpr std::array kStationRights{
     StationRight{"user_role", kRemove},
     StationRight{"sign_in_failure", kAll},
     StationRight{"kiosk_code", kChange},
+    StationRight{"invitation", kChange},
     StationRight{"person_request", kChange},
     StationRight{"day_slot", kAll},
     StationRight{"cohort", kChange},

@@ -66,6 +66,11 @@ std::optional<std::int64_t> DeskRepository::trialLength_us(const TrialId& trialI
       {trialId}, readInt64);
 }
 
+std::optional<std::string> DeskRepository::contentHash(const TrialId& trialId) const {
+  return selectFirst(connection_, "SELECT content_hash FROM trial_end WHERE trial_id = ?", {trialId},
+                     [](RowReader& row) { return row.text(); });
+}
+
 void DeskRepository::saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing) {
   connection_.execute(
       insertInto("draft_viewing", "assignment_id, watched, slowest_permille, fastest_permille, worked_us") +

@@ -33,6 +33,8 @@ class DeskRepository {
   [[nodiscard]] std::vector<Assignment> committed(const RaterId& raterId) const;
   /// Length of a trial that has ended, microseconds; empty: unknown trial or still open.
   [[nodiscard]] std::optional<std::int64_t> trialLength_us(const TrialId& trialId) const;
+  /// Hash of what was recorded; empty: unknown trial or still open.
+  [[nodiscard]] std::optional<std::string> contentHash(const TrialId& trialId) const;
 
   void saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing);
   [[nodiscard]] std::optional<SheetViewing> draftViewing(const AssignmentId& assignmentId) const;

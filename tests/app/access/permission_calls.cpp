@@ -5,6 +5,8 @@
 
 #include "app/access/access_service.h"
 #include "app/access/audit_service.h"
+#include "app/access/browser_sessions.h"
+#include "app/access/invitations.h"
 #include "app/access/kiosk_codes.h"
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
@@ -346,6 +348,18 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kUserManage, "makeKioskCodes", [](SessionContext& w, Path) { (void)makeKioskCodes(w, {}); }},
       {O::kUserManage, "revokeKioskCodes",
        [](SessionContext& w, Path) { (void)revokeKioskCodes(w, {}, "why"); }},
+      {O::kUserManage, "invite", [](SessionContext& w, Path) { (void)invite(w, {}); }},
+      {O::kUserManage, "askSecondPerson, to invite",
+       [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kInvite}); }},
+      {O::kUserManage, "browserAddress", [](SessionContext& w, Path) { (void)browserAddress(w); }},
+      {O::kUserManage, "revokeInvitations",
+       [](SessionContext& w, Path) { (void)revokeInvitations(w, {}, "why"); }},
+      {O::kUserManage, "invitationsInForce", [](SessionContext& w, Path) { (void)invitationsInForce(w); }},
+      {O::kUserManage, "requireSessionsOfOthers",
+       [](SessionContext& w, Path) { requireSessionsOfOthers(w); }},
+      {O::kUserManage, "noteEndedSessions", [](SessionContext& w, Path) { noteEndedSessions(w, kNoSuch); }},
+      {O::kSettingsEdit, "setBrowserAddress",
+       [](SessionContext& w, Path) { setBrowserAddress(w, "https://desk.example.org"); }},
       {O::kUserManage, "kioskCodesInForce", [](SessionContext& w, Path) { (void)kioskCodesInForce(w); }},
       {O::kTrialViewOwn, "requestAboutOwnRecord",
        [](SessionContext& w, Path) { requestAboutOwnRecord(w, PersonRequestKind::kExport); }},
@@ -400,6 +414,8 @@ std::vector<ServiceCall> reviewCalls() {
   return {
       {O::kTrialViewAssigned, "loadBlindedRecording",
        [](SessionContext& w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "recordingName",
+       [](SessionContext& w, Path) { (void)recordingName(w, kNoSuch); }},
       {O::kTrialViewAssigned, "blindedTask", [](SessionContext& w, Path) { (void)blindedTask(w, kNoSuch); }},
       {O::kMarkSubmit, "reportViewing",
        [](SessionContext& w, Path) { (void)reportViewing(w, kNoSuch, {}, 0); }},

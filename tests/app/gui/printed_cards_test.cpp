@@ -51,6 +51,22 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
   EXPECT_FALSE(words.contains(QChar(0x2026)));
 }
 
+TEST(PrintedCards, AnInvitationHoldsTheWholeLinkOrTheCode) {
+  QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "invitations.pdf";
+  const std::string link =
+      "https://skills-laboratory.university-hospital.example.org/desk/join#2.abcde-fghjk-mnpqr-stuvw";
+
+  writeInvitationCards({{.personCode = "CH-100", .login = "ch-100", .link = link},
+                        {.personCode = "CH-101", .login = "ch-101", .code = "wxyzw-mmmmm"}},
+                       "University Hospital", file);
+
+  const QString words = wordsOfPdf(file);
+  EXPECT_TRUE(words.contains(QString::fromStdString(link))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("wxyzw-mmmmm")));
+  EXPECT_EQ(words.count(QStringLiteral("join#")), 1) << "who hands over the code does not know the link";
+}
+
 /// Reads the signs of a barcode back from its bars, as a scanner does: nine stripes a sign, three of them
 /// wide.
 std::string readBack(const std::vector<BarcodeStripe>& bars) {

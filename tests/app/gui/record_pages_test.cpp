@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QInputDialog>
 #include <QLabel>
@@ -13,9 +15,12 @@
 #include <QSpinBox>
 #include <QTableView>
 
+#include "app/access/access_service.h"
+#include "app/access/invitations.h"
 #include "app/access/kiosk_codes.h"
 #include "app/access/settings_service.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/people/invitations_dialog.h"
 #include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/people/users_page.h"
@@ -215,6 +220,40 @@ TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
   answer(giveReason);
   named(*page, "revokeKioskCards").click();
   EXPECT_TRUE(kioskCodesInForce(office.centre.as("administrator")).empty());
+}
+
+TEST(UsersPage, InvitesByALinkThatIsShownOnceAndRevokesIt) {
+  AdministratorDesk office;
+  auto page = office.open<UsersPage>("administrator");
+  UserId rater;
+  for (const UserAccount& user : users(office.centre.as("administrator"))) {
+    rater = user.login == "rater" ? user.id : rater;
+  }
+  const std::filesystem::path file = office.centre.folder() / "invitations.pdf";
+  QString copied;
+  page->findChild<DataTable*>()->select(toQString(rater));
+  answer([&](QDialog& dialog) {
+    dialog.findChild<QLineEdit*>(QStringLiteral("browserAddress"))
+        ->setText(QStringLiteral("https://desk.example.org/"));
+    answer([&](QDialog& shown) {
+      auto& links = dynamic_cast<InvitationsDialog&>(shown);
+      links.copy();
+      copied = QApplication::clipboard()->text();
+      links.saveCards(file);
+      links.reject();
+    });
+    dialog.accept();
+  });
+  named(*page, "inviteUsers").click();
+
+  EXPECT_TRUE(copied.contains(QStringLiteral("https://desk.example.org/join#"))) << copied.toStdString();
+  EXPECT_TRUE(copied.contains(QStringLiteral("Your sign-in name is rater")));
+  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_EQ(invitationsInForce(office.centre.as("administrator")).count(rater), 1U);
+  page->findChild<DataTable*>()->select(toQString(rater));
+  answer(giveReason);
+  named(*page, "revokeInvitations").click();
+  EXPECT_TRUE(invitationsInForce(office.centre.as("administrator")).empty());
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {

@@ -18,10 +18,10 @@
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/studio_light.h"
 #include "app/gui/scene/surroundings.h"
-#include "app/gui/scene/tissue_look.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
+#include "sim/scene/tissue_look.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

@@ -13,9 +13,7 @@
 
 namespace torsio::testing {
 
-namespace {
-
-std::string unpacked(const std::string& bytes) {
+std::string unpackedGzip(const std::string& bytes) {
   constexpr std::size_t kPiece = 65'536;
   z_stream stream{};
   inflateInit2(&stream, 15 + 16);
@@ -33,6 +31,8 @@ std::string unpacked(const std::string& bytes) {
   inflateEnd(&stream);
   return out;
 }
+
+namespace {
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -58,7 +58,7 @@ WebAnswer parsed(const std::string& bytes) {
   }
   answer.body = bytes.substr(end + 4);
   if (answer.headers.count("content-encoding") != 0) {
-    answer.body = unpacked(answer.body);
+    answer.body = unpackedGzip(answer.body);
   }
   return answer;
 }

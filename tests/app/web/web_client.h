@@ -11,6 +11,9 @@
 
 namespace torsio::testing {
 
+/// What a gzip stream holds.
+[[nodiscard]] std::string unpackedGzip(const std::string& bytes);
+
 /// What a server sent back. A connection that was closed without an answer has status 0.
 struct WebAnswer {
   int status = 0;

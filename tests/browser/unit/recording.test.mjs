@@ -42,6 +42,24 @@ test('a container is read by its head, and a broken one refused', () => {
   assert.throws(() => readContainer(new ArrayBuffer(12)), RangeError);
 });
 
+test('differences are added up, wrap round as their type does, and are multiples where a scale says so', () => {
+  const body = Buffer.from(new Int16Array([30000, 1, 10000, 1, 2, 3]).buffer);
+  const made = (entry) => {
+    const bytes = Buffer.from(container({}, [{ name: 'x', type: 'i16', values: new Int16Array([30000, 1, 10000, 1]) }]));
+    const text = bytes.toString('latin1').replace('"count":4', `"count":4,${entry}`);
+    const head = text.slice(8, text.length - 8).trimEnd();
+    const json = head + ' '.repeat((4 - ((8 + head.length) % 4)) % 4);
+    const whole = Buffer.alloc(8 + json.length + 8);
+    whole.write('TRS1');
+    whole.writeUInt32LE(json.length, 4);
+    whole.write(json, 8);
+    body.copy(whole, 8 + json.length, 0, 8);
+    return new Uint8Array(whole).buffer;
+  };
+  assert.deepEqual([...readContainer(made('"delta":2')).arrays.x], [30000, 1, -25536, 2]);
+  assert.deepEqual([...readContainer(made('"delta":2,"scale":0.5')).arrays.x], [15000, 0.5, -12768, 1]);
+});
+
 /// One triangle in the plane z = 0 whose third corner rises by 2 mm a unit of weight.
 const kTriangle = {
   meta: { vertices: 3, components: 1, frames: 3, rate_hz: 2, scale: [0.001] },

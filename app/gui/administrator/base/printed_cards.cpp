@@ -167,4 +167,23 @@ void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string&
   writeCards(printed, PrintedCards::tr("Cards for the kiosk: %1").arg(toQString(centre)), file);
 }
 
+void writeInvitationCards(const std::vector<InvitationCardText>& cards, const std::string& centre,
+                          const std::filesystem::path& file) {
+  std::vector<PrintedCard> printed;
+  for (const InvitationCardText& card : cards) {
+    const std::array<CardLine, 3> link{
+        {{PrintedCards::tr("Open this address in a browser, once, and choose a password")},
+         {toQString(card.link), 11.0},
+         {PrintedCards::tr("For you alone. Your sign-in name: %1").arg(toQString(card.login))}}};
+    const std::array<CardLine, 3> code{{{PrintedCards::tr("The code that goes with your link")},
+                                        {toQString(card.code), 15.0, true},
+                                        {PrintedCards::tr("The link comes by another way.")}}};
+    printed.push_back({.label = {{{toQString(centre)},
+                                  {toQString(card.personCode), 24.0, true},
+                                  {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},
+                       .inside = card.link.empty() ? code : link});
+  }
+  writeCards(printed, PrintedCards::tr("Invitations: %1").arg(toQString(centre)), file);
+}
+
 }  // namespace torsio::gui

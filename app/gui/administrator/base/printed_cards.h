@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,5 +31,17 @@ struct KioskCardText {
 /// The label names the person's code and sign-in name; the card bears the barcode.
 void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string& centre,
                      const std::filesystem::path& file);
+
+/// A link to the review desk in a browser, or the code that goes with a link of another administrator.
+struct InvitationCardText {
+  std::string personCode{};
+  std::string login{};
+  std::string link{};  ///< empty: somebody else hands it over
+  std::string code{};  ///< empty: none is needed, or somebody else hands it over
+  std::int64_t expiresUtc_us = 0;
+};
+/// The label names the person's code and sign-in name; the card bears the link or the code.
+void writeInvitationCards(const std::vector<InvitationCardText>& cards, const std::string& centre,
+                          const std::filesystem::path& file);
 
 }  // namespace torsio::gui

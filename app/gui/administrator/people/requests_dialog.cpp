@@ -12,12 +12,14 @@
 #include <QVBoxLayout>
 
 #include "app/access/first_run.h"
+#include "app/access/invitations.h"
 #include "app/base/progress.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/invitations_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -128,6 +130,47 @@ std::vector<OpenRequest> RequestsDialog::chosenAccounts() const {
   return chosen;
 }
 
+std::vector<OpenRequest> RequestsDialog::chosenInvitations() const {
+  const QStringList ids = table_->selectedIds();
+  std::vector<OpenRequest> chosen;
+  for (const OpenRequest& one : requests_) {
+    if (one.request.act == DutyAct::kInvite && !one.own && ids.contains(toQString(one.request.id))) {
+      chosen.push_back(one);
+    }
+  }
+  return chosen;
+}
+
+void RequestsDialog::confirmInvitations(const std::vector<OpenRequest>& requests) {
+  QStringList about;
+  for (const OpenRequest& one : requests) {
+    about << toQString(one.shown);
+  }
+  QuestionDialog dialog(this, tr("Confirm"),
+                        tr("%1 asks to invite %2. Do you know of it, and is it right? You get the links, and "
+                           "hand each to its person.")
+                            .arg(toQString(requests.front().requestedBy), firstFew(about)));
+  dialog.finish(tr("&Confirm"));
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  std::vector<InvitationCardText> cards;
+  attempt(shell_, [&] {
+    const std::string address = browserAddress(shell_.session());
+    for (const OpenRequest& one : requests) {
+      cards.push_back({.personCode = one.shown, .login = one.shown});
+      cards.back().link = invitationLink(address, confirmRequest(shell_.session(), one.request.id), true);
+      cards.back().expiresUtc_us = shell_.session().now_us() + kInvitationLife_us;
+    }
+  });
+  std::erase_if(cards, [](const InvitationCardText& card) { return card.link.empty(); });
+  read();
+  if (!cards.empty()) {
+    InvitationsDialog(std::move(cards), centreSign(shell_.session().connectionWithoutRight()).name, this)
+        .exec();
+  }
+}
+
 void RequestsDialog::confirm() {
   if (const std::vector<OpenRequest> accounts = chosenAccounts(); accounts.size() > 1) {
     return confirmAccounts(accounts);
@@ -138,6 +181,8 @@ void RequestsDialog::confirm() {
   }
   const OpenRequest request = *one;
   switch (request.request.act) {
+    case DutyAct::kInvite:
+      return confirmInvitations(chosenInvitations());
     case DutyAct::kErase:
       return erase(request);
     case DutyAct::kRestore:

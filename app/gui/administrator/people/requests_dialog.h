@@ -32,6 +32,10 @@ class RequestsDialog : public QDialog {
   void confirmAccount(const OpenRequest& request);
   /// Several at once; shows the second halves of their start passwords together.
   void confirmAccounts(const std::vector<OpenRequest>& requests);
+  /// Shows the links that go with the codes of whoever asked.
+  void confirmInvitations(const std::vector<OpenRequest>& requests);
+  /// Of the chosen requests those for invitations that somebody else has asked for.
+  [[nodiscard]] std::vector<OpenRequest> chosenInvitations() const;
   /// Of the chosen requests those about accounts that somebody else has asked for.
   [[nodiscard]] std::vector<OpenRequest> chosenAccounts() const;
   [[nodiscard]] const OpenRequest* current() const;

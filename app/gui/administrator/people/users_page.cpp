@@ -12,12 +12,14 @@
 
 #include "app/access/access_service.h"
 #include "app/access/first_run.h"
+#include "app/access/invitations.h"
 #include "app/access/kiosk_codes.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/invitations_dialog.h"
 #include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/requests_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
@@ -69,7 +71,11 @@ UsersPage::UsersPage(ShellContext& shell)
       password_(listButton(table_)),
       active_(listButton(table_)),
       cards_(listButton(table_)),
-      revoke_(listButton(table_)) {
+      revoke_(listButton(table_)),
+      invite_(listButton(table_)),
+      uninvite_(listButton(table_)) {
+  invite_->setObjectName(QStringLiteral("inviteUsers"));
+  uninvite_->setObjectName(QStringLiteral("revokeInvitations"));
   cards_->setObjectName(QStringLiteral("makeKioskCards"));
   revoke_->setObjectName(QStringLiteral("revokeKioskCards"));
   table_->setObjectName(QStringLiteral("table"));
@@ -90,6 +96,8 @@ UsersPage::UsersPage(ShellContext& shell)
   connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
   connect(cards_, &QPushButton::clicked, this, &UsersPage::makeKioskCards);
   connect(revoke_, &QPushButton::clicked, this, &UsersPage::revokeKioskCards);
+  connect(invite_, &QPushButton::clicked, this, &UsersPage::inviteChosen);
+  connect(uninvite_, &QPushButton::clicked, this, &UsersPage::revokeInvitations);
   connect(table_, &DataTable::currentChanged, this, &UsersPage::showButtons);
   connect(table_, &DataTable::activated, this, &UsersPage::changeRoles);
   retranslate();
@@ -100,6 +108,7 @@ void UsersPage::enter(const QVariant&) {
     users_ = users(shell().session());
     waiting_ = openRequests(shell().session()).size();
     kioskCodes_ = kioskCodesInForce(shell().session());
+    invitations_ = invitationsInForce(shell().session());
     personCodes_.clear();
     for (const PersonRow& row : people(shell().session())) {
       personCodes_[row.person.id] = row.person.code;
@@ -120,6 +129,10 @@ void UsersPage::retranslate() {
       tr("Of the chosen trainees, or of all: a card with a barcode that opens a kiosk. A card made before is "
          "of no use then."));
   revoke_->setText(tr("Re&voke cards\u2026"));
+  invite_->setText(tr("&Invite\u2026"));
+  invite_->setToolTip(
+      tr("A link for each of the chosen users, with which they set a password in a browser."));
+  uninvite_->setText(tr("Revoke in&vitations\u2026"));
   table_->setColumns({{tr("Sign-in name")},
                       {tr("Person")},
                       {tr("Roles")},
@@ -127,6 +140,7 @@ void UsersPage::retranslate() {
                       {tr("Password")},
                       {tr("Station PIN")},
                       {tr("Kiosk card")},
+                      {tr("Invited until")},
                       {tr("Since")}});
   table_->setEmptyText(tr("No users yet."));
   showContent();
@@ -147,6 +161,7 @@ void UsersPage::showContent() {
                      {user.mustChangePassword ? tr("to be changed") : tr("own")},
                      {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
                      timeCell(kioskCodes_.contains(user.id) ? kioskCodes_[user.id] : 0),
+                     timeCell(invitations_.contains(user.id) ? invitations_[user.id] : 0),
                      timeCell(user.createdUtc_us)}});
   }
   table_->setRows(std::move(rows));
@@ -169,6 +184,9 @@ void UsersPage::showButtons() {
   const std::vector<UserId> chosen = chosenUsers();
   revoke_->setEnabled(
       std::any_of(chosen.begin(), chosen.end(), [&](const UserId& id) { return kioskCodes_.contains(id); }));
+  invite_->setEnabled(!chosen.empty());
+  uninvite_->setEnabled(
+      std::any_of(chosen.begin(), chosen.end(), [&](const UserId& id) { return invitations_.contains(id); }));
   active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
 }
 
@@ -214,6 +232,69 @@ void UsersPage::revokeKioskCards() {
     const std::size_t revoked = revokeKioskCodes(shell().session(), ids, *reason);
     enter({});
     shell().notify(tr("Cards revoked: %1").arg(revoked));
+  });
+}
+
+void UsersPage::inviteChosen() {
+  const std::vector<UserId> ids = chosenUsers();
+  attempt(shell(), [&] {
+    std::vector<UserId> alone;
+    std::vector<const UserAccount*> byTwo;
+    std::map<UserId, std::string> codes;
+    QStringList logins;
+    for (const UserAccount& user : users_) {
+      if (std::find(ids.begin(), ids.end(), user.id) == ids.end()) {
+        continue;
+      }
+      logins << toQString(user.login);
+      codes[user.id] = personCodes_[user.personId].empty() ? user.login : personCodes_[user.personId];
+      if (passwordNeedsTwo(shell().session(), user)) {
+        byTwo.push_back(&user);
+      } else {
+        alone.push_back(user.id);
+      }
+    }
+    const std::string known = browserAddress(shell().session());
+    const std::optional<InvitationWish> wish = askInvitation(this, firstFew(logins), known, !byTwo.empty());
+    if (!wish) {
+      return;
+    }
+    if (wish->address != known) {
+      setBrowserAddress(shell().session(), wish->address);
+    }
+    const std::string address = browserAddress(shell().session());
+    std::vector<InvitationCardText> cards;
+    if (!alone.empty()) {
+      for (const Invitation& one : invite(shell().session(), alone)) {
+        cards.push_back({.personCode = codes[one.userId],
+                         .login = one.login,
+                         .link = invitationLink(address, one.secret, false),
+                         .expiresUtc_us = one.expiresUtc_us});
+      }
+    }
+    for (const UserAccount* user : byTwo) {
+      const DutyWish duty{.act = DutyAct::kInvite, .subject = user->id, .reason = wish->reason};
+      cards.push_back({.personCode = codes[user->id],
+                       .login = user->login,
+                       .code = askSecondPerson(shell().session(), duty)});
+    }
+    InvitationsDialog(std::move(cards), centreSign(shell().session().connectionWithoutRight()).name, this)
+        .exec();
+    enter({});
+  });
+}
+
+void UsersPage::revokeInvitations() {
+  const std::vector<UserId> ids = chosenUsers();
+  const std::optional<std::string> reason =
+      askReason(this, tr("Revoke invitations"), tr("The links of the chosen users are of no use any more."));
+  if (!reason) {
+    return;
+  }
+  attempt(shell(), [&] {
+    const std::size_t revoked = torsio::revokeInvitations(shell().session(), ids, *reason);
+    enter({});
+    shell().notify(tr("Invitations revoked: %1").arg(revoked));
   });
 }
 

@@ -45,12 +45,15 @@ class UsersPage : public Page {
   void switchActive();
   void makeKioskCards();
   void revokeKioskCards();
+  void inviteChosen();
+  void revokeInvitations();
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
   std::size_t waiting_ = 0;                         // requests for a second person
   std::map<std::string, std::string> personCodes_;  // by id
   std::map<UserId, std::int64_t> kioskCodes_;       // since when
+  std::map<UserId, std::int64_t> invitations_;      // until when
   PageHeading* heading_;
   DataTable* table_;
   QPushButton* add_;
@@ -61,6 +64,8 @@ class UsersPage : public Page {
   QPushButton* active_;
   QPushButton* cards_;
   QPushButton* revoke_;
+  QPushButton* invite_;
+  QPushButton* uninvite_;
 };
 
 }  // namespace torsio::gui

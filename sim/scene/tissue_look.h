@@ -5,11 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include <QColor>
-
 #include "sim/base/vec3.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// What is drawn on it: fibres and vessels, pores and creases, folds and arcades.
 enum class TissueKind : std::uint8_t { kSerosa, kSkin, kIntestine };
@@ -17,9 +15,9 @@ enum class TissueKind : std::uint8_t { kSerosa, kSkin, kIntestine };
 /// How a tissue answers to light. Chosen by the scene's id; anything unknown looks like serosa.
 struct TissueLook {
   TissueKind kind = TissueKind::kSerosa;
-  QColor colour;           ///< sRGB
-  float roughness = 0.5F;  ///< of the tissue itself
-  float clearcoat = 0.0F;  ///< the film of moisture on it, 0 dry .. 1 wet
+  std::array<std::uint8_t, 3> colour{};  ///< sRGB
+  float roughness = 0.5F;                ///< of the tissue itself
+  float clearcoat = 0.0F;                ///< the film of moisture on it, 0 dry .. 1 wet
   float filmRoughness = 0.2F;
   float mottling = 0.1F;             ///< how far the colour wanders, 0..1
   double patch_m = 0.02;             ///< size of the largest patches of colour
@@ -39,4 +37,4 @@ struct TissueLook {
 /// about 1.
 [[nodiscard]] std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m);
 
-}  // namespace torsio::gui
+}  // namespace torsio

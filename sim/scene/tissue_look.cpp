@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/tissue_look.h"
+#include "sim/scene/tissue_look.h"
 
 #include <cmath>
 #include <cstdint>
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -23,7 +23,7 @@ float quintic(float t) {
   return t * t * t * (t * (6.0F * t - 15.0F) + 10.0F);
 }
 
-float mix(float a, float b, float t) {
+float blend(float a, float b, float t) {
   return a + (b - a) * t;
 }
 
@@ -40,11 +40,11 @@ float tissueNoise(const Vec3& p) {
   const float ty = quintic(static_cast<float>(p.y - floorY));
   const float tz = quintic(static_cast<float>(p.z - floorZ));
   const auto plane = [&](std::int64_t level) {
-    const float near = mix(latticeNoise(x, y, level), latticeNoise(x + 1, y, level), tx);
-    const float far = mix(latticeNoise(x, y + 1, level), latticeNoise(x + 1, y + 1, level), tx);
-    return mix(near, far, ty);
+    const float near = blend(latticeNoise(x, y, level), latticeNoise(x + 1, y, level), tx);
+    const float far = blend(latticeNoise(x, y + 1, level), latticeNoise(x + 1, y + 1, level), tx);
+    return blend(near, far, ty);
   };
-  return mix(plane(z), plane(z + 1), tz);
+  return blend(plane(z), plane(z + 1), tz);
 }
 
 namespace {
@@ -67,7 +67,7 @@ float patchNoise(const Vec3& p) {
 TissueLook tissueLook(std::string_view sceneId) {
   if (sceneId.find("forearm") != std::string_view::npos) {
     return {.kind = TissueKind::kSkin,
-            .colour = QColor(214, 168, 146),
+            .colour = {214, 168, 146},
             .roughness = 0.52F,
             .clearcoat = 0.06F,
             .filmRoughness = 0.45F,
@@ -79,7 +79,7 @@ TissueLook tissueLook(std::string_view sceneId) {
   }
   if (sceneId.find("intestine") != std::string_view::npos) {
     return {.kind = TissueKind::kIntestine,
-            .colour = QColor(208, 136, 124),
+            .colour = {208, 136, 124},
             .roughness = 0.44F,
             .clearcoat = 0.42F,
             .filmRoughness = 0.22F,
@@ -89,7 +89,7 @@ TissueLook tissueLook(std::string_view sceneId) {
             .foldDepth = 0.16F,
             .relief_mm = {0.14F, 0.07F, 0.012F}};
   }
-  return {.colour = QColor(203, 130, 120),
+  return {.colour = {203, 130, 120},
           .roughness = 0.46F,
           .clearcoat = 0.38F,
           .filmRoughness = 0.24F,
@@ -108,4 +108,4 @@ std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m) {
           1.0F + 0.9F * depth - 0.50F * warmth};
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/people/invitations_dialog.h"
+
+#include <utility>
+
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/base/translated_text.h"
+
+namespace torsio::gui {
+
+namespace {
+
+struct InvitationQuestion {
+  Q_DECLARE_TR_FUNCTIONS(InvitationQuestion)
+};
+
+}  // namespace
+
+InvitationsDialog::InvitationsDialog(std::vector<InvitationCardText> cards, std::string centre,
+                                     QWidget* parent)
+    : ShownOnceDialog(
+          tr("Invitations"),
+          tr("Links and codes are shown only now. Each is for one person, and a link is good once and for a "
+             "week. A code goes to its person by another way than the link that another administrator hands "
+             "over."),
+          tr("invitations.pdf"), parent),
+      cards_(std::move(cards)),
+      centre_(std::move(centre)) {
+  setObjectName(QStringLiteral("invitations"));
+  std::vector<Row> rows;
+  for (const InvitationCardText& card : cards_) {
+    rows.push_back(
+        {toQString(card.login),
+         {{toQString(card.personCode)}, {toQString(card.login)}, {orDash(card.link)}, {orDash(card.code)}}});
+  }
+  setLines({{tr("Person")}, {tr("Sign-in name")}, {tr("Link")}, {tr("Code")}}, std::move(rows));
+}
+
+void InvitationsDialog::writeCards(const std::filesystem::path& file) const {
+  writeInvitationCards(cards_, centre_, file);
+}
+
+QString InvitationsDialog::copied() const {
+  QStringList mails;
+  for (const InvitationCardText& card : cards_) {
+    const QString greeting = tr("For %1:").arg(toQString(card.login)) + QLatin1Char('\n');
+    if (card.link.empty()) {
+      mails << greeting +
+                   tr("The code that goes with your invitation to Torsio at %1 is %2. The link comes by "
+                      "another way.")
+                       .arg(toQString(centre_), toQString(card.code));
+      continue;
+    }
+    mails << greeting +
+                 tr("You are asked to work with Torsio at %1, in the browser of any computer. Open this "
+                    "link and choose a password:")
+                     .arg(toQString(centre_)) +
+                 QLatin1Char('\n') + toQString(card.link) + QLatin1Char('\n') +
+                 tr("Your sign-in name is %1. The link is good once, until %2, and for you alone: please do "
+                    "not "
+                    "pass it on.")
+                     .arg(toQString(card.login), shownTime(card.expiresUtc_us, locale()));
+  }
+  return mails.join(QStringLiteral("\n\n"));
+}
+
+std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logins,
+                                            const std::string& address, bool byTwo) {
+  QuestionDialog dialog(
+      parent, InvitationQuestion::tr("Invite"),
+      InvitationQuestion::tr("%1: a link each, with which they set a password of their own in a browser. A "
+                             "link made before is of no use then.")
+          .arg(logins));
+  auto* where = new QLineEdit(toQString(address), &dialog);
+  where->setObjectName(QStringLiteral("browserAddress"));
+  where->setPlaceholderText(QStringLiteral("https://desk.example.org"));
+  auto* why = new QLineEdit(&dialog);
+  why->setObjectName(QStringLiteral("reason"));
+  auto* form = new QFormLayout;
+  form->addRow(InvitationQuestion::tr("&Address of the review desk"), where);
+  if (byTwo) {
+    form->addRow(InvitationQuestion::tr("&Reason"), why);
+  }
+  why->setVisible(byTwo);
+  dialog.column()->addLayout(form);
+  dialog.addNote(
+      byTwo
+          ? InvitationQuestion::tr("This needs two people: you get a code for each to hand over, and another "
+                                   "administrator, who confirms it, the link.")
+          : InvitationQuestion::tr("As torsio serve says it when it starts, or as your proxy is called."));
+  QPushButton* ok = dialog.finish(InvitationQuestion::tr("&Invite"));
+  const auto check = [&] {
+    ok->setEnabled(!where->text().trimmed().isEmpty() && (!byTwo || !why->text().trimmed().isEmpty()));
+  };
+  QObject::connect(where, &QLineEdit::textChanged, &dialog, check);
+  QObject::connect(why, &QLineEdit::textChanged, &dialog, check);
+  check();
+  (address.empty() ? where : why)->setFocus();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return InvitationWish{where->text().trimmed().toStdString(), why->text().trimmed().toStdString()};
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/administrator/base/printed_cards.h"
+#include "app/gui/administrator/people/shown_once_dialog.h"
+
+namespace torsio::gui {
+
+/// Links that were just made, and codes that go with links of somebody else: as cards, or as the text of a
+/// mail for each person.
+class InvitationsDialog : public ShownOnceDialog {
+  Q_OBJECT
+
+ public:
+  InvitationsDialog(std::vector<InvitationCardText> cards, std::string centre, QWidget* parent);
+
+ private:
+  void writeCards(const std::filesystem::path& file) const override;
+  [[nodiscard]] QString copied() const override;
+
+  std::vector<InvitationCardText> cards_;
+  std::string centre_;
+};
+
+/// What an administrator says before people are invited.
+struct InvitationWish {
+  std::string address{};  ///< where browsers find the review desk
+  std::string reason{};   ///< where two people are needed
+};
+/// Asks for it. Empty: given up.
+[[nodiscard]] std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logins,
+                                                          const std::string& address, bool byTwo);
+
+}  // namespace torsio::gui

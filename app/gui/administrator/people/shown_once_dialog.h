@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QDialog>
+#include <QString>
+
+#include "app/gui/widgets/data_table.h"
+
+class QPushButton;
+
+namespace torsio::gui {
+
+/// What is told only once, one line for each person: to be copied, or saved as cards to print. Does not close
+/// without a question before one of the two was done. GUI thread.
+class ShownOnceDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Throws Error{kFileUnwritable}.
+  void saveCards(const std::filesystem::path& file);
+  void copy();
+  void reject() override;
+
+ protected:
+  /// `fileName`: what the cards' file is called at first.
+  ShownOnceDialog(const QString& title, const QString& words, const QString& fileName, QWidget* parent);
+  void setLines(const std::vector<Column>& columns, std::vector<Row> rows);
+  [[nodiscard]] QString linesAsText() const;
+
+  virtual void writeCards(const std::filesystem::path& file) const = 0;
+  /// What "Copy" copies: the lines, where nothing else is said.
+  [[nodiscard]] virtual QString copied() const { return linesAsText(); }
+
+ private:
+  void askCards();
+
+  QString fileName_;
+  DataTable* table_;
+  QPushButton* copy_;
+  QPushButton* cards_;
+  bool taken_ = false;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What trainees see of their own record: runs, debrief, trend, remarks, transcript. Read only, but for an
+// answer to a remark.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/base/assets.h"
+#include "app/recording/competence_text.h"
+#include "app/training/attempts.h"
+#include "app/training/debrief.h"
+#include "app/training/next_steps.h"
+#include "app/training/remarks.h"
+#include "app/training/trainee_record.h"
+#include "app/training/transcript.h"
+#include "app/training/trend.h"
+#include "app/web/case_json.h"
+#include "app/web/router.h"
+#include "app/web/sealing.h"
+#include "app/web/web_desk.h"
+#include "assessment/metrics/metric_cards.h"
+#include "assessment/rating/written_words.h"
+#include "sim/base/angle.h"
+#include "sim/base/refusal.h"
+
+namespace torsio::web {
+
+namespace {
+
+using nlohmann::json;
+
+const char* const kRun = "run ";
+const char* const kOwnRemark = "remark ";
+constexpr std::size_t kBytesOfALetter = 4;
+constexpr std::int64_t kMostVersions = 1'000'000;
+
+template <typename Value>
+json orNothing(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+std::string said(const Call& call, const Text& text) {
+  return call.wording(text).toStdString();
+}
+
+/// Levels never stand alone: what counts as able, and how often that is wrong, go with them.
+json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
+  return {{"level", said(call, competenceLevelText(verdict))},
+          {"able", isAble(verdict.level)},
+          {"design", said(call, competenceDesignText(verdict.design, verdict.untwisting))},
+          {"errors", said(call, competenceErrorText(verdict.design, verdict.errors))}};
+}
+
+json attemptJson(const Call& call, const Attempt& attempt, const std::string& title) {
+  return {{"run", call.session->handleFor(kRun + attempt.trialId.text())},
+          {"title", title},
+          {"started_utc_us", attempt.startedUtc_us},
+          {"duration_s", attempt.duration_s},
+          {"interrupted", attempt.interrupted},
+          {"untwisting", isUntwisting(attempt)},
+          {"twists", attempt.twists},
+          {"on_target", attempt.onTarget}};
+}
+
+json trendJson(const Call& call, const Trend& trend) {
+  const double scale = trend.unit == "rad" ? degrees(1.0) : 1.0;
+  const auto scaled = [scale](const std::optional<double>& value) {
+    return value ? json(scale * *value) : json(nullptr);
+  };
+  json points = json::array();
+  for (const TrendPoint& point : trend.points) {
+    points.push_back({{"attempt", point.attempt},
+                      {"started_utc_us", point.startedUtc_us},
+                      {"value", scaled(point.value)},
+                      {"counted", point.counted},
+                      {"passed", point.passed}});
+  }
+  json curve = json::array();
+  for (const TrendCurvePoint& point : trend.curve) {
+    curve.push_back({point.attempt, scale * point.value, scale * point.lower, scale * point.upper});
+  }
+  return {{"metric", said(call, Text(metricTitle(trend.metric)))},
+          {"unit", trend.unit == "rad" ? "\u00b0"
+                   : trend.unit == "1" ? ""
+                                       : trend.unit},
+          {"lower_is_better", trend.lowerIsBetter},
+          {"points", std::move(points)},
+          {"curve", std::move(curve)},
+          {"threshold", scaled(trend.threshold)},
+          {"attempts_left", orNothing(trend.attemptsLeft)},
+          {"verdict", verdictJson(call, trend.competence)}};
+}
+
+HttpResponse answerOwn(Call& call) {
+  const PersonId person = call.context.actor().personId;
+  const NextSteps steps = nextSteps(call.context, person);
+  json modules = json::array();
+  std::map<ModuleId, std::string> titles;
+  for (const ModuleStep& step : steps.modules) {
+    titles[step.module.id] = said(call, Text(step.module.title));
+    json module = trendJson(call, trend(call.context, person, step.module.id));
+    module["title"] = titles[step.module.id];
+    modules.push_back(std::move(module));
+  }
+  json runs = json::array();
+  const std::vector<Attempt> attempts = attemptsOf(call.context, person);
+  for (auto attempt = attempts.rbegin(); attempt != attempts.rend(); ++attempt) {
+    runs.push_back(attemptJson(call, *attempt, titles[attempt->moduleId]));
+  }
+  return jsonAnswer({{"code", steps.traineeCode},
+                     {"unread", steps.unreadRemarks},
+                     {"modules", std::move(modules)},
+                     {"runs", std::move(runs)}});
+}
+
+/// The own trial of an address. One that this session was never given is as absent as one of somebody else.
+TrialId runOf(const Call& call) {
+  const std::string what = call.session->whatOf(call.parts.front());
+  if (what.rfind(kRun, 0) != 0) {
+    throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
+                Text::tr("Open your own record"));
+  }
+  return TrialId(what.substr(std::string(kRun).size()));
+}
+
+json twistJson(const TwistResult& twist) {
+  return {{"from_s", twist.when.from_s},
+          {"to_s", twist.when.to_s},
+          {"target_deg", degrees(twist.target_rad)},
+          {"released_deg", degrees(twist.released_rad)},
+          {"held_s", twist.held_s},
+          {"passed", twist.passed}};
+}
+
+HttpResponse answerRun(Call& call) {
+  const Debrief shown = debrief(call.context, runOf(call), assetsFolder());
+  json twists = json::array();
+  for (const TwistResult& twist : shown.twists) {
+    twists.push_back(twistJson(twist));
+  }
+  json bookmarks = json::array();
+  for (const DebriefBookmark& bookmark : shown.bookmarks) {
+    bookmarks.push_back({{"at_s", bookmark.at_s}, {"text", bookmark.text}});
+  }
+  return jsonAnswer({{"title", said(call, Text(shown.moduleTitle))},
+                     {"started_utc_us", shown.startedUtc_us},
+                     {"duration_s", shown.duration_s},
+                     {"interrupted", shown.interrupted},
+                     {"passed", shown.passed},
+                     {"force_felt", shown.forceFelt},
+                     {"untwisting", shown.detorsion.has_value()},
+                     {"tolerance_deg", degrees(shown.tolerance_rad)},
+                     {"unfinished", shown.unfinishedTwists},
+                     {"twists", std::move(twists)},
+                     {"bookmarks", std::move(bookmarks)}});
+}
+
+std::shared_ptr<const CasePicture> runPicture(Call& call) {
+  const TrialId id = runOf(call);
+  (void)ownTrial(call.context, ownRecord(call.context, Operation::kTrialViewOwn), id);
+  return call.desk.pictures().of(kRun + id.text(), [&] {
+    return casePicture(blindedRecordingOf(call.context.connection(), id, "", ""), assetsFolder());
+  });
+}
+
+HttpResponse answerRunRecording(Call& call) {
+  return binaryAnswer(call, runPicture(call)->recording);
+}
+
+HttpResponse answerRunOrgan(Call& call) {
+  return organAnswer(call, *runPicture(call));
+}
+
+json remarkJson(const Call& call, const TraineeRemark& remark) {
+  json replies = json::array();
+  for (const TraineeRemark& reply : remark.replies) {
+    replies.push_back(remarkJson(call, reply));
+  }
+  return {{"remark", call.session->handleFor(kOwnRemark + remark.id.text())},
+          {"at_s", remark.at_s},
+          {"text", remark.text},
+          {"version", remark.version},
+          {"written_utc_us", remark.writtenUtc_us},
+          {"edited", remark.editedUtc_us != 0},
+          {"own", remark.own},
+          {"question", remark.question},
+          {"read", remark.read},
+          {"replies", std::move(replies)}};
+}
+
+HttpResponse answerRemarks(Call& call) {
+  json trials = json::array();
+  for (const TrialRemarks& trial : ownRemarks(call.context)) {
+    json remarks = json::array();
+    for (const TraineeRemark& remark : trial.remarks) {
+      remarks.push_back(remarkJson(call, remark));
+    }
+    trials.push_back({{"run", call.session->handleFor(kRun + trial.trialId.text())},
+                      {"title", said(call, Text(trial.moduleTitle))},
+                      {"started_utc_us", trial.startedUtc_us},
+                      {"unread", trial.unread},
+                      {"remarks", std::move(remarks)}});
+  }
+  return jsonAnswer({{"trials", std::move(trials)}});
+}
+
+RemarkId remarkOf(const Call& call) {
+  const std::string what = call.session->whatOf(call.parts.front());
+  if (what.rfind(kOwnRemark, 0) != 0) {
+    throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
+                Text::tr("Open your own record"));
+  }
+  return RemarkId(what.substr(std::string(kOwnRemark).size()));
+}
+
+HttpResponse answerReply(Call& call) {
+  (void)replyToRemark(call.context, remarkOf(call), call.body.text("text", kLongestRemark * kBytesOfALetter));
+  return answerRemarks(call);
+}
+
+HttpResponse answerRead(Call& call) {
+  markRemarkRead(call.context, remarkOf(call), call.body.whole("version", 1, kMostVersions));
+  return answerRemarks(call);
+}
+
+HttpResponse answerTranscript(Call& call) {
+  const Transcript made = transcript(call.context, call.context.actor().personId);
+  json modules = json::array();
+  for (const TranscriptModule& module : made.modules) {
+    json attempts = json::array();
+    for (const Attempt& attempt : module.attempts) {
+      attempts.push_back(attemptJson(call, attempt, ""));
+    }
+    modules.push_back({{"title", said(call, Text(module.step.module.title))},
+                       {"mastered", module.step.state == StepState::kMastered},
+                       {"verdict", verdictJson(call, module.competence)},
+                       {"attempts", std::move(attempts)}});
+  }
+  return jsonAnswer({{"centre", made.centre},
+                     {"name", made.fullName},
+                     {"code", made.traineeCode},
+                     {"cohort", made.cohortName},
+                     {"arm", said(call, Text(made.armLabel))},
+                     {"made_utc_us", made.madeUtc_us},
+                     {"version", made.softwareVersion},
+                     {"virtual_min", made.virtual_min},
+                     {"real_min", made.real_min},
+                     {"rest_min", made.rest_min},
+                     {"demonstration", made.demonstration},
+                     {"modules", std::move(modules)}});
+}
+
+}  // namespace
+
+std::vector<Route> ownRoutes() {
+  constexpr auto kIn = RouteAccess::kSignedIn;
+  return {{"GET", "/api/own", kIn, answerOwn, true},
+          {"GET", "/api/own/transcript", kIn, answerTranscript, true},
+          {"GET", "/api/own/remarks", kIn, answerRemarks},
+          {"POST", "/api/own/remarks/*/reply", kIn, answerReply},
+          {"POST", "/api/own/remarks/*/read", kIn, answerRead},
+          {"GET", "/api/own/runs/*", kIn, answerRun, true},
+          {"GET", "/api/own/runs/*/recording", kIn, answerRunRecording, true},
+          {"GET", "/api/own/runs/*/organ", kIn, answerRunOrgan, true}};
+}
+
+}  // namespace torsio::web

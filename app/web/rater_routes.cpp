@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibration on reference runs, and how strict a rater is beside the others.
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/base/assets.h"
+#include "app/review/own_severity.h"
+#include "app/review/rater_calibration.h"
+#include "app/web/case_json.h"
+#include "app/web/router.h"
+#include "app/web/sealing.h"
+#include "app/web/web_desk.h"
+#include "sim/base/refusal.h"
+
+namespace torsio::web {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t kMostReferenceSteps = 1'000'000;
+
+template <typename Value>
+json valueOrNull(const std::optional<Value>& value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+json calibrationJson(const Call& call, const RaterCalibration& calibration) {
+  json runs = json::array();
+  for (const CalibrationRun& run : calibration.runs) {
+    runs.push_back({{"number", run.number},
+                    {"own_steps", valueOrNull(run.own_steps)},
+                    {"panel_points", valueOrNull(run.panel_points)},
+                    {"offset_points", valueOrNull(run.offset_points)},
+                    {"panel_raters", run.panelRaters},
+                    {"tries", run.tries}});
+  }
+  return {{"rubric", rubricJson(calibration.rubric, call.wording)},
+          {"runs", std::move(runs)},
+          {"complete", calibration.complete()},
+          {"mean_offset_points", valueOrNull(calibration.meanOffset_points())}};
+}
+
+std::size_t numberOf(const Call& call) {
+  const std::string& text = call.parts.front();
+  std::size_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || number == 0) {
+    refuseParameter(Text::tr("there is no such reference run"), "", Text::tr("Load the page again"));
+  }
+  return number;
+}
+
+HttpResponse answerCalibration(Call& call) {
+  return jsonAnswer(calibrationJson(call, warmUp(call.context)));
+}
+
+HttpResponse answerReferenceScore(Call& call) {
+  scoreReferenceRun(call.context, numberOf(call),
+                    call.body.whole("score_steps", -kMostReferenceSteps, kMostReferenceSteps));
+  return answerCalibration(call);
+}
+
+/// A reference run may be withdrawn, and later ones move up: what was loaded says which one it is.
+std::shared_ptr<const CasePicture> referencePicture(Call& call) {
+  BlindedRecording recording = loadReferenceRun(call.context, numberOf(call));
+  const std::string key = "reference " + recording.label + " " + recording.digest;
+  return call.desk.pictures().of(key, [&] { return casePicture(std::move(recording), assetsFolder()); });
+}
+
+HttpResponse answerReferenceRecording(Call& call) {
+  return binaryAnswer(call, referencePicture(call)->recording);
+}
+
+HttpResponse answerReferenceOrgan(Call& call) {
+  return organAnswer(call, *referencePicture(call));
+}
+
+HttpResponse answerSeverity(Call& call) {
+  const OwnSeverity severity = ownSeverity(call.context);
+  json cases = json::array();
+  for (const SeverityCase& one : severity.cases) {
+    cases.push_back({{"label", one.label}, {"own", one.own}, {"panel", one.panel}});
+  }
+  return jsonAnswer({{"cases", std::move(cases)},
+                     {"difference_points", valueOrNull(severity.difference_points)},
+                     {"interval_points", severity.interval_points ? json{severity.interval_points->lower,
+                                                                         severity.interval_points->upper}
+                                                                  : json(nullptr)},
+                     {"own_mean_points", valueOrNull(severity.ownMean_points)},
+                     {"panel_mean_points", valueOrNull(severity.panelMean_points)},
+                     {"waiting", severity.waiting},
+                     {"lowest_points", severity.lowest_points},
+                     {"used", severity.used}});
+}
+
+}  // namespace
+
+std::vector<Route> raterRoutes() {
+  constexpr auto kIn = RouteAccess::kSignedIn;
+  return {{"GET", "/api/calibration", kIn, answerCalibration},
+          {"PUT", "/api/calibration/*", kIn, answerReferenceScore},
+          {"GET", "/api/calibration/*/recording", kIn, answerReferenceRecording, true},
+          {"GET", "/api/calibration/*/organ", kIn, answerReferenceOrgan, true},
+          {"GET", "/api/severity", kIn, answerSeverity}};
+}
+
+}  // namespace torsio::web

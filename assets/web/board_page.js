@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The day and who has scored what, for administrators. Read only.
+import { api } from './api.js';
+import { h, show } from './dom.js';
+import { clockTime, dayText, figure } from './numbers.js';
+import { t } from './texts.js';
+
+const kAgain_ms = 10_000;
+
+function table(heads, rows) {
+  return h('table', {},
+    h('thead', {}, h('tr', {}, heads.map((head) => h('th', { scope: 'col' }, head)))),
+    h('tbody', {}, rows));
+}
+
+export class BoardPage {
+  element = h('div', { class: 'queue wide' });
+  #timer = null;
+
+  /// `scored`: who has scored what; else the board of the day.
+  constructor(frame, scored) {
+    this.frame = frame;
+    this.scored = scored;
+  }
+  get title() {
+    return this.scored ? t('Who has scored what') : t("Today's sessions");
+  }
+  async load() {
+    const { cohorts, first } = await api.get('/api/cohorts');
+    this.cohorts = cohorts;
+    const choice = h('select', {
+      'aria-label': t('Cohort'),
+      onchange: () => {
+        this.cohort = cohorts[choice.selectedIndex].cohort;
+        this.#read().catch(() => {});
+      },
+    }, cohorts.map((one, i) => h('option', { selected: i === first }, one.name)));
+    this.cohort = cohorts[first]?.cohort;
+    this.place = h('div', { class: 'stack' });
+    show(choice, cohorts.length > 0);
+    this.element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, this.title), choice), this.place);
+    if (this.cohort) await this.#read();
+    else this.place.replaceChildren(h('p', {}, t('There is no cohort yet.')));
+  }
+  async #read() {
+    clearTimeout(this.#timer);
+    const path = `/api/cohorts/${encodeURIComponent(this.cohort)}`;
+    if (this.scored) {
+      this.#showScored(await api.get(`${path}/scored`));
+    } else {
+      this.#showBoard(await api.get(`${path}/board`));
+      this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
+    }
+  }
+  left() {
+    clearTimeout(this.#timer);
+  }
+  resume() {
+    this.load().catch(() => {}); // what was shown stays
+  }
+
+  #showBoard({ rows, stations }) {
+    const missing = rows.reduce((sum, row) => sum + row.sheets_missing, 0);
+    const state = (row) => (row.withdrawn ? t('withdrew') : row.station ? t('records at %1', row.station) : row.done ? t('all phases done') : row.phase || '\u2013');
+    this.place.replaceChildren(
+      h('p', {}, t('%1 recording now, %2 of %3 done, sheets missing: %4', figure(rows.filter((row) => row.station).length),
+        figure(rows.filter((row) => row.done).length), figure(rows.length), figure(missing))),
+      h('section', { class: 'card wide-table' }, table(
+        [t('Trainee'), t('Group'), t('Now at'), t('Time left'), t('Scoring due'), t('Sheets missing'), t('Deviations'), t('Planned')],
+        rows.map((row) => h('tr', {}, h('th', { scope: 'row' }, row.trainee), h('td', {}, row.group || '\u2013'), h('td', {}, state(row)),
+          h('td', {}, row.done ? '' : clockTime(row.left_us)), h('td', {}, row.occasion),
+          h('td', { class: row.sheets_missing > 0 ? 'caution' : '' }, figure(row.sheets_missing)), h('td', {}, figure(row.deviations)),
+          h('td', { class: row.overdue ? 'caution' : '' }, row.planned_utc_us === null ? '' : dayText(row.planned_utc_us)))))),
+      h('section', { class: 'card wide-table' }, h('h2', {}, t('Stations')), table(
+        [t('Station'), t('Trainee'), t('Last seen')],
+        stations.map((one) => h('tr', {}, h('th', { scope: 'row' }, one.station), h('td', {}, one.trainee || '\u2013'),
+          h('td', { class: one.silent ? 'caution' : '' }, one.silent ? t('does not answer') : t('just now')))))));
+  }
+  #showScored({ raters, lines }) {
+    const marks = { submitted: '\u25cf', draft: '\u25d0', open: '\u25cb', '': '' };
+    const words = { submitted: t('submitted'), draft: t('draft'), open: t('open'), '': t('not asked') };
+    this.place.replaceChildren(
+      h('p', { class: 'quiet' }, t('● submitted, ◐ draft, ○ open. No marks are shown here.')),
+      h('section', { class: 'card wide-table' }, table([t('Trainee'), t('Scoring point'), ...raters.map((rater) => rater.code)],
+        [...lines.map((line) => h('tr', {}, h('th', { scope: 'row' }, line.trainee), h('td', {}, line.occasion),
+          line.cells.map((cell) => h('td', {}, h('span', { role: 'img', 'aria-label': words[cell] }, marks[cell]))))),
+        h('tr', {}, h('th', { scope: 'row' }, t('Still open')), h('td', {}), raters.map((rater) => h('td', {}, figure(rater.open))))])));
+  }
+}

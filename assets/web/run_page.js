@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One own run after it was done: the recording, and each twist against what was asked for.
+import { api, NoConnection, Refusal } from './api.js';
+import { button, h } from './dom.js';
+import { clockTime, dayText, figure } from './numbers.js';
+import { kPatience_ms } from './own_page.js';
+import { Player } from './player.js';
+import { problemText } from './problem.js';
+import { t } from './texts.js';
+
+const kSpeeds = [0.5, 1, 2];
+
+export class RunPage {
+  element = h('div', { class: 'case-page' }, h('p', { class: 'quiet', role: 'status' }, t('Being read …')));
+
+  constructor(frame, handle) {
+    this.frame = frame;
+    this.path = `/api/own/runs/${encodeURIComponent(handle)}`;
+  }
+  get title() {
+    return this.run ? this.run.title : t('Run');
+  }
+  async load() {
+    this.run = await api.get(this.path, { patience_ms: kPatience_ms });
+    const { run } = this;
+    this.player = new Player(this.path, { rules: { speeds: kSpeeds } }, { played: () => this.frame.active(), paused: () => {} });
+    const facts = [dayText(run.started_utc_us), t('%1 long', clockTime(1e6 * run.duration_s)), run.passed ? t('passed') : t('not passed')];
+    if (run.interrupted) facts.push(t('interrupted'));
+    if (!run.force_felt) facts.push(t('without felt force'));
+    this.element.replaceChildren(
+      h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
+      h('div', { class: 'halves' }, h('div', { class: 'left' }, this.player.element),
+        h('div', { class: 'right' }, this.#twists(), this.#bookmarks())));
+    this.#openRecording();
+  }
+  async #openRecording() {
+    try {
+      await this.player.load();
+      this.player.setBookmarks(this.run.bookmarks.map((one) => 1e6 * one.at_s));
+    } catch (error) {
+      const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
+      this.player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `,
+        button(t('Try again'), () => this.#openRecording()));
+    }
+  }
+  #goTo(at_s) {
+    return button(clockTime(1e6 * at_s), () => this.player.seek(1e6 * at_s), { class: 'small' });
+  }
+  #twists() {
+    const { twists, unfinished, untwisting } = this.run;
+    if (untwisting) return h('p', {}, t('An untwisting: the traces show how the organ fared.'));
+    return h('section', { class: 'card wide-table' }, h('h2', {}, t('Twists')),
+      h('table', {},
+        h('thead', {}, h('tr', {}, [t('From'), t('Asked for'), t('Let go at'), t('Held'), t('On target')].map((head) => h('th', { scope: 'col' }, head)))),
+        h('tbody', {}, twists.map((twist) => h('tr', {},
+          h('th', { scope: 'row' }, this.#goTo(twist.from_s)), h('td', {}, `${figure(twist.target_deg, 1)}\u00b0`),
+          h('td', {}, `${figure(twist.released_deg, 1)}\u00b0`), h('td', {}, t('%1 s', figure(twist.held_s, 1))),
+          h('td', { class: twist.passed ? 'good' : 'caution' }, twist.passed ? t('yes') : t('no')))))),
+      unfinished > 0 ? h('p', { class: 'quiet' }, t('%1 {twist was|twists were} not completed.', figure(unfinished))) : null);
+  }
+  #bookmarks() {
+    const { bookmarks } = this.run;
+    if (bookmarks.length === 0) return null;
+    return h('section', { class: 'card' }, h('h2', {}, t('Bookmarks')),
+      h('ul', {}, bookmarks.map((one) => h('li', {}, this.#goTo(one.at_s), ' ', one.text))));
+  }
+
+  async settle() {
+    this.player?.pause();
+  }
+  left() {
+    this.player?.pause();
+  }
+  key(event) {
+    if (!this.player || event.ctrlKey || event.altKey || event.metaKey || event.isComposing) return;
+    if (['INPUT', 'SELECT', 'BUTTON', 'A'].includes(event.target.tagName)) return;
+    if (this.player.key(event)) event.preventDefault();
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/base/assets.h"
+#include "app/web/http_server.h"
+#include "app/web/web_desk.h"
+#include "assessment/people/account.h"
+#include "db/repository/people/access_repository.h"
+#include "tests/app/support/review_centre.h"
+#include "tests/app/web/web_client.h"
+
+namespace torsio::testing {
+
+/// Of everybody at a served desk.
+inline constexpr const char* kWebPassword = "correct horse battery";
+
+/// A centre with short recordings, and its desk behind a port of this machine.
+struct ServedDesk {
+  explicit ServedDesk(const ReviewCentre::Setup& setup = {.trial_s = 0.5}) : centre(setup) {
+    AccessRepository access(centre.connection(), PasswordCost::kTest);
+    for (const UserAccount& user : access.users()) {
+      access.setPassword(user.id, access.sealPassword(user.login, kWebPassword), false);
+    }
+    desk = std::make_unique<web::WebDesk>(web::DeskSettings{.locator = centre.locator(),
+                                                            .assets = assetsFolder(),
+                                                            .workers = 2,
+                                                            .passwordCost = PasswordCost::kTest});
+    server = std::make_unique<web::HttpServer>(
+        web::HttpAddress{"127.0.0.1", 0}, web::TlsMaterial{}, web::HttpLimits{},
+        [this](web::HttpRequest request, web::HttpServer::Reply reply) {
+          desk->handle(std::move(request), std::move(reply));
+        });
+  }
+  [[nodiscard]] WebClient client() const { return WebClient(server->port()); }
+  [[nodiscard]] WebClient physician(int index) const {
+    WebClient client(server->port());
+    EXPECT_TRUE(client.signIn("physician" + std::to_string(index), kWebPassword));
+    return client;
+  }
+
+  ReviewCentre centre;
+  std::unique_ptr<web::WebDesk> desk;
+  std::unique_ptr<web::HttpServer> server;
+};
+
+inline std::string firstCase(WebClient& client) {
+  return client.get("/api/queue").json().at("next").get<std::string>();
+}
+
+inline nlohmann::json sheetBody(std::int64_t revision, int time, int accuracy, int overall) {
+  return {{"revision", revision},
+          {"rows",
+           {{{"code", "time"}, {"score_steps", time}, {"not_assessable", ""}},
+            {{"code", "accuracy"}, {"score_steps", accuracy}, {"not_assessable", ""}}}},
+          {"overall_steps", overall},
+          {"comment", ""}};
+}
+
+/// The address of a route with something in place of each `*`.
+inline std::string pathOf(const web::Route& route, const std::string& handle) {
+  std::string path = route.path;
+  for (std::size_t at = path.find('*'); at != std::string::npos; at = path.find('*')) {
+    path.replace(at, 1, handle);
+  }
+  return path;
+}
+
+}  // namespace torsio::testing
