@@ -40,6 +40,7 @@ void requireScanEnded(const HelperEnd& end, const std::string& where, const std:
 }  // namespace
 
 ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, const HelperLimits& limits) {
+  requireScanRequest(request);
   const std::string where = request.source.string();
   std::error_code failed;
   if (!std::filesystem::exists(request.source, failed)) {

@@ -196,20 +196,11 @@ std::string tissueName(const ScanRequest& request) {
   return ", label " + std::to_string(request.label);
 }
 
-void checkScanRequest(const ScanRequest& request) {
-  constexpr int kMostLabel = 32'767;
-  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMostLabel)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
-                Text::tr("Name a label of the mask: --tissue label N"));
-  }
-}
-
 }  // namespace
 
 ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::string& where,
                           const ScanProgress& progress) {
-  checkScanRequest(request);
+  requireScanRequest(request);
   ScanSurface result;
   result.remarks = std::move(scan.remarks);
   result.count = scan.volume.count;
@@ -252,7 +243,7 @@ ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::
 
 ScanSurface surfaceOfScan(const ScanRequest& request, const ScanProgress& progress) {
   tell(progress, ScanStep::kReading, 0.0);
-  checkScanRequest(request);
+  requireScanRequest(request);
   const std::string where = request.source.string();
   if (!std::filesystem::is_directory(request.source)) {
     if (!isNiftiFile(request.source)) {
