@@ -11,6 +11,7 @@ torsio_packages=(
   qml6-module-qtquick qml6-module-qtqml qml6-module-qtqml-workerscript qml6-module-qtquick-window qml6-module-quick3d
   libqt6sql6-sqlite libqt6sql6-psql libgl1-mesa-dri libglx-mesa0 fonts-noto-core fonts-noto-cjk fonts-dejavu-core
   libeigen3-dev libfcl-dev libassimp-dev zlib1g-dev libboost-dev
+  libdcmtk-dev # CT series: plain, deflated, RLE, JPEG lossless, JPEG-LS
   libsdl2-dev libspnav-dev
   libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev

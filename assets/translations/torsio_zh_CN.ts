@@ -16735,6 +16735,246 @@ audit trail %3</source>
         <source>Invitation</source>
         <translation>登录邀请</translation>
     </message>
+    <message>
+        <source>Reading the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for the organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing its surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing and thinning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D15 the scan needs more than %1 MB of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the reader failed on this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy or export the scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the reader gave no answer to this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the program that reads scans cannot be started: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the reader did not come to an end with this scan within %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crop the scan to the organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the reader crashed on this scan (signal %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 the system gives no memory to read the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D15 the folder holds more than %1 files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the folder of one scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D01 there is no DICOM file in this folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 file %1 is damaged or cut short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM files, or a NIfTI file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D02 there is no CT series in this folder: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a folder with the slices of a CT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>series %1: %2 slices of %3 x %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D03 there is no series %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one with --series N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>series %1 was taken, the one with the most slices: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another one with --series N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D05 slice %1 is compressed with JPEG 2000 (%2), which is not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D05 slice %1 is compressed in a way that is not read (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the scan without compression, or convert each file with gdcmconv --raw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the slices of the CT themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D12 slice %1 holds %2 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the scan with one slice a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D12 slice %1 has %2 {bit|bits} a value and %3 {value|values} a pixel; 16 and 1 are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D06 slice %1 has no valid size or depth: %2 x %3 pixels, %4 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D06 slice %1 has no valid %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the scan again with its geometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D07 slice %1 has another size, spacing or orientation than slice %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give one series of one scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>slices have scales of their own; each was taken by its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D04 slice %1 is damaged or cut short: its pixels cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D08 slices %1 and %2 lie at the same place and differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 {slice|slices} that were there twice left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check that the scan is whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D09 the slices lie unevenly: %1 mm between %2 and %3, elsewhere %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for slices that are missing, or take them as they are with --resample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the slices lie unevenly, up to %1 mm apart: what lies in between is guessed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a scan with slices at even distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D07 slice %1 is shifted by %2 mm against the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D10 the gantry was tilted by %1 degrees, at most %2 are corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a scan with an upright gantry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gantry was tilted by %1 degrees; the voxels lean so much</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scan is coarse: voxels of %1 x %2 x %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a series with thinner slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D11 the series has %1 {slice|slices} at different places, at least %2 are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a whole series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N01 this is no scan that is read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N07 a CT has no labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the label mask, a NIfTI file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

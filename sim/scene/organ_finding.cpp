@@ -15,8 +15,8 @@ bool beginsWithCode(const std::string& sentence) {
   const auto digit = [&sentence](std::size_t i) {
     return std::isdigit(static_cast<unsigned char>(sentence[i])) != 0;
   };
-  return sentence.size() > kCodeLength && sentence[0] == 'M' && digit(1) && digit(2) &&
-         sentence[kCodeLength] == ' ';
+  const bool letter = !sentence.empty() && (sentence[0] == 'M' || sentence[0] == 'D' || sentence[0] == 'N');
+  return sentence.size() > kCodeLength && letter && digit(1) && digit(2) && sentence[kCodeLength] == ' ';
 }
 
 }  // namespace

@@ -207,11 +207,25 @@ std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& finding
   return warnings;
 }
 
+void addFindings(OrganImport& import, std::vector<OrganFinding> found) {
+  for (OrganFinding& finding : found) {
+    import.findings.push_back(std::move(finding));
+  }
+  sortFindings(import.findings);
+  import.accepted = import.findings.empty() || import.findings.front().weight != FindingWeight::kRefusal;
+  import.organ.warnings = warningsAmong(import.findings);
+}
+
 OrganImport importOrgan(const OrganImportRequest& request) {
+  return importOrgan(request,
+                     [&request] { return readMeshApart(request.file, request.scale_m, request.reading); });
+}
+
+OrganImport importOrgan(const OrganImportRequest& request, const std::function<RawMesh()>& read) {
   checkImportRequest(request);
   OrganImport import;
   try {
-    judgeMesh(request, readMeshApart(request.file, request.scale_m, request.reading), import);
+    judgeMesh(request, read(), import);
   } catch (const Error& refusal) {
     const bool aboutTheMesh =
         refusal.code() == ErrorCode::kBadMesh || refusal.code() == ErrorCode::kFileUnreadable;
@@ -220,13 +234,11 @@ OrganImport importOrgan(const OrganImportRequest& request) {
     }
     import.findings.push_back(findingOf(refusal));
   }
-  sortFindings(import.findings);
-  import.accepted = import.findings.empty() || import.findings.front().weight != FindingWeight::kRefusal;
   import.organ.ends = request.ends;
   import.organ.anatomy = request.anatomy;
   import.organ.wall_m = request.wall_m;
   import.organ.source = request.file.filename().string();
-  import.organ.warnings = warningsAmong(import.findings);
+  addFindings(import, {});
   return import;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,14 @@ struct OrganImport {
 /// no error: the findings say why. Throws Error{kFileMissing} for a file that is not there,
 /// {kBadParameter} for a request out of range or an anatomy that no scene has.
 [[nodiscard]] OrganImport importOrgan(const OrganImportRequest& request);
+
+/// Welds, checks, repairs and judges, as importOrgan(request), the surface that `read` returns or refuses;
+/// `request.file` names it in what is said. Throws what `read` throws but for refusals of the file or mesh.
+[[nodiscard]] OrganImport importOrgan(const OrganImportRequest& request,
+                                      const std::function<RawMesh()>& read);
+
+/// Adds what else was found, in its place among the findings; the organ keeps the warnings.
+void addFindings(OrganImport& import, std::vector<OrganFinding> found);
 
 /// Returns the warnings among findings, as a scene and a recording keep them.
 [[nodiscard]] std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& findings);

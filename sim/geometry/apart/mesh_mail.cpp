@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/geometry/apart/mesh_mail.h"
 
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
 #include "sim/base/text_packing.h"
+#include "sim/geometry/apart/helper_process.h"
 
 namespace torsio {
 

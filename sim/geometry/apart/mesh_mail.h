@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 
@@ -9,11 +8,6 @@
 #include "sim/geometry/mesh/mesh_reader.h"
 
 namespace torsio {
-
-/// File number under which the reading process finds the memory for its answer.
-inline constexpr int kMeshAnswerFile = 3;
-/// Most bytes of an answer: two million triangles with corners of their own.
-inline constexpr std::uint64_t kMostAnswerBytes = 600'000'000;
 
 /// Writes a surface, or a refusal, as bytes for a process of the same build on this machine.
 [[nodiscard]] std::string mailOf(const RawMesh& mesh);

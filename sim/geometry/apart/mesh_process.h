@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
+#include "sim/geometry/apart/helper_process.h"
 #include "sim/geometry/mesh/mesh_reader.h"
 
 namespace torsio {
 
 /// What reading a mesh file may cost.
-struct MeshReadLimits {
-  std::uint64_t memory_MB = 6'000;  ///< address space of the reading process
-  std::uint32_t processor_s = 60;
-  std::uint32_t wall_s = 180;
-};
+using MeshReadLimits = HelperLimits;
 
 /// Reads a mesh file of a user as readMesh() does, in a process of its own (`torsio-mesh`, beside the running
 /// program, or the one that TORSIO_MESH_PROGRAM names): a file that takes the importer down, hangs it or asks

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/base/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/imaging/scan/scan_volume.h"
@@ -34,6 +35,16 @@ struct ScanRequest {
   int series = 0;                 ///< which of several series, from 1; 0: the one with the most slices
   bool resample = false;          ///< take slices at uneven distances
 };
+
+/// Checks a request before anything is read. Throws Error{kBadParameter}.
+inline void requireScanRequest(const ScanRequest& request) {
+  constexpr int kMostLabel = 32'767;
+  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMostLabel)) {
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
+                Text::tr("Name a label of the mask: --tissue label N"));
+  }
+}
 
 /// Thickness of a wall along the rays on which a scan shows where it ends.
 struct WallThickness {

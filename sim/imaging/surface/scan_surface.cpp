@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/mesh_smoothing.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
+#include "sim/imaging/scan/dicom_series.h"
 #include "sim/imaging/scan/nifti_file.h"
 #include "sim/imaging/surface/mask_surface.h"
 #include "sim/imaging/surface/segmentation.h"
@@ -180,20 +182,25 @@ void tellWall(const std::optional<WallThickness>& wall, std::vector<ScanRemark>&
        wall->median_mm, ""});
 }
 
-void checkScanRequest(const ScanRequest& request) {
-  constexpr int kMostLabel = 32'767;
-  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMostLabel)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
-                Text::tr("Name a label of the mask: --tissue label N"));
+std::string tissueName(const ScanRequest& request) {
+  switch (request.tissue) {
+    case ScanTissue::kSkin:
+      return ", skin";
+    case ScanTissue::kGasLumen:
+      return ", gas in its lumen";
+    case ScanTissue::kWall:
+      return ", wall";
+    case ScanTissue::kLabel:
+      break;
   }
+  return ", label " + std::to_string(request.label);
 }
 
 }  // namespace
 
 ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::string& where,
                           const ScanProgress& progress) {
-  checkScanRequest(request);
+  requireScanRequest(request);
   ScanSurface result;
   result.remarks = std::move(scan.remarks);
   result.count = scan.volume.count;
@@ -236,9 +243,24 @@ ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::
 
 ScanSurface surfaceOfScan(const ScanRequest& request, const ScanProgress& progress) {
   tell(progress, ScanStep::kReading, 0.0);
-  ScanSurface surface = surfaceOfScan(readNifti(request.source), request, request.source.string(), progress);
-  surface.kind =
-      request.tissue == ScanTissue::kLabel ? "NIfTI label " + std::to_string(request.label) : "NIfTI";
+  requireScanRequest(request);
+  const std::string where = request.source.string();
+  if (!std::filesystem::is_directory(request.source)) {
+    if (!isNiftiFile(request.source)) {
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("N01 this is no scan that is read"), where,
+                  Text::tr("Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)"));
+    }
+    ScanSurface surface = surfaceOfScan(readNifti(request.source), request, where, progress);
+    surface.kind = "NIfTI" + tissueName(request);
+    return surface;
+  }
+  if (request.tissue == ScanTissue::kLabel) {
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("N07 a CT has no labels"), where,
+                Text::tr("Give the label mask, a NIfTI file"));
+  }
+  const DicomRequest dicom{request.source, request.series, request.resample};
+  ScanSurface surface = surfaceOfScan(readDicomSeries(dicom), request, where, progress);
+  surface.kind = "CT, " + std::to_string(surface.count[2]) + " slices" + tissueName(request);
   return surface;
 }
 

@@ -19,7 +19,8 @@ using ScanProgress = std::function<void(ScanStep step, double fraction)>;
 /// range.
 [[nodiscard]] ScanSurface surfaceOfScan(const ScanRequest& request, const ScanProgress& progress = {});
 
-/// The same of a scan that was read already; `where` names it.
+/// Finds the organ in a scan that was read already and draws its surface, as surfaceOfScan(request); `where`
+/// names the scan.
 [[nodiscard]] ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::string& where,
                                         const ScanProgress& progress = {});
 

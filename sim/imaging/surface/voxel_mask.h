@@ -39,7 +39,7 @@ class VoxelMask {
   [[nodiscard]] VoxelMask shrunk(int voxels) const;
   /// Takes up everything that cannot be reached from the border of the grid without crossing a face of this.
   [[nodiscard]] VoxelMask filled() const { return filledFrom(6); }
-  /// The same where only the borders along x and y count: of a grid of one layer.
+  /// Takes up, in a grid of one layer, everything that cannot be reached from its borders along x and y.
   [[nodiscard]] VoxelMask filledInPlane() const { return filledFrom(4); }
   /// Grows and shrinks again: gaps of up to twice so many voxels close. The grid needs that much margin.
   [[nodiscard]] VoxelMask closed(int voxels) const { return grown(voxels).shrunk(voxels); }

@@ -6,16 +6,20 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/query/collision_mesh.h"
+#include "tests/support/dicom_files.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"
 
@@ -75,7 +79,11 @@ void expectRoundTrip(const ScanSurface& made, const TriangleMesh& organ, double 
   EXPECT_TRUE(report.closed() && report.manifold() && report.oriented());
   EXPECT_TRUE(crossingTriangles(made.mesh).empty());
   EXPECT_NEAR(report.volume_m3 / signedVolume_m3(organ), 1.0, 0.01);
-  EXPECT_LT(p95Distance_mm(made.mesh, organ), voxel_mm);
+  const double p95_mm = p95Distance_mm(made.mesh, organ);
+  EXPECT_LT(p95_mm, voxel_mm);
+  ::testing::Test::RecordProperty("p95_um", static_cast<int>(1000.0 * p95_mm));
+  ::testing::Test::RecordProperty("volume_ppm",
+                                  static_cast<int>(1e6 * report.volume_m3 / signedVolume_m3(organ)));
   // A mirror image would lie elsewhere.
   EXPECT_GT(p95Distance_mm(made.mesh, testing::mirroredX(organ)), voxel_mm);
 }
@@ -87,13 +95,43 @@ ScanVolume scanOf(const TriangleMesh& organ, const Vec3& voxel_mm, std::int16_t 
   return scan;
 }
 
-TEST(ScanSurface, BringsTheArmBackFromItsSkin) {
+std::filesystem::path surfaceFile(const std::string& name) {
+  return std::filesystem::path(::testing::TempDir()) / ("surface-" + std::to_string(getpid()) + "-" + name);
+}
+
+TEST(ScanSurface, BringsTheArmBackFromADicomSeries) {
   const TriangleMesh arm = shippedOrgan("forearm");
-  const ScanSurface made = reconstructed(scanOf(arm, {2.0, 2.0, 2.5}, kTissue_HU, kGas_HU), {});
+  ScanVolume upright = scanOf(arm, {2.0, 2.0, 2.5}, kTissue_HU, kGas_HU);
+  ScanRequest request;
+  request.source = surfaceFile("arm");
+  testing::writeDicomSeries(request.source, upright, {.syntax = "jpeg-ls"});
+  const ScanSurface made = surfaceOfScan(request);
   expectRoundTrip(made, arm, 2.0);
   EXPECT_LE(made.mesh.triangles.size(), kKeptTriangles);
   EXPECT_NEAR(made.level_HU.value(), -480.0, 5.0);
   EXPECT_TRUE(made.remarks.empty());
+  EXPECT_EQ(made.kind, "CT, " + std::to_string(upright.count[2]) + " slices, skin");
+}
+
+TEST(ScanSurface, IsWhereTheOrganIsThoughTheGantryWasTilted) {
+  // Slices that lie 1 mm higher up the back each: a bar that stands upright leans in its voxels.
+  const TriangleMesh bar = testing::shifted(testing::capsule(0.02, 0.06, 36, 12), {0.01, 0.03, 0.04});
+  ScanVolume scan = testing::blankScan({36, 60, 36}, {2, 2, 4}, {-30, -40, 4}, kGas_HU);
+  scan.step_mm[2] = {0, 1, 4};
+  for (std::size_t k = 0; k < scan.count[2]; ++k) {
+    ScanVolume slice =
+        testing::blankScan({36, 60, 1}, {2, 2, 4}, scan.place_mm({0, 0, static_cast<double>(k)}));
+    testing::fillWith(slice, bar, kTissue_HU);
+    std::copy(slice.values.begin(), slice.values.end(),
+              scan.values.begin() + static_cast<std::ptrdiff_t>(scan.index(0, 0, k)));
+  }
+  ScanRequest request;
+  request.source = surfaceFile("tilted");
+  testing::writeDicomSeries(request.source, scan);
+  const ScanSurface made = surfaceOfScan(request);
+  ASSERT_NE(remark(made, "D10"), nullptr);
+  EXPECT_LT(p95Distance_mm(made.mesh, bar), 1.0);
+  EXPECT_NEAR(signedVolume_m3(made.mesh) / signedVolume_m3(bar), 1.0, 0.01);
 }
 
 TEST(ScanSurface, BringsTheStomachBackAsALabelAndAsGas) {
@@ -106,7 +144,9 @@ TEST(ScanSurface, BringsTheStomachBackAsALabelAndAsGas) {
   for (std::int16_t& value : mask.values) {
     value = value >= 500 ? 6 : 1;
   }
-  expectRoundTrip(reconstructed(mask, label), stomach, 3.0);
+  label.source = surfaceFile("stomach.nii.gz");
+  writeFileAtomically(label.source, testing::gzipped(testing::niftiBytes(mask, {.datatype = 2})));
+  expectRoundTrip(surfaceOfScan(label), stomach, 3.0);
   // The same with voxels that run the other way: left-handed, as most NIfTI files are.
   ScanVolume turned = mask;
   turned.origin_mm = mask.place_mm({static_cast<double>(mask.count[0] - 1), 0, 0});

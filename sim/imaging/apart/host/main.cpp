@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// torsio-scan MEMORY_MB PROCESSOR_S REQUEST...: reads a scan for Torsio within limits and leaves the surface
+// of the organ, or the refusal, in the file that it was given. Started by Torsio, never by hand.
+#include <array>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/geometry/apart/helper_host.h"
+#include "sim/geometry/apart/mesh_mail.h"
+#include "sim/imaging/apart/scan_mail.h"
+#include "sim/imaging/surface/scan_surface.h"
+
+namespace torsio {
+namespace {
+
+void tellStep(ScanStep step, double fraction) {
+  const std::array<char, 2> news{static_cast<char>(step), static_cast<char>(100.0 * fraction)};
+  tellParent(news);
+}
+
+std::string answerTo(const ScanRequest& request, const std::string& memory_MB) {
+  const std::string where = request.source.string();
+  try {
+    return mailOf(surfaceOfScan(request, &tellStep));
+  } catch (const Error& error) {
+    return mailOf(error);
+  } catch (const std::bad_alloc&) {
+    return mailOf(Error(ErrorCode::kFileUnreadable,
+                        Text::tr("D15 the scan needs more than %1 MB of memory", memory_MB), where,
+                        Text::tr("Crop the scan, or export it with larger voxels")));
+  } catch (const std::exception&) {  // its words may come from the file
+    return mailOf(Error(ErrorCode::kFileUnreadable, Text::tr("D04 the reader failed on this scan"), where,
+                        Text::tr("Copy or export the scan again")));
+  }
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  constexpr int kFirstWord = 3;
+  if (argc < kFirstWord ||
+      !torsio::bindHelper(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10))) {
+    return EXIT_FAILURE;
+  }
+  const auto request =
+      torsio::requestOfWords({argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)});
+  return request && torsio::leaveAnswer(torsio::answerTo(*request, argv[1])) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
