@@ -43,30 +43,15 @@
 #include "sim/base/file_io.h"
 #include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
+#include "tests/app/reporting/small_study.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
 namespace {
 
+using testing::record;
+using testing::SmallStudy;
 using testing::StudyCentre;
-
-/// Six trainees in three groups, nobody marked yet.
-struct SmallStudy {
-  StudyCentre centre;
-  ReportRequest request;
-  TrialDigests digests{centre.assets()};
-
-  SmallStudy() {
-    const std::vector<TraineeId> trainees = centre.addTrainees(6);
-    const std::string version = centre.runPaperCurriculum();
-    request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolTrainees(centre.session(), request.cohortId, trainees);
-    AllocationPlan plan;
-    plan.cohortId = request.cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.session(), request.cohortId);
-  }
-};
 
 TEST(ReportInputs, HoldTheMarginOfEquivalenceThatWasPlannedWithTheCohort) {
   StudyCentre centre;
@@ -391,47 +376,6 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   EXPECT_DOUBLE_EQ(finished.evaluations.front().n27, 7.0);
 }
 
-/// A recording of one twist that was let go after `ticks` hundredths of a radian.
-void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks,
-            const std::string& parameters = "{}") {
-  std::vector<Sample> samples(300);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i].tick = static_cast<std::int64_t>(i);
-    const bool twisting = i >= 50 && i < 50 + ticks;
-    samples[i].phase = twisting ? ExercisePhase::kTwisting : ExercisePhase::kContact;
-    samples[i].response.angle_rad = twisting ? 0.01 * static_cast<double>(i - 50) : 0.0;
-    samples[i].response.torque_Nm = twisting ? 0.3 : 0.0;
-  }
-  const Enrolment enrolment =
-      StudyRepository(study.centre.connection()).enrolments(study.request.cohortId).at(0);
-  TrialHeader header;
-  header.trialId = trialId;
-  header.traineeCode = enrolment.traineeCode;
-  header.sceneId = "forearm";
-  header.patternId = "pronation";
-  header.phaseLabel = "virtual";
-  header.parametersJson = parameters;
-  header.targetAngle_rad = 1.0;
-  header.startedUtc_us = testing::kStudyTime_us;
-  TrialRepository trials(study.centre.connection(), {.station = "room 1", .enrolmentId = enrolment.id});
-  trials.begin(header);
-  const TrialChunk chunk = encodeChunk(0, samples);
-  trials.append(chunk);
-  TrialSummary summary;
-  summary.samples = chunk.samples;
-  summary.lateTicks = 3;
-  summary.contentHash = "hash of " + trialId;
-  trials.finish(summary);
-}
-
-std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& attempts) {
-  std::vector<std::pair<double, bool>> out;
-  for (const TwistAttempt& attempt : attempts) {
-    out.emplace_back(attempt.error_deg, attempt.onTarget);
-  }
-  return out;
-}
-
 TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
   SmallStudy study;
   const std::string parameters =
@@ -452,88 +396,6 @@ TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
     }
   }
   EXPECT_THAT(told, ::testing::ElementsAre("M20 the organ is 1.9 times as long as wide"));
-}
-
-TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
-  SmallStudy study;
-  record(study, "first", 100);
-  record(study, "second", 70);
-  SessionContext& session = study.centre.as("statistician");
-
-  const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(session, study.request.cohortId);
-  TrialDigests later(study.centre.assets());
-  const std::vector<TrialSummaryRow> kept = later.ofCohort(session, study.request.cohortId);
-
-  EXPECT_EQ(study.digests.measured(), 2U);
-  EXPECT_EQ(later.measured(), 0U);
-  ASSERT_EQ(kept.size(), 2U);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    EXPECT_EQ(kept[i].trialId, measured[i].trialId);
-    EXPECT_EQ(kept[i].trainee, measured[i].trainee);
-    EXPECT_EQ(kept[i].phase, measured[i].phase);
-    EXPECT_EQ(kept[i].model, measured[i].model);
-    EXPECT_EQ(kept[i].minutes, measured[i].minutes);
-    EXPECT_EQ(kept[i].samples, measured[i].samples);
-    EXPECT_EQ(kept[i].twists, 1);
-    EXPECT_EQ(kept[i].twistsOnTarget, measured[i].twistsOnTarget);
-    EXPECT_EQ(kept[i].meanAbsoluteError_deg, measured[i].meanAbsoluteError_deg);
-    EXPECT_EQ(kept[i].peakTorque_Nm, measured[i].peakTorque_Nm);
-    EXPECT_EQ(kept[i].peakForce_N, measured[i].peakForce_N);
-    EXPECT_EQ(kept[i].lateTicks, 3);
-    EXPECT_EQ(kept[i].contentHash, measured[i].contentHash);
-    EXPECT_EQ(pairs(kept[i].attempts), pairs(measured[i].attempts));
-  }
-}
-
-TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
-  SmallStudy study;
-  record(study, "first", 100);
-  TrialDigest older{
-      .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
-  DigestRepository(study.centre.connection()).add({&older, 1});
-
-  const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
-
-  EXPECT_EQ(study.digests.measured(), 1U);
-  EXPECT_EQ(digests.at(0).twists, 1);
-  EXPECT_EQ(DigestRepository(study.centre.connection())
-                .ofCohort(study.request.cohortId, kMetricsVersion - 1)
-                .size(),
-            1U);
-}
-
-TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
-  SmallStudy study;
-  record(study, "first", 100);
-  DigestRepository repository(study.centre.connection());
-  TrialDigest free;
-  free.trialId = "first";
-  free.formulaVersion = kMetricsVersion;
-  free.tolerance_rad = 0.1;
-  free.contentHash = "hash of first";
-  free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
-  free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
-  TrialDigest limited = free;
-  limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
-  limited.torqueLimit_Nm = 0.5;
-  const std::vector<TrialDigest> both{free, limited};
-
-  repository.add(both);
-  repository.add(both);
-
-  EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
-}
-
-TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
-  SmallStudy study;
-  record(study, "first", 100);
-  TrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
-  other.tolerance_rad = 1.0;
-  DigestRepository(study.centre.connection()).add({&other, 1});
-
-  (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
-
-  EXPECT_EQ(study.digests.measured(), 1U);
 }
 
 TEST(ReportExport, KeepsWhoTookOutWhatWithTheHashOfTheFileAndNoName) {
