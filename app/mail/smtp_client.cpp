@@ -6,6 +6,7 @@
 #include <QSslSocket>
 #include <QUuid>
 
+#include "app/base/this_computer.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 
@@ -15,10 +16,6 @@ namespace {
 
 constexpr int kAnswer_ms = 30'000;
 constexpr qsizetype kLongestAnswer_bytes = 64 * 1024;
-
-bool isThisComputer(const std::string& host) {
-  return host == "localhost" || host == "::1" || host.starts_with("127.");
-}
 
 /// What a server says: a number of three digits, and words.
 struct MailAnswer {
