@@ -60,6 +60,7 @@ void buildProgram(CLI::App& program) {
 #endif
   addStandardSetting(program);
   addTwist(program);
+  addXapi(program);
 }
 
 /// The option parser would only say that a command is missing.

@@ -35,5 +35,6 @@ void addSection(CLI::App& program);
 void addServe(CLI::App& program);
 void addStandardSetting(CLI::App& program);
 void addTwist(CLI::App& program);
+void addXapi(CLI::App& program);
 
 }  // namespace torsio::cli

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
-#include <nlohmann/json.hpp>
+#include "app/base/stored_sentence.h"
 
 namespace torsio {
 
@@ -14,35 +13,6 @@ namespace {
 
 constexpr std::array<std::pair<Light, const char*>, 3> kLights{
     {{Light::kGreen, "green"}, {Light::kAmber, "amber"}, {Light::kRed, "red"}}};
-
-/// A sentence as [pattern, argument ...], the arguments sentences themselves.
-nlohmann::json jsonOf(const Text& text) {
-  nlohmann::json json = nlohmann::json::array({text.pattern()});
-  for (const Text& argument : text.arguments()) {
-    json.push_back(jsonOf(argument));
-  }
-  return json;
-}
-
-Text textOf(const nlohmann::json& json) {
-  if (!json.is_array() || json.empty() || !json[0].is_string()) {
-    return {};
-  }
-  const auto pattern = json[0].get<std::string>();
-  std::vector<Text> given;
-  for (std::size_t i = 1; i < json.size(); ++i) {
-    given.push_back(textOf(json[i]));
-  }
-  return Text::restored(pattern, std::move(given));
-}
-
-std::string stored(const Text& text) {
-  return text.empty() ? std::string() : jsonOf(text).dump();
-}
-
-Text read(const std::string& json) {
-  return json.empty() ? Text() : textOf(nlohmann::json::parse(json, nullptr, false));
-}
 
 }  // namespace
 
@@ -71,9 +41,9 @@ StationDevice uncheckedDevice(const Text& device, bool haptic) {
 }
 
 void storeDevice(const StationDevice& device, StationState& state) {
-  state.deviceJson = stored(device.device);
+  state.deviceJson = storedSentence(device.device);
   state.deviceHaptic = device.haptic;
-  state.deviceProblemJson = stored(device.problem);
+  state.deviceProblemJson = storedSentence(device.problem);
   state.deviceCheckedUtc_us = device.checkedUtc_us;
   state.deviceLight.clear();
   for (const auto& [light, code] : kLights) {
@@ -84,9 +54,9 @@ void storeDevice(const StationDevice& device, StationState& state) {
 }
 
 StationDevice storedDevice(const StationState& state) {
-  StationDevice device{.device = read(state.deviceJson),
+  StationDevice device{.device = readSentence(state.deviceJson),
                        .haptic = state.deviceHaptic,
-                       .problem = read(state.deviceProblemJson),
+                       .problem = readSentence(state.deviceProblemJson),
                        .checkedUtc_us = state.deviceCheckedUtc_us};
   for (const auto& [light, code] : kLights) {
     if (state.deviceLight == code) {

@@ -32,19 +32,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kAllTrials = 1'000'000;
 constexpr std::int64_t kRecordedRate_Hz = kSecond_us / kTickPeriod_us;
-
-std::map<TrialId, std::int64_t> startsOf(Connection& connection, const CohortId& cohortId) {
-  std::map<TrialId, std::int64_t> starts;
-  TrialRepository trials(connection);
-  for (const Enrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
-    for (const TrialListing& trial : trials.list({.enrolmentId = enrolment.id, .limit = kAllTrials})) {
-      starts[trial.trialId] = trial.startedUtc_us;
-    }
-  }
-  return starts;
-}
 
 /// Whoever owns the file of the record can read all of it.
 bool mayTakeCodes(const SessionContext& session) {
@@ -128,11 +116,11 @@ void nameRequest(SessionContext& session, const std::string& cohort, const std::
 ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                           const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
-  ExchangeData data{request, {}, {}, {}, {}};
+  ExchangeData data{request, {}, {}, {}, {}, {}};
   data.inputs =
       reportInputs(session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded},
                    digests, progress);
-  std::map<TrialId, std::int64_t> starts = startsOf(session.connection(), request.cohortId);
+  std::map<TrialId, std::int64_t> starts = TrialRepository(session.connection()).startsOf(request.cohortId);
   if (request.pseudonymised || !mayTakeCodes(session)) {
     const Pseudonyms names(request.key.empty() ? Pseudonyms::freshKey() : request.key);
     PseudonymReport report;
@@ -146,7 +134,8 @@ ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& reques
       data.recordings[trial.trialId] = trial.trialId;
     }
   }
-  data.set = exportSet(data.inputs, starts);
+  data.analysed = analysedCohort(data.inputs);
+  data.set = exportSet(data.inputs, data.analysed.rows, starts);
   return data;
 }
 
@@ -166,7 +155,7 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
                              const std::filesystem::path& file, const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
-  const ReportModel report = cohortReport(data.inputs);
+  const ReportModel report = cohortReport(data.inputs, data.analysed);
   writeWorkbook(contentsOf(data, report), say, file, progress);
   return noted(session, data.request, "workbook", std::ssize(data.inputs.trainees), false, data.pseudonyms,
                {file});

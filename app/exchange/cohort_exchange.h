@@ -14,6 +14,7 @@
 #include "app/exchange/table_files.h"
 #include "app/exchange/workbook.h"
 #include "app/reporting/report_data.h"
+#include "assessment/report/analysed_cohort.h"
 
 namespace torsio {
 
@@ -35,6 +36,7 @@ struct ExchangeData {
   ExportSet set;
   std::optional<PseudonymReport> pseudonyms;  ///< empty: under the codes of the centre
   std::map<TrialId, TrialId> recordings;      ///< id in the record by the name of the recording in `inputs`
+  AnalysedCohort analysed;                    ///< of `inputs`
 };
 
 /// What left the house.

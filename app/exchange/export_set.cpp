@@ -25,6 +25,15 @@ ExportCell textOf(const std::string& text) {
   return text.empty() ? ExportCell() : ExportCell(text);
 }
 
+/// A row, each cell made where it stays.
+template <typename... Values>
+Cells cellsOf(Values&&... values) {
+  Cells cells;
+  cells.reserve(sizeof...(values));
+  (cells.emplace_back(std::forward<Values>(values)), ...);
+  return cells;
+}
+
 /// What is no number.
 ExportCell wordOf(const std::string& text) {
   return std::holds_alternative<double>(numberOf(text)) ? ExportCell() : textOf(text);
@@ -70,14 +79,15 @@ std::string columnName(const std::string& statistic) {
 /// Walks through the rows of cohort.csv and fills the tables.
 class Sorter {
  public:
-  Sorter(const CohortInputs& in, const std::map<TrialId, std::int64_t>& started) : started_(started) {
+  Sorter(const CohortInputs& in, const std::vector<CohortCsvRow>& rows,
+         const std::map<TrialId, std::int64_t>& started)
+      : started_(started), rows_(rows) {
     for (std::size_t i = 0; i < in.occasions.size(); ++i) {
       occasions_[in.occasions[i].str()] = static_cast<double>(i + 1);
     }
     for (const CohortTrainee& trainee : in.trainees) {
       people_[trainee.code] = &trainee;
     }
-    rows_ = cohortCsvRows(in);
   }
 
   ExportSet sorted() {
@@ -142,12 +152,12 @@ class Sorter {
       if (row.statistic == "score") {
         const auto person = people_.find(row.item);
         const CohortTrainee* known = person == people_.end() ? nullptr : person->second;
-        set.scores.rows.push_back({row.item, textOf(row.group), textOf(known ? known->sex : ""),
-                                   textOf(known ? known->level : ""), occasionOf(row), textOf(row.occasion),
-                                   numberOf(row.value), numberOf(row.n)});
+        set.scores.rows.push_back(cellsOf(row.item, textOf(row.group), textOf(known ? known->sex : ""),
+                                          textOf(known ? known->level : ""), occasionOf(row),
+                                          textOf(row.occasion), numberOf(row.value), numberOf(row.n)));
       } else if (row.statistic == "rater_mark") {
-        set.marks.rows.push_back({row.item, textOf(row.group), textOf(row.index), occasionOf(row),
-                                  textOf(row.occasion), numberOf(row.value)});
+        set.marks.rows.push_back(cellsOf(row.item, textOf(row.group), textOf(row.index), occasionOf(row),
+                                         textOf(row.occasion), numberOf(row.value)));
       }
     }
   }
@@ -216,8 +226,8 @@ class Sorter {
       } else if (row.statistic == "content_hash") {
         trial[8] = textOf(row.value);
       } else if (!row.index.empty()) {
-        set.twists.rows.push_back({row.item, textOf(row.group), counted[row.item], textOf(row.occasion),
-                                   numberOf(row.index), numberOf(row.value)});
+        set.twists.rows.push_back(cellsOf(row.item, textOf(row.group), counted[row.item],
+                                          textOf(row.occasion), numberOf(row.index), numberOf(row.value)));
       } else {
         trial[head.size() + place.at(row.statistic)] = numberOf(row.value);
       }
@@ -285,9 +295,9 @@ class Sorter {
                       {}};
     for (const Row& row : rows_) {
       if (row.section == section) {
-        table.rows.push_back({textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index),
-                              textOf(row.occasion), row.statistic, numberOf(row.value), wordOf(row.value),
-                              numberOf(row.n), textOf(row.flags)});
+        table.rows.push_back(cellsOf(
+            textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index), textOf(row.occasion),
+            row.statistic, numberOf(row.value), wordOf(row.value), numberOf(row.n), textOf(row.flags)));
       }
     }
     return table;
@@ -327,22 +337,24 @@ class Sorter {
                     {"flags", Text::tr("Flags")}},
                    {}};
     for (const Row& row : rows_) {
-      set.numbers.rows.push_back({textOf(row.section), textOf(row.item), textOf(row.group), textOf(row.model),
-                                  textOf(row.index), textOf(row.occasion), row.statistic, numberOf(row.value),
-                                  textOf(row.value), numberOf(row.n), textOf(row.flags)});
+      set.numbers.rows.push_back(cellsOf(textOf(row.section), textOf(row.item), textOf(row.group),
+                                         textOf(row.model), textOf(row.index), textOf(row.occasion),
+                                         row.statistic, numberOf(row.value), textOf(row.value),
+                                         numberOf(row.n), textOf(row.flags)));
     }
   }
 
   std::map<std::string, double> occasions_;
   std::map<std::string, const CohortTrainee*> people_;
   const std::map<TrialId, std::int64_t>& started_;
-  std::vector<Row> rows_;
+  const std::vector<Row>& rows_;
 };
 
 }  // namespace
 
-ExportSet exportSet(const CohortInputs& inputs, const std::map<TrialId, std::int64_t>& startedUtc_us) {
-  return Sorter(inputs, startedUtc_us).sorted();
+ExportSet exportSet(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows,
+                    const std::map<TrialId, std::int64_t>& startedUtc_us) {
+  return Sorter(inputs, rows, startedUtc_us).sorted();
 }
 
 std::vector<const ExportTable*> tablesOf(const ExportSet& set) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/exchange/export_table.h"
+#include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 
 namespace torsio {
@@ -25,8 +26,8 @@ struct ExportSet {
 };
 
 /// Sorts the numbers of cohortCsvRows() into tables: what those leave out is left out here, and no number is
-/// computed. `startedUtc_us`: when trials began, as far as that may be told.
-[[nodiscard]] ExportSet exportSet(const CohortInputs& inputs,
+/// computed. `rows`: those of `inputs`. `startedUtc_us`: when trials began, as far as that may be told.
+[[nodiscard]] ExportSet exportSet(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows,
                                   const std::map<TrialId, std::int64_t>& startedUtc_us);
 
 /// The tables in the order in which people look at them.

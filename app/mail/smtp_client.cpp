@@ -9,6 +9,7 @@
 #include <QSslSocket>
 #include <QUuid>
 
+#include "app/base/this_computer.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
 
@@ -22,10 +23,6 @@ constexpr int kDone = 250;
 constexpr int kSignedIn = 235;
 constexpr int kSignInGoesOn = 334;
 constexpr int kBodyFollows = 354;
-
-bool isThisComputer(const std::string& host) {
-  return host == "localhost" || QHostAddress(QString::fromStdString(host)).isLoopback();
-}
 
 /// What a server says: a number of three digits, and lines.
 struct MailAnswer {

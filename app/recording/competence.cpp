@@ -72,7 +72,8 @@ bool passesModule(const TrainingModule& module, const std::map<std::string, doub
 }
 
 CompetenceVerdict competenceOf(Connection& connection, const std::string& traineeCode,
-                               const TrainingModule& module, ExerciseRules& rules, std::int64_t now_us) {
+                               const TrainingModule& module, ExerciseRules& rules, std::int64_t now_us,
+                               std::int64_t lastUtc_us) {
   TrialFilter filter;
   filter.traineeCode = traineeCode;
   filter.moduleId = module.id;
@@ -82,7 +83,7 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   std::vector<CompetenceRun> runs;
   std::optional<std::int64_t> began_us;
   for (const TrialListing& trial : trials) {
-    if (!isFinished(trial) || !countsAt(module, trial.attemptMode)) {
+    if (!isFinished(trial) || !countsAt(module, trial.attemptMode) || trial.startedUtc_us > lastUtc_us) {
       continue;
     }
     began_us = began_us.value_or(trial.startedUtc_us);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,10 +39,12 @@ class Connection;
 
 /// Judges a trainee at one module: the design in force, its error rates, the level. Trainee's screen,
 /// transcript, report and export all show this answer and compute none of their own. Recordings that were not
-/// measured yet are measured and kept. Throws Error, DbError.
-[[nodiscard]] CompetenceVerdict competenceOf(Connection& connection, const std::string& traineeCode,
-                                             const TrainingModule& module, ExerciseRules& rules,
-                                             std::int64_t now_us);
+/// measured yet are measured and kept. Runs that began after `lastUtc_us` do not count: what was so then.
+/// Throws Error, DbError.
+[[nodiscard]] CompetenceVerdict competenceOf(
+    Connection& connection, const std::string& traineeCode, const TrainingModule& module,
+    ExerciseRules& rules, std::int64_t now_us,
+    std::int64_t lastUtc_us = std::numeric_limits<std::int64_t>::max());
 
 /// Judges everybody at every module of a curriculum version where there is an attempt, for the report. No
 /// version: nobody.

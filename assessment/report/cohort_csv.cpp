@@ -6,6 +6,7 @@
 #include <string>
 
 #include "assessment/report/aggregated_inputs.h"
+#include "assessment/report/analysed_cohort.h"
 #include "assessment/report/analysis_tables.h"
 #include "assessment/report/csv_rows.h"
 #include "assessment/report/number_format.h"
@@ -258,18 +259,21 @@ std::string numberAddress(const CohortCsvRow& row) {
   return address;
 }
 
+AnalysedCohort analysedCohort(const CohortInputs& inputs) {
+  AnalysedCohort made;
+  made.shown = shownInputs(inputs, made.left);
+  if (inputs.identity == ReportIdentity::kAggregated) {
+    made.shown = withoutSmallGroups(made.shown, made.left);
+  }
+  if (!made.shown.trainingMarks.empty()) {
+    made.study = analyseStudy(made.shown);
+  }
+  made.rows = csvRowsOf(inputs, made.shown, made.study);
+  return made;
+}
+
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
-  std::vector<Text> left;
-  const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
-  CohortInputs in = shownInputs(inputs, left);
-  if (aggregated) {
-    in = withoutSmallGroups(in, left);
-  }
-  std::optional<StudyAnalysis> study;
-  if (!in.trainingMarks.empty()) {
-    study = analyseStudy(in);
-  }
-  return csvRowsOf(inputs, in, study);
+  return analysedCohort(inputs).rows;
 }
 
 std::vector<CohortCsvRow> csvRowsOf(const CohortInputs& inputs, const CohortInputs& in,

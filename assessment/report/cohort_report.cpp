@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/report/aggregated_inputs.h"
+#include "assessment/report/analysed_cohort.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/csv_rows.h"
 #include "assessment/report/number_format.h"
@@ -197,18 +198,15 @@ void addReference(const CohortInputs& inputs, const std::vector<CohortCsvRow>& r
 
 ReportModel cohortReport(const CohortInputs& inputs) {
   checkInputs(inputs);
-  std::vector<Text> left;
-  CohortInputs in = shownInputs(inputs, left);
-  const bool aggregated = in.identity == ReportIdentity::kAggregated;
-  if (aggregated) {
-    in = withoutSmallGroups(in, left);
-  }
-  std::optional<StudyAnalysis> study;
-  if (!in.trainingMarks.empty()) {
-    study = analyseStudy(in);
-  }
-  ReportModel report = reportOf(in, study);
-  if (aggregated) {
+  return cohortReport(inputs, analysedCohort(inputs));
+}
+
+ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analysed) {
+  checkInputs(inputs);
+  const CohortInputs& in = analysed.shown;
+  std::vector<Text> left = analysed.left;
+  ReportModel report = reportOf(in, analysed.study);
+  if (in.identity == ReportIdentity::kAggregated) {
     removeIndividuals(report);
     left.push_back(Text::tr(
         "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
@@ -222,7 +220,7 @@ ReportModel cohortReport(const CohortInputs& inputs) {
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
-  addReference(inputs, csvRowsOf(inputs, in, study), report);
+  addReference(inputs, analysed.rows, report);
   return report;
 }
 

@@ -16975,6 +16975,114 @@ audit trail %3</source>
         <source>the scan</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the centre sends no learning records</source>
+        <translation>中心不发送学习记录</translation>
+    </message>
+    <message>
+        <source>Turn it on under Learning records, or by torsio xapi set --on</source>
+        <translation>请在“学习记录”中开启，或使用 torsio xapi set --on</translation>
+    </message>
+    <message>
+        <source>this station has no key of the learning record store</source>
+        <translation>此工作站没有学习记录库的密钥</translation>
+    </message>
+    <message>
+        <source>Set it under Learning records, or by torsio xapi key --user NAME</source>
+        <translation>请在“学习记录”中设置，或使用 torsio xapi key --user NAME</translation>
+    </message>
+    <message>
+        <source>the key is refused: %1</source>
+        <translation>密钥被拒绝：%1</translation>
+    </message>
+    <message>
+        <source>there is no learning record store at this address: %1</source>
+        <translation>此地址没有学习记录库：%1</translation>
+    </message>
+    <message>
+        <source>the store had it already</source>
+        <translation>学习记录库已有此记录</translation>
+    </message>
+    <message>
+        <source>the store has another statement under this id</source>
+        <translation>学习记录库在此标识下已有另一条记录</translation>
+    </message>
+    <message>
+        <source>the store knows the id, but the statement cannot be read yet</source>
+        <translation>学习记录库已知此标识，但该记录尚不能读取</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>已接收</translation>
+    </message>
+    <message>
+        <source>what answers is no learning record store: %1</source>
+        <translation>应答的不是学习记录库：%1</translation>
+    </message>
+    <message>
+        <source>this is no address of a web server</source>
+        <translation>这不是网络服务器的地址</translation>
+    </message>
+    <message>
+        <source>Write it like https://lrs.example.org/xapi</source>
+        <translation>请写成 https://lrs.example.org/xapi 的形式</translation>
+    </message>
+    <message>
+        <source>without encryption learning records go to a server on this computer only</source>
+        <translation>不加密时，学习记录只能发往本机上的服务器</translation>
+    </message>
+    <message>
+        <source>Use an address that begins with https://</source>
+        <translation>请使用以 https:// 开头的地址</translation>
+    </message>
+    <message>
+        <source>Ask the learning record store for a new one</source>
+        <translation>请向学习记录库申请新密钥</translation>
+    </message>
+    <message>
+        <source>is no key of a learning record store</source>
+        <translation>不是学习记录库的密钥</translation>
+    </message>
+    <message>
+        <source>Set it anew</source>
+        <translation>请重新设置</translation>
+    </message>
+    <message>
+        <source>this is no name and secret for a learning record store</source>
+        <translation>这不是学习记录库的名称和密码</translation>
+    </message>
+    <message>
+        <source>Enter both as the store shows them, the name without a colon</source>
+        <translation>请按学习记录库所示输入两者，名称中不要有冒号</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>已登记</translation>
+    </message>
+    <message>
+        <source>Run completed</source>
+        <translation>练习完成</translation>
+    </message>
+    <message>
+        <source>Passed or failed</source>
+        <translation>通过或未通过</translation>
+    </message>
+    <message>
+        <source>Rest taken</source>
+        <translation>已休息</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>delivered</source>
+        <translation>已送达</translation>
+    </message>
+    <message>
+        <source>refused for good</source>
+        <translation>被彻底拒绝</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -21521,6 +21629,121 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>kiosk-cards.pdf</source>
         <translation>自助终端卡片.pdf</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LearningRecordsDialog</name>
+    <message>
+        <source>Send learning &amp;records (xAPI)</source>
+        <translation>发送学习记录(xAPI)(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Send &amp;now</source>
+        <translation>立即发送(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Try all again</source>
+        <translation>全部重试(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Give up the refused</source>
+        <translation>放弃被拒绝的记录(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Learning records</source>
+        <translation>学习记录</translation>
+    </message>
+    <message>
+        <source>The learning system of the centre hears of enrolments, runs, passes and failures, rests and remarks that were read, under opaque accounts, of trainees who have agreed to it. What happened before this was turned on is not told.</source>
+        <translation>中心的学习系统会收到已同意的学员的登记、练习、通过与未通过、休息和已读评语，均以匿名账户表示。开启之前发生的事情不会发送。</translation>
+    </message>
+    <message>
+        <source>&amp;Address of the learning record store</source>
+        <translation>学习记录库地址(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Home &amp;page of the accounts</source>
+        <translation>账户所属主页(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Set the &amp;key</source>
+        <translation>设置密钥(&amp;K)</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>secret</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>Name of the key</source>
+        <translation>密钥名称</translation>
+    </message>
+    <message>
+        <source>Secret of the key</source>
+        <translation>密钥密码</translation>
+    </message>
+    <message>
+        <source>Key of this station</source>
+        <translation>此工作站的密钥</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>What the store said</source>
+        <translation>学习记录库的答复</translation>
+    </message>
+    <message>
+        <source>Nothing was refused.</source>
+        <translation>没有被拒绝的记录。</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>This station has a key and sends. The key lies in a file of this account, never in the record.</source>
+        <translation>此工作站有密钥并负责发送。密钥保存在此账户的文件中，绝不写入数据库。</translation>
+    </message>
+    <message>
+        <source>This station has no key and sends nothing. One station with a key is enough.</source>
+        <translation>此工作站没有密钥，不发送任何内容。有一台带密钥的工作站即可。</translation>
+    </message>
+    <message>
+        <source>Waiting: %1, delivered: %2, refused for good: %3</source>
+        <translation>等待：%1，已送达：%2，被彻底拒绝：%3</translation>
+    </message>
+    <message>
+        <source>! What waits was not taken: %1</source>
+        <translation>! 等待中的记录未被接收：%1</translation>
+    </message>
+    <message>
+        <source>Kept. What happens from now on is sent</source>
+        <translation>已保存。今后发生的事情将被发送</translation>
+    </message>
+    <message>
+        <source>Kept. Nothing is sent</source>
+        <translation>已保存。不发送任何内容</translation>
+    </message>
+    <message>
+        <source>Sending learning records</source>
+        <translation>正在发送学习记录</translation>
     </message>
 </context>
 <context>
@@ -26872,6 +27095,10 @@ T-02,master,17</translation>
     <message>
         <source>&amp;Kiosks let trainees in by the code on their card, without a password (from their next start on)</source>
         <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
+    </message>
+    <message>
+        <source>L&amp;earning records…</source>
+        <translation>学习记录(&amp;E)…</translation>
     </message>
 </context>
 <context>

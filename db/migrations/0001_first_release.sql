@@ -885,6 +885,25 @@ CREATE TABLE station_state (
 );
 CREATE INDEX station_state_trial ON station_state (trial_id);
 
+-- What the learning system of the centre is told (xAPI), written with what happened while the centre sends and the
+-- trainee agrees. object_id: of the enrolment, trial, exposure or remark. statement: what is sent, made before the first
+-- try and never changed, so that a second try is the same statement.
+CREATE TABLE learning_event (
+  kind TEXT NOT NULL CHECK (kind IN ('registered', 'launched', 'completed', 'judged', 'rested', 'remark_read')),
+  object_id TEXT NOT NULL,
+  person_id TEXT NOT NULL REFERENCES person (id),
+  happened_utc_us BIGINT NOT NULL,
+  statement TEXT,
+  state TEXT NOT NULL CHECK (state IN ('waiting', 'delivered', 'dead')),
+  tries BIGINT NOT NULL,
+  next_try_utc_us BIGINT NOT NULL,
+  answer TEXT,
+  answered_utc_us BIGINT,
+  PRIMARY KEY (kind, object_id)
+);
+CREATE INDEX learning_event_person ON learning_event (person_id);
+CREATE INDEX learning_event_next ON learning_event (state, next_try_utc_us);
+
 -- Rubrics, and what is scored by them apart from the study: the trainee about themselves, the rater before the first
 -- case.
 

@@ -397,6 +397,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     line_->leave();
   }
   line_.reset();
+  lessons_.reset();
   event->accept();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -24,6 +25,7 @@
 #include "app/gui/shell/preferences.h"
 #include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
+#include "app/xapi/lrs_worker.h"
 #include "assessment/people/account.h"
 
 class QLabel;
@@ -55,6 +57,7 @@ struct ShellSetup {
   LinePatience linePatience;
   /// Fills a record with simulated people; empty: the demonstration of the paper's protocol.
   std::function<std::vector<StartAccount>(SessionContext&, const ProgressCallback&)> simulatedPeople;
+  std::chrono::milliseconds lessonsAgain = std::chrono::minutes(1);  ///< between two looks into the outbox
   std::filesystem::path unstored;  ///< where recordings wait for their database; empty: unstoredFolder()
 };
 
@@ -153,6 +156,7 @@ class MainWindow : public QWidget {
   QString lookedFrom_;                       ///< the locator before it
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
+  std::unique_ptr<LrsWorker> lessons_;  ///< learning records leave while the record is open
   std::size_t refusedTold_ = 0;
   bool simulated_ = false;    // an administrator looks at a simulated trainee's desk
   bool answered_ = true;      // the database, at the last heartbeat

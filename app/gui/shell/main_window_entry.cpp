@@ -57,6 +57,7 @@ void MainWindow::leaveKiosk() {
 
 void MainWindow::openDatabase() {
   line_.reset();
+  lessons_.reset();
   try {
     if (!preferences_.database().isEmpty() && preferences_.database() == setup_.locator) {
       requireKnownRecord(key().locator);
@@ -115,6 +116,7 @@ void MainWindow::settle() {
 
 void MainWindow::startLine() {
   line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
+  lessons_ = std::make_unique<LrsWorker>(key(), setup_.lessonsAgain);
   answered_ = true;
   settleDue_ = false;
   if (desk_ != nullptr) {
@@ -148,6 +150,7 @@ void MainWindow::changeRecord(const RecordChange& change) {
     line_->leave();
   }
   line_.reset();
+  lessons_.reset();
   session_.reset();  // nobody has the record open now
   QString sentence = change.sentence;
   bool failed = false;
@@ -200,6 +203,7 @@ void MainWindow::endLookRound() {
     line_->leave();
   }
   line_.reset();
+  lessons_.reset();
   session_.reset();  // nobody has the record open now
   lookedAt_.reset();
   setup_.locator = lookedFrom_;
@@ -214,6 +218,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
   }
   setup_.locator = choice.locator;
   line_.reset();
+  lessons_.reset();
   session_.reset();
   setUpCancelled_->store(false);
   firstRun_->job().begin(tr("Setting up the centre"));

@@ -143,6 +143,11 @@ inline constexpr std::array kSealRules{
              .key = "station",
              .reason = "what a station shows now, overwritten every ten seconds"},
 
+    SealRule{.table = "learning_event",
+             .sealing = Sealing::kNot,
+             .key = "kind, object_id",
+             .reason = "what was sent or waits to be sent; what it tells of is sealed"},
+
     SealRule{"rubric", Sealing::kEachChange, "id"},
     SealRule{"rubric_revision", Sealing::kOnce, "id"},
     SealRule{"rubric_row", Sealing::kOnce, "revision_id, row_code"},

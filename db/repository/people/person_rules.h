@@ -110,6 +110,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"retention_hold", "person_id = ?"},
     PersonRule{"exposure", person_conditions::kAsTrainee},
     PersonRule{"deviation", person_conditions::kAsTrainee, OnErase::kClear, "description = NULL"},
+    PersonRule{"learning_event", "person_id = ?", OnErase::kDelete},
     PersonRule{"erasure", "person_id = ?"},
     PersonRule{"record_copy", "person_id = ?"},
     // Nobody's data: what the centre plans, names and computes over many.

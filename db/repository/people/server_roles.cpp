@@ -59,6 +59,7 @@ constexpr std::array kStationRights{
     StationRight{"allocation_seed", kChange},
     StationRight{"live_call", kChange},
     StationRight{"station_state", kAll},
+    StationRight{"learning_event", kAll},
     StationRight{"record_copy", kChange},
     StationRight{"seal_salt", kAll},
     // Drafts.

@@ -257,6 +257,19 @@ std::optional<CurriculumVersion> CurriculumRepository::version(const CurriculumV
       });
 }
 
+std::optional<TrainingModule> CurriculumRepository::module(const ModuleId& moduleId) const {
+  const auto versionId = selectFirst(connection_, "SELECT version_id FROM module WHERE id = ?", {moduleId},
+                                     readId<CurriculumVersionId>);
+  if (versionId) {
+    for (TrainingModule& one : modulesOf(connection_, *versionId)) {
+      if (one.id == moduleId) {
+        return std::move(one);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<CurriculumVersionId> CurriculumRepository::versionIds(const CurriculumId& curriculumId) const {
   return selectAll(connection_, "SELECT id FROM curriculum_version WHERE curriculum_id = ? ORDER BY number",
                    {curriculumId}, readId<CurriculumVersionId>);

@@ -38,6 +38,8 @@ class CurriculumRepository {
   /// version or when prerequisites run in a circle.
   void addVersion(const CurriculumVersion& version, const std::string& createdBy);
   [[nodiscard]] std::optional<CurriculumVersion> version(const CurriculumVersionId& versionId) const;
+  /// Empty: no such module.
+  [[nodiscard]] std::optional<TrainingModule> module(const ModuleId& moduleId) const;
   /// Ids, oldest version first.
   [[nodiscard]] std::vector<CurriculumVersionId> versionIds(const CurriculumId& curriculumId) const;
   /// draft -> running -> closed; throws Error (kBadData) for any other step.

@@ -3,6 +3,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
+#include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -141,6 +142,7 @@ std::vector<StudyGroup> StudyRepository::groups(const CohortId& cohortId) const 
 }
 
 void StudyRepository::enrol(std::span<const Enrolment> enrolments) {
+  std::vector<std::string> ids;
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("enrolment",
@@ -150,7 +152,9 @@ void StudyRepository::enrol(std::span<const Enrolment> enrolments) {
     insert.execute({enrolment.id, enrolment.cohortId, enrolment.traineeId, textOrNull(enrolment.groupId),
                     enrolment.numberInGroup == 0 ? Value() : Value(enrolment.numberInGroup),
                     storedText(enrolment.state), enrolment.enrolledUtc_us, enrolment.demonstration});
+    ids.push_back(enrolment.id);
   }
+  noteLearningEvents(connection_, LearningEventKind::kRegistered, ids);
   transaction.commit();
 }
 
@@ -284,6 +288,7 @@ std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const DesignI
 }
 
 void StudyRepository::addExposures(std::span<const Exposure> exposures) {
+  std::vector<std::string> rests;
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(insertInto(
       "exposure",
@@ -292,7 +297,11 @@ void StudyRepository::addExposures(std::span<const Exposure> exposures) {
     insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId),
                     storedText(exposure.kind), exposure.startedUtc_us, exposure.duration_us,
                     exposure.recordedBy, exposure.demonstration});
+    if (exposure.kind == ExposureKind::kRest) {
+      rests.push_back(exposure.id);
+    }
   }
+  noteLearningEvents(connection_, LearningEventKind::kRested, rests);
   transaction.commit();
 }
 

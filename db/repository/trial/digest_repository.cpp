@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "db/connection/row_reader.h"
+#include "db/repository/base/learning_events.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -124,6 +125,7 @@ TrialDigest digestFrom(RowReader& row) {
 }  // namespace
 
 void DigestRepository::add(std::span<const TrialDigest> digests) {
+  std::vector<std::string> judged;
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       insertInto("trial_digest",
@@ -137,7 +139,9 @@ void DigestRepository::add(std::span<const TrialDigest> digests) {
                     digest.contentHash, digest.model, digest.duration_us, digest.unfinishedTwists,
                     digest.meanAbsoluteError_deg, digest.peakTorque_Nm, digest.peakForce_N,
                     packed(digest.attempts), packed(digest.measures), digest.computedUtc_us});
+    judged.push_back(digest.trialId);
   }
+  noteLearningEvents(connection_, LearningEventKind::kJudged, judged);
   transaction.commit();
 }
 

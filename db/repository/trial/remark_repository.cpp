@@ -6,6 +6,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
+#include "db/repository/base/learning_events.h"
 #include "db/repository/trial/newest_of_remark.h"
 #include "sim/base/ids.h"
 
@@ -112,11 +113,14 @@ std::map<RemarkId, std::vector<RemarkWording>> RemarkRepository::earlierWordings
 }
 
 void RemarkRepository::markRead(const ReadReceipt& receipt) {
+  Transaction transaction(connection_);
   connection_.execute(
       insertInto("remark_receipt", "remark_id, reader, version, reader_person_id, read_utc_us") +
           " ON CONFLICT (remark_id, reader, version) DO NOTHING",
       {receipt.remarkId, receipt.reader, receipt.version, textOrNull(receipt.readerPersonId),
        receipt.readUtc_us});
+  noteLearningEvents(connection_, LearningEventKind::kRemarkRead, {&receipt.remarkId.text(), 1});
+  transaction.commit();
 }
 
 std::vector<ReadReceipt> RemarkRepository::receipts(const TrialId& trialId) const {

@@ -12,6 +12,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
+#include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
 #include "db/repository/trial/servo_health_columns.h"
 #include "sim/base/clock.h"
@@ -231,7 +232,10 @@ void TrialRepository::insertTrial(const TrialHeader& header, bool sameContext) {
   const std::vector<IdempotentColumn> context =
       contextColumns(context_, sameContext ? Kind::kContent : Kind::kIgnored);
   columns.insert(columns.end(), context.begin(), context.end());
+  Transaction transaction(connection_);
   insertIdempotent(connection_, "trial", columns, "trial " + header.trialId);
+  noteLearningEvents(connection_, LearningEventKind::kLaunched, {&header.trialId.text(), 1});
+  transaction.commit();
 }
 
 void TrialRepository::resume(const TrialId& trialId) {
@@ -290,6 +294,7 @@ void TrialRepository::end(const TrialId& trialId, const std::string& station, co
                       .objectKind = AuditObject::kTrial,
                       .objectId = trialId};
   AuditRepository(connection_).append(entry);
+  noteLearningEvents(connection_, LearningEventKind::kCompleted, {&trialId.text(), 1});
   transaction.commit();
 }
 
@@ -316,6 +321,24 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
 
 std::optional<TrialHeader> TrialRepository::find(const TrialId& trialId) const {
   return selectFirst(connection_, kSelectHeader + " WHERE t.id = ?", {trialId}, headerOf);
+}
+
+std::map<TrialId, std::int64_t> TrialRepository::startsOf(const CohortId& cohortId) const {
+  Statement rows = connection_.prepare(
+      "SELECT t.id, t.started_utc_us FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
+      " WHERE e.cohort_id = ?");
+  rows.execute({cohortId});
+  std::map<TrialId, std::int64_t> starts;
+  while (rows.step()) {
+    RowReader row(rows);
+    TrialId id = row.text();
+    starts.emplace(std::move(id), row.int64());
+  }
+  return starts;
+}
+
+std::optional<TrialListing> TrialRepository::listing(const TrialId& trialId) const {
+  return selectFirst(connection_, kSelectListing + " WHERE t.id = ?", {trialId}, listingOf);
 }
 
 std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) const {

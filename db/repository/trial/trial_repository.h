@@ -40,11 +40,16 @@ class TrialRepository final : public TrialSink {
 
   [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
   [[nodiscard]] std::optional<TrialHeader> find(const TrialId& trialId) const;
+  /// The line of one trial in a list; empty: no such trial.
+  [[nodiscard]] std::optional<TrialListing> listing(const TrialId& trialId) const;
   /// Where and for what a trial was recorded; empty: no such trial.
   [[nodiscard]] std::optional<TrialContext> context(const TrialId& trialId) const;
   /// Header, all chunks and the summary; an unfinished trial has a summary counted from its chunks, without
   /// content hash, with the outcome kInterrupted. Throws Error (kBadData) when there is no such trial.
   [[nodiscard]] Trial load(const TrialId& trialId) const;
+
+  /// When each trial of a cohort began, microseconds since 1970 UTC.
+  [[nodiscard]] std::map<TrialId, std::int64_t> startsOf(const CohortId& cohortId) const;
 
   /// Parameters of the models of a cohort's trials whose organ was accepted with a warning, each once.
   [[nodiscard]] std::vector<std::string> warnedParameters(const CohortId& cohortId) const;

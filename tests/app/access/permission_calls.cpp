@@ -71,6 +71,7 @@
 #include "app/training/run_session.h"
 #include "app/training/transcript.h"
 #include "app/training/trend.h"
+#include "app/xapi/learning_records.h"
 #include "sim/base/clock.h"
 
 namespace torsio::testing {
@@ -272,6 +273,15 @@ std::vector<ServiceCall> studyCalls() {
        [](SessionContext& w, Path) { noteReminders(w, {}, ReminderWay::kCopied); }},
       {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
       {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
+      {O::kSettingsEdit, "lrsSettings", [](SessionContext& w, Path) { (void)lrsSettings(w); }},
+      {O::kSettingsEdit, "setLrsSettings", [](SessionContext& w, Path) { setLrsSettings(w, {}); }},
+      {O::kSettingsEdit, "learningRecords", [](SessionContext& w, Path) { (void)learningRecords(w); }},
+      {O::kSettingsEdit, "retryLearningRecords",
+       [](SessionContext& w, Path) { (void)retryLearningRecords(w); }},
+      {O::kSettingsEdit, "dropLearningRecords",
+       [](SessionContext& w, Path) { (void)dropLearningRecords(w); }},
+      {O::kReportExportCoded, "sendLearningRecords",
+       [](SessionContext& w, Path) { (void)sendLearningRecords(w); }},
       {O::kStudySetup, "reassignAll", [](SessionContext& w, Path) { (void)reassignAll(w, {}, {}, "why"); }},
       {O::kStudySetup, "reportDeviation", [](SessionContext& w, Path) { (void)reportDeviation(w, {}); }},
       {O::kStudySetup, "reportDeviations", [](SessionContext& w, Path) { reportDeviations(w, {}); }},

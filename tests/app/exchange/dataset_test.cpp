@@ -12,6 +12,7 @@
 #include "app/base/csv_table.h"
 #include "app/exchange/export_set.h"
 #include "app/exchange/trajectory.h"
+#include "assessment/report/cohort_csv.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -131,7 +132,7 @@ TEST(Trajectory, HoldsEveryNumberOfEveryTenthSample) {
 TEST(Dataset, DescribesEachOfItsFiles) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), {});
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
   const std::vector<fs::path> files = writeDataset(wholeContents(set), DatasetLayout::kRoCrate, folder);
 
   std::size_t found = 0;
@@ -177,7 +178,7 @@ TEST(Dataset, DescribesEachOfItsFiles) {
 TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), {});
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
   DatasetContents contents = wholeContents(set);
   contents.recordings[1].trainee = "P-a.a";  // the same letters as the first
   contents.recordings.push_back({"T-0003", "P-aa", [] { return movedTrial(); }});
@@ -213,7 +214,7 @@ TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
 TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), {});
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
   DatasetContents contents = wholeContents(set);
   contents.recordings[1].load = []() -> Trial {
     throw Error(ErrorCode::kBadData, Text::tr("the recording is damaged"), std::string("T-0002"), Text());
@@ -252,7 +253,7 @@ TEST(Dataset, IsReadByTheReferenceLibraryOfFrictionless) {
   if (!testing::hasProgram("node") || !testing::outputOf(node, own.path()).empty()) {
     GTEST_SKIP() << "npm's datapackage is not installed (NODE_PATH)";
   }
-  const ExportSet set = exportSet(testing::awkwardCohort(), {});
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
   writeDataset(wholeContents(set), DatasetLayout::kFrictionless, own.path() / "set");
   writeFileAtomically(own.path() / "read.js", R"(const {Package} = require('datapackage');
 (async () => {

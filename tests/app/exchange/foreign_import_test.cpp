@@ -2,6 +2,7 @@
 // Recordings of other equipment: the same motion out of each layout, refusals by line, nothing half imported.
 #include "app/exchange/foreign_import.h"
 
+#include <cstdlib>
 #include <functional>
 #include <sstream>
 #include <vector>
@@ -259,6 +260,32 @@ TEST(ForeignImport, TakesTheGlobalRatingOfJigsaws) {
   } catch (const Error& error) {
     EXPECT_THAT(error.where(), HasSubstr("meta.txt, line 2"));
   }
+}
+
+/// Published sets may not be shipped: TORSIO_PUBLISHED_SETS names a folder with a folder for each layout, in
+/// it files as they were published and a map (*.json) for each recording.
+TEST(ForeignImport, TakesPublishedSetsWhereTheyAre) {
+  const char* sets = std::getenv("TORSIO_PUBLISHED_SETS");
+  if (sets == nullptr) {
+    GTEST_SKIP() << "TORSIO_PUBLISHED_SETS names no folder";
+  }
+  StudyCentre centre;
+  int maps = 0;
+  for (const char* layout : {"jigsaws", "rosma", "perktutor", "csv"}) {
+    const fs::path folder = fs::path(sets) / layout;
+    if (!fs::exists(folder)) {
+      continue;
+    }
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") {
+        const ForeignOutcome done =
+            importForeign(centre.as("administrator"), foreignLayout(layout), entry.path(), "");
+        EXPECT_GE(done.trials, 1) << entry.path();
+        ++maps;
+      }
+    }
+  }
+  EXPECT_GT(maps, 0);
 }
 
 TEST(ForeignImport, RefusesByLineAndKeepsNothing) {

@@ -32,7 +32,7 @@ const ExportWording kEnglish = [](const Text& text) { return text.str(); };
 
 struct Written {
   CohortInputs inputs = awkwardCohort();
-  ExportSet set = exportSet(inputs, {});
+  ExportSet set = exportSet(inputs, cohortCsvRows(inputs), {});
   ReportModel report = cohortReport(inputs);
   OwnFolder folder;
   std::filesystem::path file = folder.path() / "cohort.xlsx";
@@ -69,7 +69,7 @@ double numberIn(const std::string& text) {
 TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
   const CohortInputs in = awkwardCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
-  const ExportSet set = exportSet(in, {});
+  const ExportSet set = exportSet(in, cohortCsvRows(in), {});
 
   ASSERT_EQ(set.numbers.rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include "app/exchange/export_set.h"
 #include "app/exchange/table_files.h"
+#include "assessment/report/cohort_csv.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/base/time_units.h"
@@ -76,7 +77,7 @@ TEST(Pseudonyms, MoveTimesByWholeDaysOfEachPersonAndNeverByNone) {
 
 TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
   const Hidden hidden;
-  const ExportSet set = exportSet(hidden.after, hidden.starts);
+  const ExportSet set = exportSet(hidden.after, cohortCsvRows(hidden.after), hidden.starts);
   const OwnFolder folder;
   std::string all;
   for (const TableFormat format : {TableFormat::kCsv, TableFormat::kSpss}) {
@@ -115,8 +116,8 @@ TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
 
 TEST(Pseudonyms, KeepEveryNumberAndEveryCount) {
   const Hidden hidden;
-  const ExportSet before = exportSet(hidden.before, {});
-  const ExportSet after = exportSet(hidden.after, hidden.starts);
+  const ExportSet before = exportSet(hidden.before, cohortCsvRows(hidden.before), {});
+  const ExportSet after = exportSet(hidden.after, cohortCsvRows(hidden.after), hidden.starts);
   ASSERT_EQ(after.marks.rows.size(), before.marks.rows.size());
   std::multiset<double> marksBefore;
   std::multiset<double> marksAfter;

@@ -74,6 +74,7 @@ class CarePages : public ::testing::Test {
     setup.clock = &clock_;
     setup.unstored = in("unstored");
     setup.passwordCost = PasswordCost::kTest;
+    setup.lessonsAgain = std::chrono::hours(24);
     window_ = std::make_unique<MainWindow>(setup);
     window_->QWidget::show();
     window_->start();

@@ -15,6 +15,7 @@
 #include "app/access/two_people.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/second_person.h"
+#include "app/gui/administrator/station/learning_records_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -41,6 +42,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       signLabel_(nullptr),
       sign_(new QSpinBox(this)),
       note_(sentence(this)),
+      learning_(new QPushButton(this)),
       keep_(new QPushButton(this)) {
   name_->setObjectName(QStringLiteral("centreName"));
   warn_->setObjectName(QStringLiteral("idleWarn"));
@@ -73,9 +75,12 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   signing->setSpacing(kSpace);
   signLabel_ = addField(signing, sign_);
   signing->addStretch(1);
+  learning_->setObjectName(QStringLiteral("learningRecordsButton"));
+  signing->addWidget(learning_);
   content()->addLayout(signing);
   content()->addWidget(note_);
   connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
+  connect(learning_, &QPushButton::clicked, this, [this] { LearningRecordsDialog(shell_, this).exec(); });
   connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
   retranslate();
 }
@@ -143,6 +148,7 @@ void StationSettingsCard::retranslate() {
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
   note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
+  learning_->setText(tr("L&earning records\u2026"));
   keep_->setText(tr("&Save"));
 }
 

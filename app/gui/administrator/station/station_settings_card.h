@@ -45,6 +45,7 @@ class StationSettingsCard : public Card {
   QLabel* signLabel_;
   QSpinBox* sign_;
   QLabel* note_;
+  QPushButton* learning_;
   QPushButton* keep_;
 };
 

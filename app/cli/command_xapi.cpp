@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/care_options.h"
+#include "app/cli/commands.h"
+#include "app/cli/database_option.h"
+#include "app/cli/json_output.h"
+#include "app/cli/terminal.h"
+#include "app/maintenance/care_desk.h"
+#include "app/xapi/learning_records.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct XapiArguments {
+  std::string database = "torsio.sqlite";
+  LrsSettings settings;
+  bool on = false;
+  bool off = false;
+  std::string user;
+  int secretDescriptor = -1;
+  bool drop = false;
+  CareOptions care;
+  bool json = false;
+};
+
+void printStatus(const LearningRecordsView& view, bool json) {
+  if (json) {
+    nlohmann::ordered_json dead = nlohmann::ordered_json::array();
+    for (const auto& [event, answer] : view.dead) {
+      dead.push_back({{"kind", storedText(event.kind)},
+                      {"object", event.objectId},
+                      {"tries", event.tries},
+                      {"answer", answer.str()}});
+    }
+    printJson(nlohmann::ordered_json{{"on", view.settings.on},
+                                     {"endpoint", view.settings.endpoint},
+                                     {"home_page", view.settings.homePage},
+                                     {"key_at_this_station", view.hasKey},
+                                     {"waiting", view.counts.waiting},
+                                     {"delivered", view.counts.delivered},
+                                     {"refused", view.counts.dead},
+                                     {"trouble", view.trouble.str()},
+                                     {"dead", std::move(dead)}});
+    return;
+  }
+  std::cout << "Sending: " << (view.settings.on ? "on, to " + view.settings.endpoint : std::string("off"))
+            << "\nKey at this station: " << (view.hasKey ? "yes" : "no")
+            << "\nWaiting: " << view.counts.waiting << "\nDelivered: " << view.counts.delivered
+            << "\nRefused for good: " << view.counts.dead << "\n";
+  if (!view.trouble.empty()) {
+    std::cout << "Last trouble: " << view.trouble.str() << "\n";
+  }
+  for (const auto& [event, answer] : view.dead) {
+    std::cout << storedText(event.kind) << " " << event.objectId << ": " << answer.str() << "\n";
+  }
+}
+
+void status(const XapiArguments& given) {
+  CareDesk desk(given.care.taker(), given.database);
+  printStatus(learningRecords(desk.session()), given.json);
+}
+
+void set(const XapiArguments& given) {
+  CareDesk desk(given.care.taker(), given.database);
+  LrsSettings settings = lrsSettings(desk.session());
+  settings.endpoint = given.settings.endpoint.empty() ? settings.endpoint : given.settings.endpoint;
+  settings.homePage = given.settings.homePage.empty() ? settings.homePage : given.settings.homePage;
+  settings.on = (settings.on || given.on) && !given.off;
+  setLrsSettings(desk.session(), settings);
+  printStatus(learningRecords(desk.session()), given.json);
+}
+
+void setKey(const XapiArguments& given) {
+  LrsKey key{given.user, {}};
+  if (!key.user.empty()) {
+    key.secret = given.secretDescriptor >= 0
+                     ? secretFrom(given.secretDescriptor)
+                     : typedSecret("Secret of " + key.user + " at the learning record store: ");
+  }
+  setStationLrsKey(key);
+  std::cout << (key.user.empty() ? "This station has no key any more and sends nothing.\n"
+                                 : "Kept for this account only; this station sends from now on.\n");
+}
+
+void send(const XapiArguments& given) {
+  CareOptions care = given.care;
+  care.asSystem = care.login.empty();
+  CareDesk desk(care.taker(), given.database);
+  const LrsDelivery done = sendLearningRecords(desk.session());
+  if (given.json) {
+    printJson(nlohmann::ordered_json{{"delivered", done.delivered},
+                                     {"refused", done.dead},
+                                     {"later", done.later},
+                                     {"nothing_to_tell", done.forgotten},
+                                     {"stopped", done.stopped}});
+  } else {
+    std::cout << "Delivered " << done.delivered << ", refused for good " << done.dead << ", later "
+              << done.later << "\n";
+  }
+  if (done.stopped) {
+    throw Error(ErrorCode::kFileUnreadable, Text::verbatim("the learning record store takes nothing now"),
+                Text(), Text::verbatim("What is left waits; torsio xapi status says why"));
+  }
+}
+
+void retry(const XapiArguments& given) {
+  CareDesk desk(given.care.taker(), given.database);
+  const std::int64_t count =
+      given.drop ? dropLearningRecords(desk.session()) : retryLearningRecords(desk.session());
+  std::cout << count << (given.drop ? " given up\n" : " will be tried again\n");
+}
+
+}  // namespace
+
+void addXapi(CLI::App& program) {
+  auto arguments = std::make_shared<XapiArguments>();
+  CLI::App* xapi = program.add_subcommand("xapi", "Learning records for the learning system of the centre");
+  xapi->require_subcommand(1);
+  const auto add = [&](const char* name, const char* what, bool signIn) {
+    CLI::App* command = xapi->add_subcommand(name, what);
+    addDatabaseArgument(*command, "--database", arguments->database,
+                        "SQLite file or postgresql://... address")
+        ->capture_default_str();
+    CLI::Option* login = addSignIn(*command, arguments->care, "--login");
+    if (signIn) {
+      login->required();
+    }
+    command->add_flag("--json", arguments->json, "Print JSON");
+    return command;
+  };
+  add("status", "What waits, what was delivered, what was refused and why", true)->callback([arguments] {
+    status(*arguments);
+  });
+  CLI::App* command = add("set", "Sets where learning records go, and turns them on or off", true);
+  command->add_option("--endpoint", arguments->settings.endpoint, "Address of the learning record store");
+  command->add_option("--home-page", arguments->settings.homePage,
+                      "Address of the system to which the accounts of trainees belong");
+  CLI::Option* on = command->add_flag("--on", arguments->on, "Keeps and sends what happens from now on");
+  command->add_flag("--off", arguments->off, "Keeps and sends nothing")->excludes(on);
+  command->callback([arguments] { set(*arguments); });
+
+  command = xapi->add_subcommand("key", "Sets the key by which this station signs in to the store");
+  CLI::Option* user = command->add_option("--user", arguments->user, "Name of the key; none: takes it away");
+  command
+      ->add_option("--secret-fd", arguments->secretDescriptor,
+                   "Reads the secret from this file descriptor instead of asking for it")
+      ->needs(user);
+  command->callback([arguments] { setKey(*arguments); });
+
+  add("send", "Sends what is due, now", false)->callback([arguments] { send(*arguments); });
+  command = add("retry", "Tries again at once what waits or was refused for good", true);
+  command->add_flag("--drop", arguments->drop, "Gives up what was refused for good instead");
+  command->callback([arguments] { retry(*arguments); });
+}
+
+}  // namespace torsio::cli
