@@ -4,13 +4,13 @@
 // height of its fine relief.
 VARYING vec3 outward;
 VARYING vec3 toEye;
-VARYING vec3 tint;
+VARYING vec4 tint;
 VARYING vec2 place;
 
 void MAIN()
 {
     vec4 skin = texture(skinMap, place);
-    vec3 base = skin.rgb * skin.rgb * tint;
+    vec3 base = skin.rgb * skin.rgb * tint.rgb;
     vec3 viewer = normalize(toEye);
     vec3 smoothNormal = normalize(outward);
     vec3 px = dFdx(toEye), py = dFdy(toEye);
@@ -36,5 +36,5 @@ void MAIN()
     float m2 = lensMirror * lensMirror, m4 = m2 * m2, m16 = m4 * m4 * m4 * m4;
     float shine = wetness * (0.9 * l64 * l64 + 0.30 * l64 + 0.05 * m16 * m16) + 0.06 * l16 + 0.02 * m16;
     sum += shine * smoothstep(-0.2, 0.05, lamp) + (0.02 + 0.16 * wetness) * rim * rim * up;
-    FRAGCOLOR = vec4(sqrt(sum), 1.0);
+    FRAGCOLOR = vec4(sqrt(sum), 1.0) * tint.a;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 VARYING vec3 outward;   // normal, world
 VARYING vec3 toEye;
-VARYING vec3 tint;      // of the tissue's own colour: by its blood, or the colour of a map
+VARYING vec4 tint;      // of the tissue's own colour, by its blood; how much of the pixel it covers
 VARYING vec2 place;     // on the map of the skin
 
 void MAIN()
 {
     outward = NORMAL;
     toEye = CAMERA_POSITION - VERTEX;
-    tint = COLOR.rgb;
+    tint = COLOR;
     place = UV0;
     POSITION = MODELVIEWPROJECTION_MATRIX * vec4(VERTEX, 1.0);
 }

@@ -3,7 +3,7 @@
 // legend, the rest the same hue darker, and nothing is ever brighter.
 VARYING vec3 outward;
 VARYING vec3 toEye;
-VARYING vec3 colour;
+VARYING vec4 colour;
 
 vec3 encoded(vec3 c)
 {
@@ -16,5 +16,5 @@ void MAIN()
     float facing = max(dot(normal, normalize(toEye)), 0.0);
     float lamp = max(dot(normal, lampDirection), 0.0);
     float light = min(1.0, 0.55 + 0.50 * facing * facing + 0.30 * lamp);
-    FRAGCOLOR = vec4(encoded(colour) * light, 1.0);
+    FRAGCOLOR = vec4(encoded(colour.rgb) * light, 1.0) * colour.a;
 }

@@ -347,6 +347,7 @@ void ReplayPanel::showState() {
     }
     view_->setOrgan(organStateOf(state));
     view_->setTool(state.tool, state.grip);
+    view_->setForce(state.tool.position_m, state.response.force_N);
     if (view_->draws()) {
       view_->redraw();
       if (!awaitsFrame_) {

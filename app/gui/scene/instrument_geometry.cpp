@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <QByteArray>
@@ -24,17 +26,12 @@ using Attribute = QQuick3DGeometry::Attribute;
 constexpr double kSharpEdgeCosine = 0.819;  // 35 degrees
 constexpr float kMillimetres = 1000.0F;
 
-struct Corner {
-  QVector3D position;
-  QVector3D normal;
-};
-
 QVector3D millimetres(const Vec3& p) {
   return QVector3D(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)) * kMillimetres;
 }
 
 /// Three corners a triangle; each takes the mean of those normals round its vertex that look nearly its way.
-std::vector<Corner> cornersOf(const TriangleMesh& mesh) {
+std::vector<EdgeVertex> cornersOf(const TriangleMesh& mesh) {
   std::vector<Vec3> faces;
   std::vector<std::vector<std::uint32_t>> around(mesh.vertices_m.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
@@ -44,7 +41,7 @@ std::vector<Corner> cornersOf(const TriangleMesh& mesh) {
     }
     faces.push_back(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));  // weighs by area
   }
-  std::vector<Corner> corners;
+  std::vector<EdgeVertex> corners;
   corners.reserve(3 * faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Vec3 own = normalized(faces[f]);
@@ -56,9 +53,11 @@ std::vector<Corner> cornersOf(const TriangleMesh& mesh) {
         }
       }
       const Vec3 n = normalized(sum);
-      corners.push_back(
-          {millimetres(mesh.vertices_m[corner]),
-           QVector3D(static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z))});
+      const QVector3D at = millimetres(mesh.vertices_m[corner]);
+      corners.push_back({{at.x(), at.y(), at.z()},
+                         {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)},
+                         {1.0F, 1.0F, 1.0F, 1.0F},
+                         {}});
     }
   }
   return corners;
@@ -99,29 +98,87 @@ InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::s
   return parts;
 }
 
+TriangleMesh turnedBody(std::span<const std::array<double, 2>> profile_mm, int sides) {
+  TriangleMesh mesh;
+  const auto rings = static_cast<std::uint32_t>(profile_mm.size()) - 2;
+  const auto around = static_cast<std::uint32_t>(sides);
+  const auto point = [](double radius_mm, double angle, double z_mm) {
+    return 1e-3 * Vec3{radius_mm * std::cos(angle), radius_mm * std::sin(angle), z_mm};
+  };
+  mesh.vertices_m.push_back(point(0.0, 0.0, profile_mm.front()[1]));
+  for (const std::array<double, 2>& ring : profile_mm.subspan(1, rings)) {
+    for (int i = 0; i < sides; ++i) {
+      mesh.vertices_m.push_back(point(ring[0], 2.0 * std::numbers::pi * i / sides, ring[1]));
+    }
+  }
+  mesh.vertices_m.push_back(point(0.0, 0.0, profile_mm.back()[1]));
+  const auto top = static_cast<std::uint32_t>(mesh.vertices_m.size() - 1);
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const std::uint32_t here = 1 + i;
+    const std::uint32_t next = 1 + (i + 1) % around;
+    mesh.triangles.push_back({0, next, here});
+    for (std::uint32_t below = 0; below + around < rings * around; below += around) {
+      const std::uint32_t above = below + around;
+      mesh.triangles.push_back({here + below, next + below, next + above});
+      mesh.triangles.push_back({here + below, next + above, here + above});
+    }
+    const std::uint32_t last = (rings - 1) * around;
+    mesh.triangles.push_back({here + last, next + last, top});
+  }
+  return mesh;
+}
+
 InstrumentGeometry::InstrumentGeometry() {
-  static_assert(sizeof(Corner) == 6 * sizeof(float));
-  setStride(sizeof(Corner));
-  setPrimitiveType(PrimitiveType::Triangles);
-  addAttribute(Attribute::PositionSemantic, 0, Attribute::F32Type);
-  addAttribute(Attribute::NormalSemantic, 3 * sizeof(float), Attribute::F32Type);
+  announceEdgeVertices(*this);
 }
 
 void InstrumentGeometry::setMesh(const TriangleMesh& mesh) {
-  const std::vector<Corner> corners = cornersOf(mesh);
+  corners_ = cornersOf(mesh);
+  silhouette_ = Silhouette(mesh.triangles, mesh.vertices_m.size());
   constexpr float kHuge = std::numeric_limits<float>::max();
   QVector3D low(kHuge, kHuge, kHuge);
   QVector3D high(-kHuge, -kHuge, -kHuge);
-  for (const Corner& corner : corners) {
+  vertices_mm_.clear();
+  for (const Vec3& vertex_m : mesh.vertices_m) {
+    const QVector3D at = vertices_mm_.emplace_back(millimetres(vertex_m));
     for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], corner.position[k]);
-      high[k] = std::max(high[k], corner.position[k]);
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
     }
   }
-  setVertexData({reinterpret_cast<const char*>(corners.data()),
-                 static_cast<qsizetype>(corners.size() * sizeof(Corner))});
+  setVertexData({reinterpret_cast<const char*>(corners_.data()),
+                 static_cast<qsizetype>(corners_.size() * sizeof(EdgeVertex))});
   setBounds(low, high);
   update();
+}
+
+void InstrumentGeometry::appendSoftEdge(const QMatrix4x4& place, const QColor& colour, float surface,
+                                        const Eye& eye, std::vector<EdgeVertex>& quads) {
+  places_.clear();
+  for (const QVector3D& vertex_mm : vertices_mm_) {
+    places_.push_back(place.map(vertex_mm));
+  }
+  const QMatrix4x4 turn = place.inverted().transposed();  // of normals, also where it is stretched
+  const auto end = [&](const Silhouette::Rim& rim, std::uint32_t side) {
+    EdgeVertex vertex = corners_[std::size_t{3} * rim.triangle + side];
+    const QVector3D at = places_[silhouette_.triangle(rim.triangle)[side]];
+    const QVector3D normal =
+        turn.mapVector({vertex.normal[0], vertex.normal[1], vertex.normal[2]}).normalized();
+    const float shade[3] = {colour.redF(), colour.greenF(), colour.blueF()};
+    for (int k = 0; k < 3; ++k) {
+      vertex.position[k] = at[k];
+      vertex.normal[k] = normal[k];
+      vertex.colour[k] = shade[k];
+    }
+    vertex.map[0] = surface;
+    return vertex;
+  };
+  for (const Silhouette::Rim& rim : silhouette_.find(places_, eye.position)) {
+    const std::uint32_t to = (rim.side + 1) % 3;
+    gui::appendSoftEdge(end(rim, rim.side), end(rim, to),
+                        silhouette_.outward(silhouette_.triangle(rim.triangle)[rim.side]),
+                        silhouette_.outward(silhouette_.triangle(rim.triangle)[to]), eye, quads);
+  }
 }
 
 }  // namespace torsio::gui

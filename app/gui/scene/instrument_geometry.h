@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <QColor>
+#include <QMatrix4x4>
 #include <QQuick3DGeometry>
 #include <QVector3D>
 
+#include "app/gui/scene/outline.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {
@@ -25,6 +31,10 @@ struct InstrumentParts {
 /// Throws Error{kFileMissing, kFileUnreadable, kBadData} for files that are absent or not an instrument.
 [[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id);
 
+/// A closed body of revolution about z; `profile_mm`: radius and z, from one end on the axis to the other, z
+/// rising.
+[[nodiscard]] TriangleMesh turnedBody(std::span<const std::array<double, 2>> profile_mm, int sides);
+
 /// One rigid body of the instrument; edges sharper than 35 degrees stay sharp. GUI thread.
 class InstrumentGeometry : public QQuick3DGeometry {
   Q_OBJECT
@@ -32,6 +42,15 @@ class InstrumentGeometry : public QQuick3DGeometry {
  public:
   InstrumentGeometry();
   void setMesh(const TriangleMesh& mesh);
+  /// Adds the soft edge of the body where `place` puts it. `surface`: its kind, as the material has it.
+  void appendSoftEdge(const QMatrix4x4& place, const QColor& colour, float surface, const Eye& eye,
+                      std::vector<EdgeVertex>& quads);
+
+ private:
+  std::vector<EdgeVertex> corners_;  // three a triangle
+  std::vector<QVector3D> vertices_mm_;
+  Silhouette silhouette_;
+  std::vector<QVector3D> places_;
 };
 
 }  // namespace torsio::gui

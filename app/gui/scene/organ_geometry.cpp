@@ -65,14 +65,15 @@ OrganGeometry::OrganGeometry() {
 
 void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* skin) {
   reshape();
+  silhouette_ = Silhouette(surface.triangles(), surface.vertices().size());
   if (skin == nullptr) {
-    setIndexData(bytesOf(surface.triangles()));
+    corners_.assign(surface.triangles().begin(), surface.triangles().end());
     sources_.resize(surface.vertices().size());
     std::iota(sources_.begin(), sources_.end(), 0U);
     drawn_.assign(sources_.size(), DrawnVertex{});
   } else {
     const SkinCharts& charts = skin->charts;
-    setIndexData(bytesOf(std::span<const TriangleMesh::Triangle>(charts.triangles)));
+    corners_ = charts.triangles;
     sources_.clear();
     drawn_.clear();
     for (const SkinCharts::Corner& corner : charts.corners) {
@@ -87,7 +88,29 @@ void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* sk
                         {rest[0], rest[1], rest[2]}});
     }
   }
+  setIndexData(bytesOf(std::span<const TriangleMesh::Triangle>(corners_)));
   updateVertices(surface);
+}
+
+std::span<const EdgeVertex> OrganGeometry::softEdge(const OrganSurface& surface, const Eye& eye) {
+  places_.clear();
+  for (const SurfaceVertex& v : surface.vertices()) {
+    places_.emplace_back(v.position[0], v.position[1], v.position[2]);
+  }
+  edge_.clear();
+  for (const Silhouette::Rim& rim : silhouette_.find(places_, eye.position)) {
+    const TriangleMesh::Triangle& corners = corners_[rim.triangle];
+    const DrawnVertex& from = drawn_[corners[rim.side]];
+    const DrawnVertex& to = drawn_[corners[(rim.side + 1) % 3]];
+    EdgeVertex ends[2];
+    static_assert(sizeof(EdgeVertex) == offsetof(DrawnVertex, along), "the same up to the place on the skin");
+    std::memcpy(&ends[0], &from, sizeof(EdgeVertex));
+    std::memcpy(&ends[1], &to, sizeof(EdgeVertex));
+    const TriangleMesh::Triangle& vertices = silhouette_.triangle(rim.triangle);
+    appendSoftEdge(ends[0], ends[1], silhouette_.outward(vertices[rim.side]),
+                   silhouette_.outward(vertices[(rim.side + 1) % 3]), eye, edge_);
+  }
+  return edge_;
 }
 
 void OrganGeometry::updateVertices(const OrganSurface& surface) {

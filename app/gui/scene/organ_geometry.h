@@ -8,6 +8,7 @@
 
 #include "app/gui/scene/moving_geometry.h"
 #include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/outline.h"
 #include "app/gui/scene/tissue_skin.h"
 
 namespace torsio::gui {
@@ -33,9 +34,15 @@ class OrganGeometry : public MovingGeometry {
   void setSurface(const OrganSurface& surface, const TissueSkin* skin = nullptr);
   /// Moves the vertices of the present organ.
   void updateVertices(const OrganSurface& surface);
+  /// The soft edge of the organ as it was last updated; what is returned lives until the next call.
+  std::span<const EdgeVertex> softEdge(const OrganSurface& surface, const Eye& eye);
 
  private:
   std::vector<DrawnVertex> drawn_;
+  std::vector<TriangleMesh::Triangle> corners_;  // of drawn vertices, in the order of the surface
+  Silhouette silhouette_;
+  std::vector<QVector3D> places_;
+  std::vector<EdgeVertex> edge_;
   std::vector<std::uint32_t> sources_;  // vertex of the surface, one a drawn vertex
 };
 

@@ -2,9 +2,12 @@
 #include "app/gui/scene/scene_canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <QGuiApplication>
+#include <QMatrix4x4>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QQmlEngine>
@@ -16,6 +19,7 @@
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
+#include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/view_frame.h"
 #include "sim/device/virtual/pointer_device.h"
@@ -26,7 +30,6 @@ static void initSceneResources() {
   Q_INIT_RESOURCE(torsio_scene);
   Q_INIT_RESOURCE(torsio_light);
   Q_INIT_RESOURCE(torsio_shaders);
-  Q_INIT_RESOURCE(torsio_smooth);
 }
 
 namespace torsio::gui {
@@ -36,7 +39,7 @@ namespace {
 // The arrow of the force, shares of the organ's radius.
 constexpr double kShortestArrow = 0.10;
 constexpr double kLongestArrow = 0.55;
-constexpr float kArrowThickness = 0.011F;
+constexpr float kArrowThickness = 0.014F;
 constexpr double kLongestArrow_N = 3.3;  // what the device can give at most: the arrow is full there
 constexpr double kLeastForce_N = 0.02;   // below the friction of the device nobody feels it
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
@@ -60,6 +63,58 @@ double shownJaw_deg(double grip, double opening_deg) {
   return open * opening_deg + (1.0 - open) * kJawHolding_deg * (1.0 - pressed);
 }
 
+/// Whether a thing and all that it hangs on are shown.
+bool seen(const QObject* model) {
+  for (const QObject* at = model; at != nullptr; at = at->property("parent").value<QObject*>()) {
+    const QVariant visible = at->property("visible");
+    if (visible.isValid() && !visible.toBool()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the hand is held towards the viewer, where it would hide what it works on.
+bool handHides(const QObject& root, const QVector3D& eye) {
+  constexpr float kTowardsViewer = 0.7F;  // cosine
+  const QVector3D tip = root.property("toolPosition").value<QVector3D>();
+  const auto turn = root.property("toolRotation").value<QQuaternion>();
+  return QVector3D::dotProduct((eye - tip).normalized(), turn.rotatedVector({0.0F, 0.0F, 1.0F})) >
+         kTowardsViewer;
+}
+
+// Of the port, from inside the abdomen outwards: radius and place along the shaft, mm.
+constexpr std::array<std::array<double, 2>, 14> kPortBody_mm{{{0.0, -30.0},
+                                                              {3.4, -30.0},
+                                                              {4.2, -26.0},
+                                                              {4.2, 12.0},
+                                                              {5.0, 17.0},
+                                                              {8.6, 23.0},
+                                                              {9.6, 25.0},
+                                                              {9.6, 28.0},
+                                                              {8.2, 29.5},
+                                                              {8.2, 38.0},
+                                                              {9.2, 39.5},
+                                                              {9.2, 43.0},
+                                                              {8.0, 44.5},
+                                                              {0.0, 44.5}}};
+constexpr std::array<std::array<double, 2>, 6> kPortSeal_mm{
+    {{0.0, 44.0}, {6.4, 44.0}, {6.4, 46.2}, {5.6, 47.4}, {3.4, 47.8}, {0.0, 47.8}}};
+// Of the force's arrow, each one long and one in radius.
+constexpr std::array<std::array<double, 2>, 4> kStem_mm{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
+constexpr std::array<std::array<double, 2>, 3> kHead_mm{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
+constexpr int kSides = 20;
+
+TriangleMesh ball() {
+  constexpr int kRings = 10;
+  std::array<std::array<double, 2>, kRings + 1> profile_mm{};
+  for (std::size_t i = 0; i <= kRings; ++i) {
+    const double angle = std::numbers::pi * static_cast<double>(i) / kRings;
+    profile_mm[i] = {std::sin(angle), -std::cos(angle)};
+  }
+  return turnedBody(profile_mm, kSides);
+}
+
 }  // namespace
 
 SceneCanvas::SceneCanvas(QWidget& parent) : QObject(&parent) {
@@ -78,6 +133,7 @@ SceneCanvas::SceneCanvas(QWidget& parent) : QObject(&parent) {
            qPrintable(quick_->errors().isEmpty() ? QString() : quick_->errors().front().toString()));
   }
   readParts();
+  shapeSolids();
   connect(quick_->quickWindow(), &QQuickWindow::afterRendering, this, &SceneCanvas::noteFrame,
           Qt::DirectConnection);
 }
@@ -92,6 +148,60 @@ void SceneCanvas::readParts() {
   parts_.markers = root_->property("markers").value<MarkerGeometry*>();
   parts_.surroundings = root_->property("surroundings").value<SurroundingsTexture*>();
   parts_.shadow = root_->property("shadow").value<ShadowTexture*>();
+  parts_.organEdge = root_->property("organEdge").value<OutlineGeometry*>();
+  parts_.solidEdge = root_->property("solidEdge").value<OutlineGeometry*>();
+}
+
+void SceneCanvas::shapeSolids() {
+  const auto shape = [this](const char* name, const TriangleMesh& mesh) {
+    root_->property(name).value<InstrumentGeometry*>()->setMesh(mesh);
+  };
+  shape("portBody", turnedBody(kPortBody_mm, kSides));
+  shape("portSeal", turnedBody(kPortSeal_mm, kSides));
+  shape("arrowStem", turnedBody(kStem_mm, kSides));
+  shape("arrowHead", turnedBody(kHead_mm, kSides));
+  shape("arrowFoot", ball());
+  for (const QVariant& entry : root_->property("solids").toList()) {
+    auto* model = entry.value<QObject*>();
+    solids_.push_back({model, model->property("geometry").value<InstrumentGeometry*>()});
+  }
+}
+
+void SceneCanvas::edgeSolids() {
+  if (parts_.solidEdge == nullptr || eye_.pixel_share <= 0.0F) {
+    return;
+  }
+  quads_.clear();
+  for (const Solid& solid : solids_) {
+    if (solid.geometry != nullptr && seen(solid.model)) {
+      solid.geometry->appendSoftEdge(solid.model->property("sceneTransform").value<QMatrix4x4>(),
+                                     solid.model->property("colour").value<QColor>(),
+                                     solid.model->property("surface").toFloat(), eye_, quads_);
+    }
+  }
+  parts_.solidEdge->setQuads(quads_);
+}
+
+void SceneCanvas::edgeOrgan(const OrganSurface& organ) {
+  if (parts_.organEdge != nullptr && eye_.pixel_share > 0.0F) {
+    parts_.organEdge->setQuads(parts_.organ->softEdge(organ, eye_));
+  }
+}
+
+void SceneCanvas::setCamera(const OrbitCamera& camera, float distant_mm) {
+  set("cameraFieldOfView", OrbitCamera::kFieldOfView_deg);
+  set("cameraPosition", camera.position());
+  set("cameraRotation", camera.rotation());
+  set("cameraNear", std::max(1.0F, camera.distance() - 0.5F * distant_mm));
+  set("cameraFar", camera.distance() + distant_mm);
+  if (quick_ == nullptr || quick_->height() <= 0) {
+    return;
+  }
+  constexpr float kHalf_rad = 0.5F * OrbitCamera::kFieldOfView_deg * std::numbers::pi_v<float> / 180.0F;
+  const auto pixels = static_cast<float>(quick_->height() * quick_->devicePixelRatioF());
+  eye_ = {camera.position(), 2.0F * std::tan(kHalf_rad) / pixels};
+  set("handVisible", hasHand_ && !throughPort(surroundings_) && !handHides(*root_, eye_.position));
+  edgeSolids();
 }
 
 void SceneCanvas::registerTypes() {
@@ -105,6 +215,7 @@ void SceneCanvas::registerTypes() {
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
     qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
     qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
+    qmlRegisterType<OutlineGeometry>("Torsio.Scene", 1, 0, "OutlineGeometry");
     return true;
   }();
   Q_UNUSED(kOnce)
@@ -151,7 +262,6 @@ void SceneCanvas::setInstrument(const InstrumentParts& parts) {
   jawOpening_deg_ = parts.jawOpening_deg;
   shaftLength_mm_ = static_cast<float>(parts.shaftLength_mm);
   hasHand_ = !parts.hand.triangles.empty();
-  set("handVisible", hasHand_ && !throughPort(surroundings_));
   set("jawPivot", parts.jawPivot_mm);
   if (root_ == nullptr) {
     return;
@@ -159,6 +269,7 @@ void SceneCanvas::setInstrument(const InstrumentParts& parts) {
   root_->property("shaft").value<InstrumentGeometry*>()->setMesh(parts.shaft);
   root_->property("upperJaw").value<InstrumentGeometry*>()->setMesh(parts.upperJaw);
   root_->property("lowerJaw").value<InstrumentGeometry*>()->setMesh(parts.lowerJaw);
+  set("handVisible", hasHand_ && !throughPort(surroundings_));
   if (hasHand_) {
     root_->property("hand").value<InstrumentGeometry*>()->setMesh(parts.hand);
   }
@@ -171,18 +282,22 @@ void SceneCanvas::setTool(const Pose& pose, double grip) {
   set("toolRotation", turn);
   set("jawAngle", shownJaw_deg(grip, jawOpening_deg_));
   placePort(tip_mm, turn.rotatedVector({0.0F, 0.0F, 1.0F}));
+  set("handVisible",
+      hasHand_ && !throughPort(surroundings_) && (root_ == nullptr || !handHides(*root_, eye_.position)));
+  edgeSolids();
 }
 
 void SceneCanvas::placePort(const QVector3D& tip_mm, const QVector3D& shaft) {
   // The wall of the abdomen stands like a dome over the organ: the port is where the shaft goes through it.
-  constexpr float kDome = 1.12F;       // radii
-  constexpr float kSleeve_mm = 50.0F;  // nearer to the tip it would hide the jaws
+  constexpr float kDome = 1.2F;        // radii
+  constexpr float kSleeve_mm = 60.0F;  // nearer to the tip it would hide the jaws
   const QVector3D from = tip_mm - centre_mm_;
   const float along = QVector3D::dotProduct(from, shaft);
   const float reach = kDome * radius_mm_;
   const float square = along * along - from.lengthSquared() + reach * reach;
-  const float at = square > 0.0F ? std::sqrt(square) - along : -1.0F;
-  set("portVisible", throughPort(surroundings_) && at > kSleeve_mm && at < shaftLength_mm_);
+  const float dome = square > 0.0F ? std::sqrt(square) - along : 0.0F;
+  const float at = std::max(dome, kSleeve_mm);
+  set("portVisible", throughPort(surroundings_) && at < shaftLength_mm_);
   set("portAlong", at);
 }
 
@@ -194,7 +309,7 @@ void SceneCanvas::setForce(const Vec3& at_m, const Vec3& force_N, float radius_m
   }
   const QVector3D along = toViewDirection(force_N).normalized();
   set("forcePosition", toView(at_m));
-  set("forceRotation", QQuaternion::rotationTo({0.0F, 1.0F, 0.0F}, along));
+  set("forceRotation", QQuaternion::rotationTo({0.0F, 0.0F, 1.0F}, along));
   const double share = std::min(size_N / kLongestArrow_N, 1.0);
   set("forceLength", radius_mm * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
   set("forceThickness", radius_mm * kArrowThickness);
@@ -235,7 +350,9 @@ void SceneCanvas::castShadow(const OrganSurface& organ) {
 }
 
 void SceneCanvas::setTheme(const Theme& theme) {
-  set("backdrop", theme.backdropBottom);
+  if (quick_ != nullptr) {
+    quick_->setClearColor(theme.backdropBottom);  // beside the painted square
+  }
   set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
   set("latticeColour", theme.lattice);
   set("wireColour", theme.wire);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -11,6 +12,7 @@
 #include <QVector3D>
 
 #include "app/gui/scene/organ_shadow.h"
+#include "app/gui/scene/outline.h"
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/widgets/theme.h"
@@ -26,7 +28,9 @@ struct TissueLook;
 
 namespace torsio::gui {
 
+class InstrumentGeometry;
 class MarkerGeometry;
+class OrbitCamera;
 class OrganGeometry;
 class OrganSurface;
 class RibbonGeometry;
@@ -59,6 +63,8 @@ class SceneCanvas : public QObject {
     MarkerGeometry* markers = nullptr;
     SurroundingsTexture* surroundings = nullptr;
     ShadowTexture* shadow = nullptr;
+    OutlineGeometry* organEdge = nullptr;
+    OutlineGeometry* solidEdge = nullptr;
   };
 
   explicit SceneCanvas(QWidget& parent);
@@ -73,6 +79,8 @@ class SceneCanvas : public QObject {
   /// A property of the root of scene_view.qml.
   void set(const char* name, const QVariant& value);
 
+  /// `distant_mm`: how far beside the camera's distance something may stand that is to be seen.
+  void setCamera(const OrbitCamera& camera, float distant_mm);
   void setInstrument(const InstrumentParts& parts);
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
@@ -85,6 +93,8 @@ class SceneCanvas : public QObject {
                        const Theme& theme);
   /// The shadow of the organ as it lies now.
   void castShadow(const OrganSurface& organ);
+  /// The soft edge of the organ as its vertices were last updated.
+  void edgeOrgan(const OrganSurface& organ);
   void setTheme(const Theme& theme);
   void setQuality(RenderQuality quality);
 
@@ -102,10 +112,21 @@ class SceneCanvas : public QObject {
   void noteFrame();
   void applyQuality();
   void placePort(const QVector3D& tip_mm, const QVector3D& shaft);
+  void shapeSolids();
+  void edgeSolids();
+
+  /// A rigid thing of the scene graph that gets a soft edge.
+  struct Solid {
+    QObject* model = nullptr;
+    InstrumentGeometry* geometry = nullptr;
+  };
 
   QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
   QQuickItem* root_ = nullptr;
   Parts parts_;
+  std::vector<Solid> solids_;
+  std::vector<EdgeVertex> quads_;
+  Eye eye_;
   double jawOpening_deg_ = 20.0;
   float shaftLength_mm_ = 250.0F;
   bool hasHand_ = false;

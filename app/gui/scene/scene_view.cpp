@@ -24,7 +24,7 @@ namespace {
 constexpr float kGhostDepth_mm = 0.6F;
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
-constexpr float kMarkerRadius = 0.018F;
+constexpr float kMarkerRadius = 0.021F;
 
 /// Stands where the organ would be on a display without OpenGL.
 class NoSceneSentence : public QLabel {
@@ -209,6 +209,7 @@ void SceneView::showSkin() {
   canvas_->castShadow(view_.surface);
   const SceneCanvas::Parts& parts = canvas_->parts();
   parts.organ->updateVertices(view_.surface);
+  canvas_->edgeOrgan(view_.surface);
   parts.grasp->follow(view_.surface);
   if (wireframe_) {
     parts.wire->updateVertices(view_.surface);
@@ -241,6 +242,7 @@ void SceneView::setShearVisible(bool visible) {
     showSkin();
   } else if (canvas_->drawn()) {
     canvas_->parts().organ->updateVertices(view_.surface);
+    canvas_->edgeOrgan(view_.surface);
   }
 }
 
@@ -325,11 +327,8 @@ void SceneView::setTool(const Pose& pose, double grip) {
 }
 
 void SceneView::applyCamera() {
-  canvas_->set("cameraFieldOfView", OrbitCamera::kFieldOfView_deg);
-  canvas_->set("cameraPosition", camera_.position());
-  canvas_->set("cameraRotation", camera_.rotation());
-  canvas_->set("cameraNear", std::max(1.0F, camera_.distance() - 4.0F * organRadius_));
-  canvas_->set("cameraFar", camera_.distance() + 8.0F * organRadius_);
+  canvas_->setCamera(camera_, 8.0F * organRadius_);
+  canvas_->edgeOrgan(view_.surface);
   Q_EMIT cameraChanged();
 }
 

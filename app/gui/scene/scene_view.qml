@@ -4,7 +4,7 @@ import QtQuick
 import QtQuick3D
 import Torsio.Scene
 
-Rectangle {
+Item {
     id: root
 
     property alias organ: organGeometry
@@ -20,6 +20,16 @@ Rectangle {
     property alias upperJaw: upperJawGeometry
     property alias lowerJaw: lowerJawGeometry
     property alias hand: handGeometry
+    property alias portBody: portBodyGeometry
+    property alias portSeal: portSealGeometry
+    property alias arrowStem: arrowStemGeometry
+    property alias arrowHead: arrowHeadGeometry
+    property alias arrowFoot: arrowFootGeometry
+    property alias organEdge: organEdgeGeometry
+    property alias solidEdge: solidEdgeGeometry
+    // Each with its colour and kind of surface: 0 plastic, 1 steel, -1 of one colour whatever the light.
+    readonly property var solids: [shaftModel, upperJawModel, lowerJawModel, handModel, portBodyModel,
+                                   portSealModel, arrowStemModel, arrowHeadModel, arrowFootModel]
 
     property vector3d cameraPosition
     property quaternion cameraRotation
@@ -38,8 +48,9 @@ Rectangle {
     property vector3d surroundingsPosition
     property real surroundingsSize: 100   // mm: side of the square
     property real shadowShare: 1          // of the square by the side of the shadow on it
-    property color backdrop: "#c9d4dc"    // beside the square
     property color gloveColour: "#8fb3cf"
+    property color portColour: "#b9c6cd"
+    property color steelColour: "#9aa0a6"
 
     property real tissueRoughness: 0.45
     property real filmAmount: 0.4
@@ -74,349 +85,441 @@ Rectangle {
 
     // Where the lamps stand, as the fast level's shader wants it.
     readonly property vector3d lampDirection: Qt.vector3d(-0.27, 0.788, 0.553)
+    readonly property vector3d shaftDirection: root.toolRotation.times(Qt.vector3d(0, 0, 1))
     readonly property vector3d lensDirection: root.cameraRotation.times(Qt.vector3d(-0.54, 0.24, 0.80))
 
-    color: root.backdrop
-
-    // The fast level smooths the edges of the picture while it is put into the window; the picture itself is
-    // cut away there.
-    ShaderEffect {
-        objectName: "smoothed"
-        anchors.fill: parent
-        visible: !root.fine
-        blending: false
-        property variant source: view
-        fragmentShader: "qrc:/torsio/shaders/smooth.frag.qsb"
+    // Plastic, rubber and steel in the light of the same two lamps and a room of a few colours.
+    component Solid: CustomMaterial {
+        property color colour
+        property vector3d own: Qt.vector3d(colour.r, colour.g, colour.b)
+        property real surface: 0
+        property real scratches: 0       // how far they tilt the steel
+        property vector3d lampDirection
+        property vector3d lensDirection
+        property vector3d shaftDirection
+        shadingMode: CustomMaterial.Unshaded
+        vertexShader: "qrc:/torsio/shaders/solid.vert"
+        fragmentShader: "qrc:/torsio/shaders/solid.frag"
     }
 
-    Item {
-        clip: !root.fine
-        width: root.fine ? root.width : 0
-        height: root.fine ? root.height : 0
-        View3D {
-            id: view
-            width: root.width
-            height: root.height
-            renderMode: View3D.Offscreen
-            camera: camera
+    View3D {
+        id: view
+        anchors.fill: parent
+        // Straight into the picture: a picture of its own would be drawn and copied. Antialiasing needs one;
+        // the fast level has soft edges instead.
+        renderMode: root.fine ? View3D.Offscreen : View3D.Inline
+        camera: camera
 
-            environment: SceneEnvironment {
-                backgroundMode: SceneEnvironment.Color
-                clearColor: root.backdrop
-                lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
-                probeExposure: root.fine ? 0.44 : 0.46
-                tonemapMode: SceneEnvironment.TonemapModeLinear
-                antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
-                antialiasingQuality: root.best ? SceneEnvironment.VeryHigh : SceneEnvironment.High
-                aoStrength: root.fine ? 30 : 0
-                aoDistance: 18
-                aoSoftness: 20
-                aoSampleRate: root.best ? 4 : 3
-            }
+        environment: SceneEnvironment {
+            backgroundMode: SceneEnvironment.Transparent
+            lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
+            probeExposure: root.fine ? 0.44 : 0.46
+            tonemapMode: SceneEnvironment.TonemapModeLinear
+            antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
+            antialiasingQuality: root.best ? SceneEnvironment.VeryHigh : SceneEnvironment.High
+            aoStrength: root.fine ? 30 : 0
+            aoDistance: 18
+            aoSoftness: 20
+            aoSampleRate: root.best ? 4 : 3
+        }
 
-            PerspectiveCamera {
-                id: camera
-                position: root.cameraPosition
-                rotation: root.cameraRotation
-                fieldOfView: root.cameraFieldOfView
-                clipNear: root.cameraNear
-                clipFar: root.cameraFar
+        PerspectiveCamera {
+            id: camera
+            position: root.cameraPosition
+            rotation: root.cameraRotation
+            fieldOfView: root.cameraFieldOfView
+            clipNear: root.cameraNear
+            clipFar: root.cameraFar
 
-                // The lamp beside the lens goes along: no side of the organ is ever without form.
-                DirectionalLight {
-                    eulerRotation: Qt.vector3d(-14, 34, 0)
-                    color: "#fbf4ef"
-                    brightness: 0.38
-                }
-            }
-
-            // The operating lamp stays where the room has it.
+            // The lamp beside the lens goes along: no side of the organ is ever without form.
             DirectionalLight {
-                eulerRotation: Qt.vector3d(-52, -26, 0)
-                color: "#fff4ea"
-                brightness: root.fine ? 0.62 : 0.48
-                castsShadow: root.fine
-                shadowFactor: 38
-                shadowMapQuality: root.best ? Light.ShadowMapQualityVeryHigh : Light.ShadowMapQualityHigh
-                shadowBias: 4
-                shadowFilter: root.best ? 10 : 6
+                eulerRotation: Qt.vector3d(-14, 34, 0)
+                color: "#fbf4ef"
+                brightness: 0.38
             }
-            // Beside the materials and before them: Qt Quick 3D tells a material when its texture goes, also one
-            // that is gone already.
-            Texture {
-                id: groundTexture
-                textureData: SurroundingsTexture { id: surroundingsData }
-                generateMipmaps: true
-                mipFilter: Texture.Linear
-            }
-            Texture {
-                id: shadowTexture
-                textureData: ShadowTexture { id: shadowData }
-                tilingModeHorizontal: Texture.ClampToEdge
-                tilingModeVertical: Texture.ClampToEdge
-            }
-            Texture {
-                id: skinTexture
-                textureData: SkinTexture { id: skinData }
-                generateMipmaps: true
-                mipFilter: Texture.Linear
-            }
+        }
 
-            // The fast level: the painted skin in the light of the same lamps, without a picture of the room.
-            CustomMaterial {
-                id: plainTissue
-                shadingMode: CustomMaterial.Unshaded
-                vertexShader: "qrc:/torsio/shaders/quick_tissue.vert"
-                fragmentShader: "qrc:/torsio/shaders/quick_tissue.frag"
-                property TextureInput skinMap: TextureInput { texture: skinTexture }
-                property vector3d lampDirection: root.lampDirection
-                property vector3d lensDirection: root.lensDirection
-                property vector3d lampColour: Qt.vector3d(0.86, 0.82, 0.78)
-                property vector3d scatterWay: Qt.vector3d(0.55, 0.20, 0.14).times(root.scatter)
-                property vector3d scatterRim: Qt.vector3d(0.35, 0.06, 0.04).times(root.scatter)
-                property real wetness: root.filmAmount
-                property real relief: root.paintedRelief
-            }
-            CustomMaterial {
-                id: livingTissue
-                shadingMode: CustomMaterial.Shaded
-                vertexShader: "qrc:/torsio/shaders/tissue.vert"
-                fragmentShader: "qrc:/torsio/shaders/tissue.frag"
-                property TextureInput skinMap: TextureInput { texture: skinTexture }
-                property real tissueRoughness: root.tissueRoughness
-                property real filmRoughness: root.filmRoughness
-                property real wetness: root.filmAmount
-                property real scatter: root.scatter
-                property real foldDepth: root.foldDepth
-                property real poreDepth: root.poreDepth
-                property real bumpBroad: root.relief.x
-                property real bumpMiddle: root.relief.y
-                property real bumpSmall: root.relief.z
-            }
-            // A map is read by its colours: light makes them darker, never others.
-            CustomMaterial {
-                id: stressMap
-                shadingMode: CustomMaterial.Unshaded
-                vertexShader: "qrc:/torsio/shaders/stress_map.vert"
-                fragmentShader: "qrc:/torsio/shaders/stress_map.frag"
-                property vector3d lampDirection: root.lampDirection
-            }
+        // The operating lamp stays where the room has it.
+        DirectionalLight {
+            eulerRotation: Qt.vector3d(-52, -26, 0)
+            color: "#fff4ea"
+            brightness: root.fine ? 0.62 : 0.48
+            castsShadow: root.fine
+            shadowFactor: 38
+            shadowMapQuality: root.best ? Light.ShadowMapQualityVeryHigh : Light.ShadowMapQualityHigh
+            shadowBias: 4
+            shadowFilter: root.best ? 10 : 6
+        }
+        // Beside the materials and before them: Qt Quick 3D tells a material when its texture goes, also one
+        // that is gone already.
+        Texture {
+            id: groundTexture
+            textureData: SurroundingsTexture { id: surroundingsData }
+            tilingModeHorizontal: Texture.ClampToEdge
+            tilingModeVertical: Texture.ClampToEdge
+        }
+        Texture {
+            id: shadowTexture
+            textureData: ShadowTexture { id: shadowData }
+            tilingModeHorizontal: Texture.ClampToEdge
+            tilingModeVertical: Texture.ClampToEdge
+        }
+        Texture {
+            id: skinTexture
+            textureData: SkinTexture { id: skinData }
+            generateMipmaps: true
+            mipFilter: Texture.Linear
+        }
 
-            // What lies behind the organ, under the organ's shadow: no lamp is asked, at either level.
+        // The fast level: the painted skin in the light of the same lamps, without a picture of the room.
+        CustomMaterial {
+            id: plainTissue
+            shadingMode: CustomMaterial.Unshaded
+            vertexShader: "qrc:/torsio/shaders/quick_tissue.vert"
+            fragmentShader: "qrc:/torsio/shaders/quick_tissue.frag"
+            property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property vector3d lampDirection: root.lampDirection
+            property vector3d lensDirection: root.lensDirection
+            property vector3d lampColour: Qt.vector3d(0.86, 0.82, 0.78)
+            property vector3d scatterWay: Qt.vector3d(0.55, 0.20, 0.14).times(root.scatter)
+            property vector3d scatterRim: Qt.vector3d(0.35, 0.06, 0.04).times(root.scatter)
+            property real wetness: root.filmAmount
+            property real relief: root.paintedRelief
+        }
+        CustomMaterial {
+            id: tissueEdge
+            shadingMode: CustomMaterial.Unshaded
+            sourceBlend: CustomMaterial.One
+            destinationBlend: CustomMaterial.OneMinusSrcAlpha
+            cullMode: Material.NoCulling
+            vertexShader: plainTissue.vertexShader
+            fragmentShader: plainTissue.fragmentShader
+            property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property vector3d lampDirection: root.lampDirection
+            property vector3d lensDirection: root.lensDirection
+            property vector3d lampColour: plainTissue.lampColour
+            property vector3d scatterWay: plainTissue.scatterWay
+            property vector3d scatterRim: plainTissue.scatterRim
+            property real wetness: root.filmAmount
+            property real relief: 0
+        }
+        CustomMaterial {
+            id: livingTissue
+            shadingMode: CustomMaterial.Shaded
+            vertexShader: "qrc:/torsio/shaders/tissue.vert"
+            fragmentShader: "qrc:/torsio/shaders/tissue.frag"
+            property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property real tissueRoughness: root.tissueRoughness
+            property real filmRoughness: root.filmRoughness
+            property real wetness: root.filmAmount
+            property real scatter: root.scatter
+            property real foldDepth: root.foldDepth
+            property real poreDepth: root.poreDepth
+            property real bumpBroad: root.relief.x
+            property real bumpMiddle: root.relief.y
+            property real bumpSmall: root.relief.z
+        }
+        // A map is read by its colours: light makes them darker, never others.
+        CustomMaterial {
+            id: stressMap
+            shadingMode: CustomMaterial.Unshaded
+            vertexShader: "qrc:/torsio/shaders/stress_map.vert"
+            fragmentShader: "qrc:/torsio/shaders/stress_map.frag"
+            property vector3d lampDirection: root.lampDirection
+        }
+        CustomMaterial {
+            id: stressEdge
+            shadingMode: CustomMaterial.Unshaded
+            sourceBlend: CustomMaterial.One
+            destinationBlend: CustomMaterial.OneMinusSrcAlpha
+            cullMode: Material.NoCulling
+            vertexShader: stressMap.vertexShader
+            fragmentShader: stressMap.fragmentShader
+            property vector3d lampDirection: root.lampDirection
+        }
+
+        // What lies behind the organ, under the organ's shadow: no lamp is asked, at either level.
+        Model {
+            objectName: "surroundings"
+            source: "#Rectangle"    // 100 high, 100 wide
+            position: root.surroundingsPosition
+            id: surroundingsModel
+            scale: Qt.vector3d(0.01 * beyond * root.surroundingsSize, 0.01 * beyond * root.surroundingsSize, 1)
+            readonly property real beyond: 4    // a view may be much wider than high
+            // Drawn last, as far away as can be: where something stands it costs nothing, and it hides
+            // nothing, also where the instrument comes from behind.
+            depthBias: 100000
+            castsShadows: false
+            receivesShadows: false
+            materials: CustomMaterial {
+                shadingMode: CustomMaterial.Unshaded
+                depthDrawMode: Material.NeverDepthDraw
+                vertexShader: "qrc:/torsio/shaders/surroundings.vert"
+                fragmentShader: "qrc:/torsio/shaders/surroundings.frag"
+                property real beyond: surroundingsModel.beyond
+                property real shadowShare: root.shadowShare
+                property real shadowDepth: 0.46
+                property TextureInput ground: TextureInput { texture: groundTexture }
+                property TextureInput shadow: TextureInput { texture: shadowTexture }
+            }
+        }
+
+        Model {
+            objectName: "organ"
+            geometry: OrganGeometry { id: organGeometry }
+            receivesShadows: root.fine
+            castsShadows: root.fine
+            materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
+        }
+        // A pixel along the edge of organ and solid things that fades out: smooth without antialiasing.
+        Model {
+            objectName: "organEdge"
+            visible: !root.fine
+            geometry: OutlineGeometry { id: organEdgeGeometry }
+            castsShadows: false
+            receivesShadows: false
+            materials: root.stressVisible ? stressEdge : tissueEdge
+        }
+        Model {
+            objectName: "solidEdge"
+            visible: !root.fine
+            geometry: OutlineGeometry { id: solidEdgeGeometry }
+            castsShadows: false
+            receivesShadows: false
+            materials: Solid {
+                colour: "white"
+                sourceBlend: CustomMaterial.One
+                destinationBlend: CustomMaterial.OneMinusSrcAlpha
+                cullMode: Material.NoCulling
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
+        }
+
+        Model {
+            visible: root.wireVisible
+            geometry: WireGeometry { id: wireGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.wireColour
+                opacity: 0.55
+            }
+        }
+
+        Model {
+            visible: root.latticeVisible
+            geometry: RibbonGeometry { id: latticeGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.latticeColour
+                cullMode: Material.NoCulling
+            }
+        }
+
+        Model {
+            visible: root.graspVisible
+            geometry: RibbonGeometry { id: graspGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.graspColour
+                cullMode: Material.NoCulling
+            }
+        }
+
+        // The pose to reach, as a film over the scene.
+        Model {
+            visible: root.ghostVisible
+            geometry: OrganGeometry { id: ghostGeometry }
+            castsShadows: false
+            receivesShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.ghostColour
+                opacity: 0.16
+            }
+        }
+
+        // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
+        Node {
+            id: forceArrow
+            visible: root.forceVisible
+            position: root.forcePosition
+            rotation: root.forceRotation
+            readonly property real head: Math.min(0.4 * root.forceLength, 5.5 * root.forceThickness)
+            readonly property real stem: root.forceLength - head
+
+            Solid {
+                id: forceMaterial
+                colour: root.forceColour
+                surface: -1
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
+            // Bodies of revolution about z, one long and one in radius.
             Model {
-                objectName: "surroundings"
-                source: "#Rectangle"    // 100 high, 100 wide
-                position: root.surroundingsPosition
-                scale: Qt.vector3d(0.01 * root.surroundingsSize, 0.01 * root.surroundingsSize, 1)
-                // Drawn first and leaving no depth: it hides nothing, also where the instrument comes from behind.
-                depthBias: -100000
+                id: arrowStemModel
+                readonly property color colour: root.forceColour
+                readonly property real surface: -1
+                geometry: InstrumentGeometry { id: arrowStemGeometry }
                 castsShadows: false
-                receivesShadows: false
-                materials: CustomMaterial {
-                    shadingMode: CustomMaterial.Unshaded
-                    depthDrawMode: Material.NeverDepthDraw
-                    vertexShader: "qrc:/torsio/shaders/surroundings.vert"
-                    fragmentShader: "qrc:/torsio/shaders/surroundings.frag"
-                    property real shadowShare: root.shadowShare
-                    property real shadowDepth: 0.46
-                    property TextureInput ground: TextureInput { texture: groundTexture }
-                    property TextureInput shadow: TextureInput { texture: shadowTexture }
-                }
+                scale: Qt.vector3d(0.5 * root.forceThickness, 0.5 * root.forceThickness, forceArrow.stem)
+                materials: forceMaterial
+            }
+            Model {
+                id: arrowHeadModel
+                readonly property color colour: root.forceColour
+                readonly property real surface: -1
+                geometry: InstrumentGeometry { id: arrowHeadGeometry }
+                castsShadows: false
+                z: forceArrow.stem
+                scale: Qt.vector3d(1.5 * root.forceThickness, 1.5 * root.forceThickness, forceArrow.head)
+                materials: forceMaterial
+            }
+            Model {
+                id: arrowFootModel      // the contact itself
+                readonly property color colour: root.forceColour
+                readonly property real surface: -1
+                geometry: InstrumentGeometry { id: arrowFootGeometry }
+                castsShadows: false
+                scale: Qt.vector3d(0.9, 0.9, 0.9).times(root.forceThickness)
+                materials: forceMaterial
+            }
+        }
+
+        Model {
+            visible: root.markersVisible
+            geometry: MarkerGeometry { id: markerGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.markerColour
+                cullMode: Material.NoCulling
+            }
+        }
+
+        Node {
+            id: tool
+            position: root.toolPosition
+            rotation: root.toolRotation
+            visible: root.toolVisible
+
+            Solid {
+                id: brushedSteel
+                colour: root.steelColour
+                surface: 1
+                scratches: root.fine ? 0.10 : 0
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
+            PrincipledMaterial {
+                id: insulation
+                baseColor: root.shaftColour
+                metalness: 0
+                roughness: 0.42
+            }
+            Solid {
+                id: plainInsulation
+                colour: root.shaftColour
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
             }
 
             Model {
-                objectName: "organ"
-                geometry: OrganGeometry { id: organGeometry }
-                receivesShadows: root.fine
+                id: shaftModel
+                readonly property color colour: root.shaftColour
+                readonly property real surface: 0
+                geometry: InstrumentGeometry { id: shaftGeometry }
                 castsShadows: root.fine
-                materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
+                materials: root.fine ? insulation : plainInsulation
             }
-
+            // The surgeon's hand holds the end of the shaft where nothing hides it.
+            PrincipledMaterial {
+                id: glove
+                baseColor: root.gloveColour
+                metalness: 0
+                roughness: 0.38
+                specularAmount: 0.55
+            }
+            Solid {
+                id: plainGlove
+                colour: root.gloveColour
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
             Model {
-                visible: root.wireVisible
-                geometry: WireGeometry { id: wireGeometry }
-                castsShadows: false
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.wireColour
-                    opacity: 0.55
-                }
+                id: handModel
+                readonly property color colour: root.gloveColour
+                readonly property real surface: 0
+                visible: root.handVisible
+                geometry: InstrumentGeometry { id: handGeometry }
+                castsShadows: root.fine
+                materials: root.fine ? glove : plainGlove
             }
 
-            Model {
-                visible: root.latticeVisible
-                geometry: RibbonGeometry { id: latticeGeometry }
-                castsShadows: false
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.latticeColour
-                    cullMode: Material.NoCulling
-                }
-            }
-
-            Model {
-                visible: root.graspVisible
-                geometry: RibbonGeometry { id: graspGeometry }
-                castsShadows: false
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.graspColour
-                    cullMode: Material.NoCulling
-                }
-            }
-
-            // The pose to reach, as a film over the scene.
-            Model {
-                visible: root.ghostVisible
-                geometry: OrganGeometry { id: ghostGeometry }
-                castsShadows: false
-                receivesShadows: false
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.ghostColour
-                    opacity: 0.16
-                }
-            }
-
-            // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
+            // The port in the wall of the abdomen: sleeve and funnel, and the seal round the shaft.
             Node {
-                id: forceArrow
-                visible: root.forceVisible
-                position: root.forcePosition
-                rotation: root.forceRotation
-                readonly property real head: Math.min(0.4 * root.forceLength, 5.5 * root.forceThickness)
-                readonly property real stem: root.forceLength - head
-
+                visible: root.portVisible
+                z: root.portAlong
                 PrincipledMaterial {
-                    id: forceMaterial
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.forceColour
-                }
-                Model {
-                    source: "#Cylinder"     // 100 high, 100 wide
-                    castsShadows: false
-                    y: 0.5 * forceArrow.stem
-                    scale: Qt.vector3d(0.01 * root.forceThickness, 0.01 * forceArrow.stem, 0.01 * root.forceThickness)
-                    materials: forceMaterial
-                }
-                Model {
-                    source: "#Cone"         // 100 high, 100 wide, standing on its base
-                    castsShadows: false
-                    y: forceArrow.stem
-                    scale: Qt.vector3d(0.03 * root.forceThickness, 0.01 * forceArrow.head, 0.03 * root.forceThickness)
-                    materials: forceMaterial
-                }
-                Model {
-                    source: "#Sphere"       // the contact itself
-                    castsShadows: false
-                    scale: Qt.vector3d(0.018, 0.018, 0.018).times(root.forceThickness)
-                    materials: forceMaterial
-                }
-            }
-
-            Model {
-                visible: root.markersVisible
-                geometry: MarkerGeometry { id: markerGeometry }
-                castsShadows: false
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.markerColour
-                    cullMode: Material.NoCulling
-                }
-            }
-
-            Node {
-                id: tool
-                position: root.toolPosition
-                rotation: root.toolRotation
-                visible: root.toolVisible
-
-                PrincipledMaterial {
-                    id: plainSteel
-                    baseColor: "#cfd3d8"
-                    metalness: 0.95
-                    roughness: 0.28
-                }
-                CustomMaterial {
-                    id: brushedSteel
-                    shadingMode: CustomMaterial.Shaded
-                    vertexShader: "qrc:/torsio/shaders/steel.vert"
-                    fragmentShader: "qrc:/torsio/shaders/steel.frag"
-                }
-                PrincipledMaterial {
-                    id: insulation
-                    baseColor: root.shaftColour
+                    id: portShell
+                    baseColor: root.portColour
                     metalness: 0
-                    roughness: 0.42
+                    roughness: 0.25
                 }
+                Solid {
+                    id: plainPortShell
+                    colour: root.portColour
+                    lampDirection: root.lampDirection
+                    lensDirection: root.lensDirection
+                    shaftDirection: root.shaftDirection
+                }
+                Model {
+                    id: portBodyModel
+                    readonly property color colour: root.portColour
+                    readonly property real surface: 0
+                    geometry: InstrumentGeometry { id: portBodyGeometry }
+                    castsShadows: root.fine
+                    materials: root.fine ? portShell : plainPortShell
+                }
+                Model {
+                    id: portSealModel
+                    readonly property color colour: root.shaftColour
+                    readonly property real surface: 0
+                    geometry: InstrumentGeometry { id: portSealGeometry }
+                    castsShadows: root.fine
+                    materials: root.fine ? insulation : plainInsulation
+                }
+            }
 
-                Model {
-                    geometry: InstrumentGeometry { id: shaftGeometry }
-                    castsShadows: root.fine
-                    materials: insulation
-                }
-                // The surgeon's hand holds the end of the shaft where nothing hides it.
-                Model {
-                    visible: root.handVisible
-                    geometry: InstrumentGeometry { id: handGeometry }
-                    castsShadows: root.fine
-                    materials: PrincipledMaterial {
-                        baseColor: root.gloveColour
-                        metalness: 0
-                        roughness: 0.38
-                        specularAmount: 0.55
-                    }
-                }
-
-                // The port in the wall of the abdomen: sleeve, head and seal round the shaft.
-                Node {
-                    visible: root.portVisible
-                    z: root.portAlong
-                    eulerRotation.x: 90
-                    PrincipledMaterial {
-                        id: portMaterial
-                        baseColor: "#b9c6cd"
-                        metalness: 0
-                        roughness: 0.25
-                    }
-                    Model {
-                        source: "#Cylinder"     // 100 high, 100 wide
-                        castsShadows: root.fine
-                        scale: Qt.vector3d(0.085, 0.56, 0.085)
-                        materials: portMaterial
-                    }
-                    Model {
-                        source: "#Cylinder"
-                        castsShadows: root.fine
-                        y: 34
-                        scale: Qt.vector3d(0.19, 0.16, 0.19)
-                        materials: portMaterial
-                    }
-                    Model {
-                        source: "#Cylinder"
-                        castsShadows: root.fine
-                        y: 44
-                        scale: Qt.vector3d(0.13, 0.06, 0.13)
-                        materials: insulation
-                    }
-                }
-
-                Model {
-                    geometry: InstrumentGeometry { id: upperJawGeometry }
-                    pivot: root.jawPivot
-                    position: root.jawPivot
-                    eulerRotation.x: root.jawAngle
-                    castsShadows: root.fine
-                    materials: root.fine ? brushedSteel : plainSteel
-                }
-                Model {
-                    geometry: InstrumentGeometry { id: lowerJawGeometry }
-                    pivot: root.jawPivot
-                    position: root.jawPivot
-                    eulerRotation.x: -root.jawAngle
-                    castsShadows: root.fine
-                    materials: root.fine ? brushedSteel : plainSteel
-                }
+            Model {
+                id: upperJawModel
+                readonly property color colour: root.steelColour
+                readonly property real surface: 1
+                geometry: InstrumentGeometry { id: upperJawGeometry }
+                pivot: root.jawPivot
+                position: root.jawPivot
+                eulerRotation.x: root.jawAngle
+                castsShadows: root.fine
+                materials: brushedSteel
+            }
+            Model {
+                id: lowerJawModel
+                readonly property color colour: root.steelColour
+                readonly property real surface: 1
+                geometry: InstrumentGeometry { id: lowerJawGeometry }
+                pivot: root.jawPivot
+                position: root.jawPivot
+                eulerRotation.x: -root.jawAngle
+                castsShadows: root.fine
+                materials: brushedSteel
             }
         }
     }

@@ -100,8 +100,10 @@ QRgb cavityAt(double u, double v, const Theme& theme) {
   if (ring > 1.0) {
     return shown(clothOf(theme), clothLight(u, v) * lampLight(u, v) * (0.80 + 0.10 * eased(1.0, 1.2, ring)));
   }
-  const double uneven = 0.055 * static_cast<double>(tissueNoise({3.0 * u, 3.0 * v, 0.0})) +
-                        0.03 * static_cast<double>(tissueNoise({9.0 * u, 8.0 * v, 7.0}));
+  // Two lattices that lie askew: a single one shows as squares.
+  const double uneven = 0.020 * static_cast<double>(tissueNoise({2.1 * u + 0.9 * v, 2.2 * v - u, 0.0})) +
+                        0.018 * static_cast<double>(tissueNoise({1.2 * u - 2.6 * v, 2.4 * u + v, 4.0})) +
+                        0.007 * static_cast<double>(tissueNoise({7.0 * u + 4.0 * v, 6.0 * v - 5.0 * u, 7.0}));
   return shown(cavityOf(theme), (1.0 + uneven) * (lampLight(u, v) - 0.32 * eased(0.72, 1.0, ring)));
 }
 

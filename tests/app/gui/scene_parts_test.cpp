@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/outline.h"
 #include "app/gui/scene/studio_light.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/view_frame.h"
@@ -353,6 +355,101 @@ TEST(Instrument, ShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
     lowest_m = std::min(lowest_m, v.z);
   }
   EXPECT_NEAR(lowest_m, 0.0, 1e-3);
+}
+
+/// A ball of 30 mm about the origin, in millimetres.
+struct Ball {
+  TriangleMesh mesh;
+  std::vector<QVector3D> places;
+  Ball() {
+    std::vector<std::array<double, 2>> profile_mm;
+    for (int i = 0; i <= 24; ++i) {
+      const double angle = std::numbers::pi * i / 24.0;
+      profile_mm.push_back({30.0 * std::sin(angle), -30.0 * std::cos(angle)});
+    }
+    mesh = turnedBody(profile_mm, 40);
+    for (const Vec3& p : mesh.vertices_m) {
+      places.push_back(1e3F *
+                       QVector3D(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)));
+    }
+  }
+};
+
+TEST(TurnedBody, IsClosedAndFacesOutward) {
+  const Ball ball;
+  double volume_m3 = 0.0;
+  for (const TriangleMesh::Triangle& t : ball.mesh.triangles) {
+    volume_m3 +=
+        dot(ball.mesh.vertices_m[t[0]], cross(ball.mesh.vertices_m[t[1]], ball.mesh.vertices_m[t[2]])) / 6.0;
+  }
+  const double round_m3 = 4.0 / 3.0 * std::numbers::pi * 0.030 * 0.030 * 0.030;
+  EXPECT_NEAR(volume_m3 / round_m3, 1.0, 0.03);
+}
+
+TEST(Silhouette, OfABallIsOneRingWhereItTurnsAwayAndPointsAwayFromIt) {
+  const Ball ball;
+  const QVector3D eye(210.0F, -130.0F, 400.0F);
+  Silhouette silhouette(ball.mesh.triangles, ball.places.size());
+
+  const std::span<const Silhouette::Rim> rim = silhouette.find(ball.places, eye);
+
+  ASSERT_GT(rim.size(), 20U);
+  ASSERT_LT(rim.size(), 160U);
+  std::map<std::uint32_t, int> ends;
+  for (const Silhouette::Rim& side : rim) {
+    const TriangleMesh::Triangle& corners = silhouette.triangle(side.triangle);
+    for (const std::uint32_t vertex : {corners[side.side], corners[(side.side + 1) % 3]}) {
+      ++ends[vertex];
+      const QVector3D outward = silhouette.outward(vertex);
+      const QVector3D sight = (ball.places[vertex] - eye).normalized();
+      EXPECT_NEAR(outward.length(), 1.0F, kSingle);
+      EXPECT_NEAR(QVector3D::dotProduct(outward, sight), 0.0F, 0.05F);
+      EXPECT_GT(QVector3D::dotProduct(outward, ball.places[vertex].normalized()), 0.8F);
+      // Where a tangent of the round ball goes through the eye, up to one facet.
+      EXPECT_LT(std::abs(QVector3D::dotProduct(ball.places[vertex].normalized(), sight)), 0.2F);
+    }
+  }
+  for (const auto& [vertex, count] : ends) {
+    EXPECT_EQ(count, 2) << vertex;  // a closed ring, without branches
+  }
+}
+
+TEST(Silhouette, OfAnOpenSurfaceHasItsBordersToo) {
+  const std::vector<TriangleMesh::Triangle> square{{0, 1, 2}, {0, 2, 3}};
+  const std::vector<QVector3D> places{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  Silhouette silhouette(square, places.size());
+
+  EXPECT_EQ(silhouette.find(places, {5, 5, 100}).size(), 4U);  // not the diagonal
+  EXPECT_TRUE(silhouette.find(places, {5, 5, -100}).empty());  // from behind it is not drawn
+}
+
+TEST(SoftEdge, IsOnePixelWideOnTheScreenAndFadesOut) {
+  const Ball ball;
+  OrbitCamera camera;
+  camera.frame({}, 40.0F, kView);
+  constexpr float kHalf_rad = 0.5F * OrbitCamera::kFieldOfView_deg * std::numbers::pi_v<float> / 180.0F;
+  const Eye eye{camera.position(), 2.0F * std::tan(kHalf_rad) / static_cast<float>(kView.height())};
+  InstrumentGeometry body;
+  body.setMesh(ball.mesh);
+  std::vector<EdgeVertex> quads;
+
+  body.appendSoftEdge(QMatrix4x4(), QColor(51, 102, 153), 1.0F, eye, quads);
+
+  ASSERT_FALSE(quads.empty());
+  ASSERT_EQ(quads.size() % 4, 0U);
+  const auto pixel = [&](const EdgeVertex& v) {
+    return camera.pixel({v.position[0], v.position[1], v.position[2]}, kView);
+  };
+  for (std::size_t i = 0; i < quads.size(); i += 4) {
+    EXPECT_EQ(quads[i].colour[3], 1.0F);
+    EXPECT_EQ(quads[i + 3].colour[3], 0.0F);
+    EXPECT_NEAR(quads[i].colour[2], 0.6F, kSingle);
+    EXPECT_EQ(quads[i].map[0], 1.0F);
+    const QPointF way = pixel(quads[i + 3]) - pixel(quads[i]);
+    EXPECT_NEAR(std::hypot(way.x(), way.y()), 1.0, 0.08);
+    const QPointF from = pixel(quads[i]) - QPointF(0.5 * kView.width(), 0.5 * kView.height());
+    EXPECT_GT(way.x() * from.x() + way.y() * from.y(), 0.0);  // away from the middle of the ball
+  }
 }
 
 TEST(Instrument, AMissingOneIsRefusedByName) {

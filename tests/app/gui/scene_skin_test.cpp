@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include <QColor>
 #include <QFile>
 #include <QImage>
 #include <QQmlComponent>
@@ -12,6 +13,7 @@
 #include <QQmlListReference>
 #include <gtest/gtest.h>
 
+#include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/scene_canvas.h"
 #include "app/gui/scene/scene_view.h"
@@ -220,21 +222,31 @@ TEST_F(SceneGraph, OnlyTheFineLevelAsksTheLampsAndTheRoomForEachPixel) {
   EXPECT_EQ(shading(materialOfOrgan()), 1);
 }
 
-TEST_F(SceneGraph, TheFastLevelSmoothsItsEdgesAndTheFineOneHasNoNeed) {
+TEST_F(SceneGraph, TheFastLevelDrawsSoftEdgesStraightIntoTheWindowAndTheFineOneHasNoNeed) {
   ASSERT_NE(root_, nullptr);
-  const auto smoothed = [this] {
-    for (QObject* child : root_->findChildren<QObject*>()) {
-      if (child->objectName() == QLatin1String("smoothed")) {
-        return child->property("visible").toBool();
-      }
-    }
-    return false;
+  const auto shown = [this](const char* name) {
+    const QObject* model = root_->findChild<QObject*>(QLatin1String(name));
+    return model != nullptr && model->property("visible").toBool();
   };
-  EXPECT_TRUE(smoothed());
-  EXPECT_TRUE(QFile::exists(QStringLiteral(":/torsio/shaders/smooth.frag.qsb")));
+  EXPECT_TRUE(shown("organEdge"));
+  EXPECT_TRUE(shown("solidEdge"));
 
   root_->setProperty("fine", true);
-  EXPECT_FALSE(smoothed());
+  EXPECT_FALSE(shown("organEdge"));
+  EXPECT_FALSE(shown("solidEdge"));
+}
+
+TEST_F(SceneGraph, EverySolidThingSaysItsColourAndKindForItsEdge) {
+  ASSERT_NE(root_, nullptr);
+  const QVariantList solids = root_->property("solids").toList();
+  EXPECT_EQ(solids.size(), 9);
+  for (const QVariant& entry : solids) {
+    const auto* model = entry.value<QObject*>();
+    ASSERT_NE(model, nullptr);
+    EXPECT_TRUE(model->property("colour").value<QColor>().isValid());
+    EXPECT_TRUE(model->property("surface").isValid());
+    EXPECT_NE(model->property("geometry").value<InstrumentGeometry*>(), nullptr);
+  }
 }
 
 TEST_F(SceneGraph, NothingIsPaintedOverTheStressMapOnAnyLevel) {
