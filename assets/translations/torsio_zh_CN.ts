@@ -980,42 +980,6 @@
 <context>
     <name>RosterTexts</name>
     <message>
-        <source>Staff or student number</source>
-        <translation>工号或学号</translation>
-    </message>
-    <message>
-        <source>Full name</source>
-        <translation>姓名</translation>
-    </message>
-    <message>
-        <source>E-mail</source>
-        <translation>电子邮箱</translation>
-    </message>
-    <message>
-        <source>Sex</source>
-        <translation>性别</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>水平</translation>
-    </message>
-    <message>
-        <source>Experience</source>
-        <translation>经验</translation>
-    </message>
-    <message>
-        <source>Age</source>
-        <translation>年龄</translation>
-    </message>
-    <message>
-        <source>Handedness</source>
-        <translation>惯用手</translation>
-    </message>
-    <message>
-        <source>Class of rater</source>
-        <translation>评分者类别</translation>
-    </message>
-    <message>
         <source>+ new</source>
         <translation>+ 新增</translation>
     </message>
@@ -5177,10 +5141,6 @@
     <message>
         <source>the %1 &quot;%2&quot; was not known when the design was locked</source>
         <translation>锁定方案时没有%1“%2”</translation>
-    </message>
-    <message>
-        <source>the %1 is missing</source>
-        <translation>缺少%1</translation>
     </message>
     <message>
         <source>the %1 is not recorded</source>
@@ -9913,10 +9873,6 @@
     <message>
         <source>Write both in the same way, or change one of the two</source>
         <translation>请将两者写成一致，或更改其中一个</translation>
-    </message>
-    <message>
-        <source>the %1 %2</source>
-        <translation>%1%2</translation>
     </message>
     <message>
         <source>Type the cell anew</source>
@@ -15783,6 +15739,38 @@ audit trail %3</source>
     <message>
         <source>Reminder copied</source>
         <translation>已复制提醒</translation>
+    </message>
+    <message>
+        <source>Staff or student number</source>
+        <translation>工号或学号</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>E-mail</source>
+        <translation>电子邮箱</translation>
+    </message>
+    <message>
+        <source>Experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>年龄</translation>
+    </message>
+    <message>
+        <source>Handedness</source>
+        <translation>惯用手</translation>
+    </message>
+    <message>
+        <source>Class of rater</source>
+        <translation>评分者类别</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少%1</translation>
     </message>
 </context>
 <context>

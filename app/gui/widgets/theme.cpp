@@ -137,7 +137,7 @@ QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
 QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %disabledText; border-color: %line; }
 QComboBox { combobox-popup: 0; }
-QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::drop-down, QDateEdit::drop-down, QDateTimeEdit::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: padding; border: none;
   background: transparent; width: 20px; }
