@@ -209,7 +209,7 @@ QFrame#rail QPushButton:checked { background: %raised; color: %accent; font-weig
 QFrame#rail QPushButton:focus { border-color: %accent; }
 QFrame#header { background: %surface; border: none; border-bottom: 1px solid %line; }
 QFrame#problem { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
-QFrame#job { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
+QFrame#job { margin: 0 16px 8px 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
 QLabel#idleWarning { background: %caution; color: %window; padding: 8px; font-weight: 600; }
 QLabel#databaseAway { background: %raised; color: %caution; border-bottom: 1px solid %caution; padding: 8px;
   font-weight: 600; }

@@ -116,9 +116,11 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
   const QList<ScoreRow*> rows = panel.findChildren<ScoreRow*>();
   ASSERT_EQ(rows.size(), 4);
   QScrollArea& scroll = *panel.findChild<QScrollArea*>();
-  const int hidden = rows[2]->height() - rows[2]->scaleEnd() - 10;  // anchors of the third row
-  panel.resize(520, 900 - (scroll.height() - scroll.widget()->sizeHint().height()) - hidden);
-  QApplication::processEvents();
+  const int anchors = rows[2]->height() - rows[2]->scaleEnd();
+  for (int low = 890; low > 200 && scroll.verticalScrollBar()->maximum() < anchors / 2; low -= 4) {
+    panel.resize(520, low);  // until half of what the third row says below its scale is out of sight
+    QApplication::processEvents();
+  }
   ASSERT_GT(scroll.verticalScrollBar()->maximum(), 0);
 
   for (int i = 0; i < 3; ++i) {
