@@ -79,6 +79,30 @@ std::string_view rosterFieldCode(RosterField field) noexcept {
   return kFields[static_cast<std::size_t>(field)].code;
 }
 
+Phrase rosterFieldLabel(RosterField field) noexcept {
+  switch (field) {
+    case RosterField::kExternalId:
+      return Text::tr("Staff or student number");
+    case RosterField::kFullName:
+      return Text::tr("Full name");
+    case RosterField::kEmail:
+      return Text::tr("E-mail");
+    case RosterField::kSex:
+      return Text::tr("Sex");
+    case RosterField::kLevel:
+      return Text::tr("Level");
+    case RosterField::kExperience:
+      return Text::tr("Experience");
+    case RosterField::kAge:
+      return Text::tr("Age");
+    case RosterField::kHandedness:
+      return Text::tr("Handedness");
+    case RosterField::kRaterClass:
+      return Text::tr("Class of rater");
+  }
+  return {};
+}
+
 std::vector<RosterField> rosterFields(RosterKind kind) {
   std::vector<RosterField> fields{RosterField::kExternalId, RosterField::kFullName};
   if (kind == RosterKind::kRaters) {

@@ -36,6 +36,8 @@ inline constexpr std::size_t kRosterFields = 9;
 
 /// "external_id", "full_name" ...: also the header of the template.
 [[nodiscard]] std::string_view rosterFieldCode(RosterField field) noexcept;
+/// "Staff or student number", "Full name" ...
+[[nodiscard]] Phrase rosterFieldLabel(RosterField field) noexcept;
 /// Fields that a roster of this kind may have, in the order in which they are shown; required ones first.
 [[nodiscard]] std::vector<RosterField> rosterFields(RosterKind kind);
 [[nodiscard]] bool isRequired(RosterField field, RosterKind kind) noexcept;

@@ -66,7 +66,7 @@ void understandChoice(RosterRow& row, RosterField field, const std::map<std::str
     value = meaning->second;
     return;
   }
-  refuseRow(row, Text::tr("\"%1\" is not understood as %2", value, std::string(rosterFieldCode(field))),
+  refuseRow(row, Text::tr("\"%1\" is not understood as %2", value, rosterFieldLabel(field)),
             Text::tr("Write %1, or leave the cell empty", choices));
 }
 
@@ -160,8 +160,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
     std::string& value = row.values[rosterIndex(field)];
     const Text flaw = flawOf(value, field == RosterField::kExternalId ? kLongestNumber : kLongestField);
     if (!flaw.empty()) {
-      refuseRow(row, Text::tr("the %1 %2", std::string(rosterFieldCode(field)), flaw),
-                Text::tr("Type the cell anew"));
+      refuseRow(row, Text::verbatim("%1 %2", rosterFieldLabel(field), flaw), Text::tr("Type the cell anew"));
       value.clear();  // what cannot be shown is shown nowhere
     }
   }
@@ -169,8 +168,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
     if (!isRequired(field, kind) || !row.values[rosterIndex(field)].empty()) {
       continue;
     }
-    refuseRow(row, Text::tr("the %1 is missing", std::string(rosterFieldCode(field))),
-              Text::tr("Fill in the cell"));
+    refuseRow(row, Text::tr("%1 is missing", rosterFieldLabel(field)), Text::tr("Fill in the cell"));
   }
   understandChoice(row, RosterField::kSex,
                    {{"female", "female"},
@@ -246,16 +244,16 @@ void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& 
   std::map<std::size_t, RosterField> used;
   for (const RosterField field : rosterFields(kind)) {
     const std::optional<std::size_t> column = columns[rosterIndex(field)];
-    const std::string code(rosterFieldCode(field));
+    const Phrase label = rosterFieldLabel(field);
     if (!column && isRequired(field, kind)) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("no column is chosen for %1", code), file.name,
+      throw Error(ErrorCode::kBadParameter, Text::tr("no column is chosen for %1", label), file.name,
                   Text::tr("Choose one"));
     }
     if (!column) {
       continue;
     }
     if (*column >= file.header.size()) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the column for %1 does not exist", code), file.name,
+      throw Error(ErrorCode::kBadParameter, Text::tr("the column for %1 does not exist", label), file.name,
                   Text::tr("Choose one of the file"));
     }
     if (!used.emplace(*column, field).second) {

@@ -124,7 +124,8 @@ void addCover(const CohortInputs& in, ReportModel& report) {
   }
 }
 
-ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>& study) {
+ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
+                     const std::optional<StudyAnalysis>& study) {
   ReportModel report;
   addCover(in, report);
   if (study) {
@@ -137,7 +138,7 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
     report.sections.push_back(section);
   }
   if (!in.trainees.empty()) {
-    report.sections.push_back(participantsSection(in));
+    report.sections.push_back(participantsSection(in, all));
   }
   if (!in.evaluations.empty() || in.unfinishedEvaluation) {
     report.sections.push_back(evaluationSection(in));
@@ -205,8 +206,10 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
   checkInputs(inputs);
   const CohortInputs& in = analysed.shown;
   std::vector<Text> left = analysed.left;
-  ReportModel report = reportOf(in, analysed.study);
-  if (in.identity == ReportIdentity::kAggregated) {
+  const bool aggregated = in.identity == ReportIdentity::kAggregated;
+  std::vector<Text> unsaid;
+  ReportModel report = reportOf(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, analysed.study);
+  if (aggregated) {
     removeIndividuals(report);
     left.push_back(Text::tr(
         "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "

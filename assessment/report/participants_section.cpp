@@ -14,7 +14,20 @@ namespace torsio {
 
 namespace {
 
-ReportTable groupsTable(const CohortInputs& in) {
+/// The mean of a group before the training; `all`: as it stands in the record.
+Text meanBefore(const CohortInputs& in, const CohortInputs& all, std::size_t group) {
+  const auto ofGroup = [&](const GroupSummary& summary) {
+    return summary.group == group && summary.occasion == 0;
+  };
+  if (const auto shown = std::find_if(in.summaries.begin(), in.summaries.end(), ofGroup);
+      shown != in.summaries.end()) {
+    return formatFixed(shown->mean, 2);
+  }
+  return std::any_of(all.summaries.begin(), all.summaries.end(), ofGroup) ? Text::tr("not shown")
+                                                                          : Text::tr("not recorded");
+}
+
+ReportTable groupsTable(const CohortInputs& in, const CohortInputs& all) {
   ReportTable table;
   table.id = "table-participants";
   table.title = Text::tr("Participants by group");
@@ -35,14 +48,8 @@ ReportTable groupsTable(const CohortInputs& in) {
     const auto counted = [&](const std::map<std::string, std::int64_t>& counts) {
       return countsText({counts.begin(), counts.end()}, in.identity);
     };
-    Text baseline = Text::tr("not recorded");
-    for (const GroupSummary& summary : in.summaries) {
-      if (summary.group == g && summary.occasion == 0) {
-        baseline = formatFixed(summary.mean, 2);
-      }
-    }
     table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), counted(sexes),
-                          counted(levels), baseline});
+                          counted(levels), meanBefore(in, all, g)});
   }
   if (in.allocation.method.empty()) {
     table.notes = {
@@ -67,7 +74,8 @@ ReportTable groupsTable(const CohortInputs& in) {
   return table;
 }
 
-ReportTable flowTable(const CohortInputs& in) {
+/// Who was scored is counted from all that is in the record, shown or not.
+ReportTable flowTable(const CohortInputs& in, const CohortInputs& all) {
   ReportTable table;
   table.id = "table-flow";
   table.title = Text::tr("Flow of participants");
@@ -93,7 +101,7 @@ ReportTable flowTable(const CohortInputs& in) {
                              std::to_string(trials), std::to_string(interrupted)};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
       row.push_back(
-          std::to_string(std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& score) {
+          std::to_string(std::count_if(all.scores.begin(), all.scores.end(), [&](const TraineeScore& score) {
             return score.group == g && score.occasion == t;
           })));
     }
@@ -118,7 +126,7 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
 
 }  // namespace
 
-ReportSection participantsSection(const CohortInputs& in) {
+ReportSection participantsSection(const CohortInputs& in, const CohortInputs& all) {
   ReportSection section;
   section.title = Text::tr("Participants and allocation");
   const CohortAllocation& drawn = in.allocation;
@@ -136,7 +144,7 @@ ReportSection participantsSection(const CohortInputs& in) {
                                         : drawn.method.empty() ? Text::tr("not recorded")
                                                                : Text(std::to_string(drawn.seed))));
   section.paragraphs.push_back(Text::verbatim("%1 %2", commitmentSentence(drawn), replaySentence(drawn)));
-  section.tables = {groupsTable(in), flowTable(in)};
+  section.tables = {groupsTable(in, all), flowTable(in, all)};
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
         pairsTable("table-allocation", Text::tr("Design of the allocation"), in.allocation.design));

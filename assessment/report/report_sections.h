@@ -16,7 +16,8 @@ namespace torsio {
 
 /// The page that a board reads in a minute; there are scores.
 [[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study);
-[[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
+/// `all`: with what is not shown of the marks; nothing of it but who was scored enters.
+[[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs, const CohortInputs& all);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
 /// Says of an evaluation that cannot be computed yet what it lacks, and what each class gives by itself.
 [[nodiscard]] ReportSection unfinishedSection(const CohortInputs& inputs);

@@ -1031,42 +1031,6 @@
 <context>
     <name>RosterTexts</name>
     <message>
-        <source>Staff or student number</source>
-        <translation>工号或学号</translation>
-    </message>
-    <message>
-        <source>Full name</source>
-        <translation>姓名</translation>
-    </message>
-    <message>
-        <source>E-mail</source>
-        <translation>电子邮箱</translation>
-    </message>
-    <message>
-        <source>Sex</source>
-        <translation>性别</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>水平</translation>
-    </message>
-    <message>
-        <source>Experience</source>
-        <translation>经验</translation>
-    </message>
-    <message>
-        <source>Age</source>
-        <translation>年龄</translation>
-    </message>
-    <message>
-        <source>Handedness</source>
-        <translation>惯用手</translation>
-    </message>
-    <message>
-        <source>Class of rater</source>
-        <translation>评分者类别</translation>
-    </message>
-    <message>
         <source>+ new</source>
         <translation>+ 新增</translation>
     </message>
@@ -1217,10 +1181,6 @@
 <context>
     <name>Scoring</name>
     <message>
-        <source>Every rater gets an order of their own and case labels that tell neither name, group nor stage.</source>
-        <translation>每位评分者的顺序各不相同，案例标签不透露姓名、组别和阶段。</translation>
-    </message>
-    <message>
         <source>Rater</source>
         <translation>评分者</translation>
     </message>
@@ -1323,6 +1283,10 @@
     <message>
         <source>for each case the freest of the same class</source>
         <translation>每个案例交给同类别中任务最少者</translation>
+    </message>
+    <message>
+        <source>Case labels tell neither name, group nor occasion. Recordings come in an order of their own for each rater, the real arm as you call.</source>
+        <translation>案例标签不透露姓名、组别或评分时点。每位评分者的录制顺序各不相同；实物手臂按您的叫号进行。</translation>
     </message>
 </context>
 <context>
@@ -5232,10 +5196,6 @@
     <message>
         <source>the %1 &quot;%2&quot; was not known when the design was locked</source>
         <translation>锁定方案时没有%1“%2”</translation>
-    </message>
-    <message>
-        <source>the %1 is missing</source>
-        <translation>缺少%1</translation>
     </message>
     <message>
         <source>the %1 is not recorded</source>
@@ -9968,10 +9928,6 @@
     <message>
         <source>Write both in the same way, or change one of the two</source>
         <translation>请将两者写成一致，或更改其中一个</translation>
-    </message>
-    <message>
-        <source>the %1 %2</source>
-        <translation>%1%2</translation>
     </message>
     <message>
         <source>Type the cell anew</source>
@@ -17083,6 +17039,38 @@ audit trail %3</source>
         <source>refused for good</source>
         <translation>被彻底拒绝</translation>
     </message>
+    <message>
+        <source>Staff or student number</source>
+        <translation>工号或学号</translation>
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>E-mail</source>
+        <translation>电子邮箱</translation>
+    </message>
+    <message>
+        <source>Experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>年龄</translation>
+    </message>
+    <message>
+        <source>Handedness</source>
+        <translation>惯用手</translation>
+    </message>
+    <message>
+        <source>Class of rater</source>
+        <translation>评分者类别</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少%1</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -19466,6 +19454,22 @@ MSM = 质点弹簧</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Name at least one place.</source>
+        <translation>请至少填写一个地点。</translation>
+    </message>
+    <message>
+        <source>! That would take longer than this day: name more places, or choose fewer trainees.</source>
+        <translation>! 这一天排不下：请增加地点，或少选几名学员。</translation>
+    </message>
+    <message>
+        <source>! The last slot ends at %1. The first one has begun already: whoever is not there is overdue.</source>
+        <translation>! 最后一个时段于 %1 结束。第一个时段已经开始：未到者即为逾期。</translation>
+    </message>
+    <message>
+        <source>The last slot ends at %1.</source>
+        <translation>最后一个时段于 %1 结束。</translation>
     </message>
 </context>
 <context>
@@ -24879,6 +24883,10 @@ Leave it empty to remove it.</source>
         <source>%1 *</source>
         <translation>%1 *</translation>
     </message>
+    <message>
+        <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters: who is imported as a trainee stays one.</source>
+        <translation>! “%1”列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”：一旦作为学员导入，将一直是学员。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterFilePage</name>
@@ -25621,6 +25629,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Planned</source>
         <translation>已安排</translation>
+    </message>
+    <message>
+        <source>no group yet</source>
+        <translation>尚未分组</translation>
     </message>
 </context>
 <context>

@@ -177,7 +177,10 @@ TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
   }
   const std::vector<std::vector<Text>>& groups = tableIn(open, "table-participants")->rows;
   for (const std::vector<Text>& row : groups) {
-    EXPECT_EQ(row.back(), "not recorded");  // not even the mean before
+    EXPECT_EQ(row.back(), "not shown");  // not even the mean before
+  }
+  for (const std::vector<Text>& row : tableIn(open, "table-flow")->rows) {
+    EXPECT_EQ(row[5], "10") << "who was scored is no secret, and none would be untrue";
   }
 
   in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1, "admin", true};

@@ -50,7 +50,7 @@ class FakeMailServer {
       door.listen(QHostAddress::LocalHost);
       listening.set_value(door.serverPort());
       if (door.waitForNewConnection(kPatience_ms)) {
-        receive(*static_cast<QSslSocket*>(door.nextPendingConnection()));
+        receive(*qobject_cast<QSslSocket*>(door.nextPendingConnection()));
       }
     });
     port_ = port.get();

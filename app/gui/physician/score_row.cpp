@@ -269,15 +269,23 @@ void ScoreRow::paintEvent(QPaintEvent*) {
 
 void ScoreRow::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
+  underFinger_ = event->reason() == Qt::MouseFocusReason;
   Q_EMIT wanted();
+  underFinger_ = false;
 }
 
 void ScoreRow::mousePressEvent(QMouseEvent* event) {
+  underFinger_ = true;
   Q_EMIT wanted();
   const int cell = cellAt(event->position().toPoint());
   if (cell >= 0 && !readOnly_) {
     Q_EMIT scored(stepsOf(cell));
   }
+  underFinger_ = false;
+}
+
+int ScoreRow::scaleEnd() const {
+  return strip_->geometry().bottom();
 }
 
 void ScoreRow::mouseMoveEvent(QMouseEvent* event) {

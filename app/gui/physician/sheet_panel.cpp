@@ -213,9 +213,18 @@ void SheetPanel::setCurrentRow(const std::string& row) {
     typed_points_.reset();
   }
   current_ = row;
+  const bool still =
+      std::any_of(rows_.begin(), rows_.end(), [](const ScoreRow* line) { return line->underFinger(); });
   for (ScoreRow* line : rows_) {
     line->setCurrent(line->code() == current_);
-    if (line->code() == current_) {
+    if (line->code() != current_ || !scroll_->isAncestorOf(line)) {
+      continue;
+    }
+    if (still) {  // a row whose scale can be read is left where it is
+      const int top = line->mapTo(scroll_->widget(), QPoint(0, 0)).y();
+      scroll_->ensureVisible(0, top + line->scaleEnd(), 0, 0);
+      scroll_->ensureVisible(0, top, 0, 0);
+    } else {
       scroll_->ensureWidgetVisible(line, 0, kSpace);
     }
   }

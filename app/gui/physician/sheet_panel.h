@@ -109,6 +109,10 @@ class ScoreRow : public QWidget {
   void setAnswer(const SheetAnswer& answer);
   void setCurrent(bool current);
   void setReadOnly(bool readOnly);
+  /// Whether a finger or the mouse is being put on it just now: then nothing may scroll away.
+  [[nodiscard]] bool underFinger() const noexcept { return underFinger_; }
+  /// Height down to the end of the scale; the anchors stand below.
+  [[nodiscard]] int scaleEnd() const;
   /// Opens the field for the reason and puts the keyboard there.
   void askReason();
 
@@ -147,6 +151,7 @@ class ScoreRow : public QWidget {
   RowShape shape_;
   bool current_ = false;
   bool laidOut_ = false;  // has a width of its own
+  bool underFinger_ = false;
   bool readOnly_ = false;
   int hovered_ = -1;
   SheetAnswer answer_;

@@ -194,8 +194,8 @@ QWidget* Desk::createBody() {
   job_ = new JobPanel(body);
   stack_ = new QStackedWidget(body);
   column->addWidget(problem_);
-  column->addWidget(job_);
   column->addWidget(stack_, 1);
+  column->addWidget(job_);  // below, so that its "Cancel" takes the place of no other button
   toast_ = new Toast(body);
   return body;
 }

@@ -236,12 +236,16 @@ void FirstRunPanel::testDatabase() {
         const bool inUse = lookAtRecord(where) == RecordPlace::kCentre;
         return [this, inUse] {
           test_->setEnabled(true);
+          next_->setFocus();  // the keyboard went on to the way back while the test could not be pressed
           say(inUse ? tr("A centre keeps its records there already. You can sign in to it after this step")
                     : tr("The database answers and is empty: it can be used"));
+          setLook(answer_, "caution", inUse);
+          setLook(answer_, "good", !inUse);
         };
       },
       [this](const std::exception_ptr& problem) {
         test_->setEnabled(true);
+        test_->setFocus();
         say(problemSentence(problem));
       });
 }
@@ -265,6 +269,7 @@ void FirstRunPanel::say(const QString& text) {
   answerPlace_->addWidget(answer_);  // it may stand below a field
   answer_->show();
   setLook(answer_, "caution", !text.isEmpty());
+  setLook(answer_, "good", false);
   answer_->setText(text);
 }
 

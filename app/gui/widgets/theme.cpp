@@ -137,7 +137,7 @@ QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
 QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %disabledText; border-color: %line; }
 QComboBox { combobox-popup: 0; }
-QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::drop-down, QDateEdit::drop-down, QDateTimeEdit::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: padding; border: none;
   background: transparent; width: 20px; }
@@ -209,7 +209,7 @@ QFrame#rail QPushButton:checked { background: %raised; color: %accent; font-weig
 QFrame#rail QPushButton:focus { border-color: %accent; }
 QFrame#header { background: %surface; border: none; border-bottom: 1px solid %line; }
 QFrame#problem { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
-QFrame#job { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
+QFrame#job { margin: 0 16px 8px 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
 QLabel#idleWarning { background: %caution; color: %window; padding: 8px; font-weight: 600; }
 QLabel#databaseAway { background: %raised; color: %caution; border-bottom: 1px solid %caution; padding: 8px;
   font-weight: 600; }

@@ -27,6 +27,20 @@ constexpr std::array kSubjects{
     "SELECT x.id, p.code || ': ' || a.case_label FROM training_mark x JOIN assignment a ON a.id = "
     "x.assignment_id"
     " JOIN person p ON p.id = x.rater_id WHERE x.id",
+    "SELECT x.id, p.code FROM allocation x JOIN enrolment e ON e.id = x.enrolment_id"
+    " JOIN person p ON p.id = e.trainee_id WHERE x.id",
+    "SELECT x.id, p.code FROM evaluation_mark x JOIN person p ON p.id = x.rater_id WHERE x.id",
+    "SELECT x.id, p.code FROM rater_warmup x JOIN person p ON p.id = x.rater_id WHERE x.id",
+    "SELECT x.id, p.code FROM trial_remark x JOIN trial t ON t.id = x.trial_id"
+    " JOIN person p ON p.id = t.trainee_id WHERE x.id",  // questions bear the id of their remark
+    "SELECT x.id, p.code FROM duty_request x JOIN person p ON p.id = x.subject WHERE x.id",
+    "SELECT x.id, u.login FROM duty_request x JOIN app_user u ON u.id = x.subject WHERE x.id",
+    "SELECT x.id, c.name FROM allocation_design x JOIN cohort c ON c.id = x.cohort_id WHERE x.id",
+    "SELECT x.id, c.name || ': ' || x.number FROM curriculum_version x"
+    " JOIN curriculum c ON c.id = x.curriculum_id WHERE x.id",
+    "SELECT x.id, c.name FROM deviation x JOIN cohort c ON c.id = x.cohort_id"
+    " WHERE x.enrolment_id IS NULL AND x.id",
+    "SELECT x.id, x.name FROM frozen_dataset x WHERE x.id",
     "SELECT x.id, x.name FROM cohort x WHERE x.id",
     "SELECT x.id, x.name FROM curriculum x WHERE x.id",
     "SELECT x.id, x.name FROM evaluation_campaign x WHERE x.id",

@@ -118,6 +118,13 @@ TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
     child<QTimeEdit>(dialog, "planFirst").setTime(now.time().addSecs(600));
     child<QSpinBox>(dialog, "planMinutes").setValue(20);
     child<QLineEdit>(dialog, "planPlaces").setText(QStringLiteral("Station 1, Skills lab"));
+    child<QSpinBox>(dialog, "planMinutes").setValue(600);
+    EXPECT_FALSE(child<QPushButton>(dialog, "planAdd").isEnabled()) << "slots in the night";
+    EXPECT_TRUE(child<QLabel>(dialog, "planOutlook").text().startsWith(QLatin1Char('!')));
+    child<QSpinBox>(dialog, "planMinutes").setValue(20);
+    EXPECT_TRUE(
+        child<QLabel>(dialog, "planOutlook").text().startsWith(QStringLiteral("The last slot ends at ")))
+        << child<QLabel>(dialog, "planOutlook").text().toStdString();
     child<QPushButton>(dialog, "planAdd").click();
     auto& slots = child<DataTable>(dialog, "planSlots");
     EXPECT_EQ(slots.visibleRows(), 3);

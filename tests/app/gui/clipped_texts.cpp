@@ -141,8 +141,9 @@ class Looker {
     const int room = combo.style()
                          ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo)
                          .width();
-    report(combo, combo.currentText(), widthOf(combo, combo.currentText()), room);
-    lookAtEdges(combo, combo.currentText());
+    const QString text = combo.currentIndex() < 0 ? combo.placeholderText() : combo.currentText();
+    report(combo, text, widthOf(combo, text), room);
+    lookAtEdges(combo, text);
   }
 
   void lookAt(const QLineEdit& field) {

@@ -88,6 +88,19 @@ TEST_F(RosterWizardTest, ImportsFromTheFileToTheLastButtonWithTheColumnsChosenBy
   EXPECT_EQ(office.centre.audited("roster.import"), 1);
 }
 
+TEST_F(RosterWizardTest, AFileOfRatersIsNoticedBeforeTheyBecomeTrainees) {
+  open("Staff number,Full name,Class\nC-1,Ann Smith,chief physician\n");
+  next();
+  auto& hint = child<QLabel>(*wizard, "rosterHint");
+  EXPECT_FALSE(hint.isHidden());
+  EXPECT_TRUE(hint.text().contains(QStringLiteral("The column Class"))) << hint.text().toStdString();
+  wizard->button(QWizard::CancelButton)->click();
+
+  open("Staff number,Full name,Sex\nS-1,Bo Chen,m\n");
+  next();
+  EXPECT_TRUE(child<QLabel>(*wizard, "rosterHint").isHidden());
+}
+
 TEST_F(RosterWizardTest, ImportsNothingWhenAnyLineIsWrongAndSaysWhatToMend) {
   open("Staff ID,Name,Age\nS-1,Ann Smith,24\nS-2,,25\nS-1,Twice,26\nS-4,Old,250\n");
 
@@ -96,7 +109,7 @@ TEST_F(RosterWizardTest, ImportsNothingWhenAnyLineIsWrongAndSaysWhatToMend) {
 
   EXPECT_FALSE(import().isEnabled());
   const QString shown = lines().asText();
-  EXPECT_TRUE(shown.contains(QStringLiteral("full_name is missing")) &&
+  EXPECT_TRUE(shown.contains(QStringLiteral("Full name is missing")) &&
               shown.contains(QStringLiteral("stands on line 2 already")) &&
               shown.contains(QStringLiteral("no likely age")))
       << shown.toStdString();

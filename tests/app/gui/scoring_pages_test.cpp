@@ -27,6 +27,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/study/cohort.h"
+#include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -135,8 +136,10 @@ TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
   buttonOf(*page_, "Copy reminders")->click();
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("please submit in Torsio: case ")))
       << QGuiApplication::clipboard()->text().toStdString();
-  EXPECT_EQ(centre_.audited("reminder.copy"),
-            QGuiApplication::clipboard()->text().count(QLatin1Char('\n')) + 1);
+  EXPECT_EQ(selectAll(centre_.connection(), "SELECT action FROM audit_entry WHERE action = 'reminder.copy'",
+                      {}, readText)
+                .size(),
+            static_cast<std::size_t>(QGuiApplication::clipboard()->text().count(QLatin1Char('\n')) + 1));
 }
 
 TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {

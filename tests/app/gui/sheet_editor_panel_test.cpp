@@ -5,6 +5,8 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -69,7 +71,8 @@ TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
   EXPECT_FALSE(panel.asking());
 }
 
-TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
+/// Three rows, each with anchors of two lines in a narrow panel.
+RubricRevision threeRows() {
   RubricRevision rubric = oneRow();
   const std::vector<RubricAnchor> anchors{{10, "Does not finish; long stops between the steps"},
                                           {50, "Finishes with some waiting; one or two corrections"},
@@ -77,10 +80,14 @@ TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
   rubric.rows[0].anchors = anchors;
   rubric.rows.push_back({"grip", "Grip", rubric.overall, anchors});
   rubric.rows.push_back({"care", "Care", rubric.overall, anchors});
+  return rubric;
+}
+
+TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
   SheetEditorPanel panel;
   panel.resize(520, 900);  // the anchors of a row take two lines
   panel.show();
-  panel.beginSheet(rubric, {});
+  panel.beginSheet(threeRows(), {});
   const QList<ScoreRow*> rows = panel.findChildren<ScoreRow*>();
   const auto places = [&] {
     QApplication::processEvents();
@@ -98,6 +105,32 @@ TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
     panel.handleKey(Qt::Key_Down, Qt::NoModifier);
     EXPECT_EQ(places(), before) << "row " << i;
   }
+}
+
+TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
+  SheetEditorPanel panel;
+  panel.resize(520, 900);
+  panel.show();
+  panel.beginSheet(threeRows(), {});
+  QApplication::processEvents();
+  const QList<ScoreRow*> rows = panel.findChildren<ScoreRow*>();
+  ASSERT_EQ(rows.size(), 4);
+  QScrollArea& scroll = *panel.findChild<QScrollArea*>();
+  const int anchors = rows[2]->height() - rows[2]->scaleEnd();
+  for (int low = 890; low > 200 && scroll.verticalScrollBar()->maximum() < anchors / 2; low -= 4) {
+    panel.resize(520, low);  // until half of what the third row says below its scale is out of sight
+    QApplication::processEvents();
+  }
+  ASSERT_GT(scroll.verticalScrollBar()->maximum(), 0);
+
+  for (int i = 0; i < 3; ++i) {
+    QTest::mouseClick(rows[i], Qt::LeftButton, {}, QPoint(60, rows[i]->scaleEnd() - 10));
+    QApplication::processEvents();
+    EXPECT_EQ(scroll.verticalScrollBar()->value(), 0) << "row " << i;
+    EXPECT_TRUE(panel.editor()->answer(rows[i]->code()).given());
+  }
+  panel.handleKey(Qt::Key_Up, Qt::NoModifier);  // from the overall mark to the third row, by key
+  EXPECT_GT(scroll.verticalScrollBar()->value(), 0) << "its anchors come into sight";
 }
 
 TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {

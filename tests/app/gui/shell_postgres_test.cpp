@@ -109,6 +109,9 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   field("Address of the server")->setText(address_);
   press("Test the database");
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("The database answers and is empty"); }, 20'000));
+  const auto* focused = qobject_cast<QPushButton*>(window_->focusWidget());
+  ASSERT_NE(focused, nullptr);
+  EXPECT_EQ(focused->text().remove(QLatin1Char('&')), QStringLiteral("Next")) << "Enter goes on";
   press("Next");
   press("Set up");
   testing::waitFor(window_->background());

@@ -16,6 +16,7 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -662,6 +663,10 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
   auto* job = window_->desk()->findChild<JobPanel*>();
   EXPECT_TRUE(says(*job, QStringLiteral("50 %")));
   EXPECT_TRUE(says(*job, QStringLiteral("30 s left")));
+  const auto* pages = job->parentWidget()->findChild<QStackedWidget*>({}, Qt::FindDirectChildrenOnly);
+  ASSERT_NE(pages, nullptr);
+  EXPECT_EQ(pages->y(), 0) << "no button of the page moves away from under the pointer";
+  EXPECT_GT(job->y(), pages->geometry().bottom());
   EXPECT_FALSE(window_->signOut());
   press(*job, QStringLiteral("Cancel"));
   context.waitForJobs();

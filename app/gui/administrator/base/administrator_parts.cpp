@@ -48,6 +48,7 @@ void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first)
   const QSignalBlocker quiet(chooser);
   chooser->clear();
   chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
+  chooser->setMinimumContentsLength(static_cast<int>(chooser->placeholderText().size()));
   std::vector<CohortRow> rows = cohorts(session);
   for (CohortRow& row : rows) {
     row.today = row.today && first == CohortFirst::kOfToday;

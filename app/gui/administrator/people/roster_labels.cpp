@@ -16,27 +16,7 @@ struct RosterTexts {
 }  // namespace
 
 QString rosterFieldName(RosterField field) {
-  switch (field) {
-    case RosterField::kExternalId:
-      return RosterTexts::tr("Staff or student number");
-    case RosterField::kFullName:
-      return RosterTexts::tr("Full name");
-    case RosterField::kEmail:
-      return RosterTexts::tr("E-mail");
-    case RosterField::kSex:
-      return RosterTexts::tr("Sex");
-    case RosterField::kLevel:
-      return RosterTexts::tr("Level");
-    case RosterField::kExperience:
-      return RosterTexts::tr("Experience");
-    case RosterField::kAge:
-      return RosterTexts::tr("Age");
-    case RosterField::kHandedness:
-      return RosterTexts::tr("Handedness");
-    case RosterField::kRaterClass:
-      return RosterTexts::tr("Class of rater");
-  }
-  return {};
+  return toQString(Text(rosterFieldLabel(field)));
 }
 
 QString rosterStatusName(RosterStatus status) {

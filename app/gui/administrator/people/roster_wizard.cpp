@@ -2,7 +2,6 @@
 #include "app/gui/administrator/people/roster_wizard.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include <QComboBox>
@@ -10,8 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
@@ -33,7 +30,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kSampleRows = 5;
-constexpr int kWhole = 1000;  // of the progress bar
 
 /// Where this station keeps the choices for files with these headings: headings are no data of anybody.
 QString columnsKey(const RosterFile& file, RosterKind kind) {
@@ -215,7 +211,11 @@ void RosterFilePage::saveTemplate() {
 }
 
 RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
-    : QWizardPage(parent), import_(import), form_(new QGridLayout), sample_(new DataTable(QString(), this)) {
+    : QWizardPage(parent),
+      import_(import),
+      form_(new QGridLayout),
+      sample_(new DataTable(QString(), this)),
+      hint_(sentence(this, false)) {
   setTitle(tr("The columns"));
   setSubTitle(
       tr("Which column holds what. Fields with a star are needed; the first lines of the file stand below."));
@@ -227,7 +227,10 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
     form_->setColumnStretch(side, 1);
   }
   sample_->filter().hide();
+  hint_->setObjectName(QStringLiteral("rosterHint"));
+  setLook(hint_, "caution", true);
   column->addLayout(form_);
+  column->addWidget(hint_);
   column->addWidget(sample_, 1);
 }
 
@@ -257,6 +260,23 @@ void RosterColumnsPage::initializePage() {
     connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
   }
   showSample();
+  showHint();
+}
+
+/// Who was imported as a trainee stays one, so a file of raters is noticed before.
+void RosterColumnsPage::showHint() {
+  const std::optional<std::size_t> raterClass =
+      import_.kind == RosterKind::kTrainees
+          ? suggestColumns(*import_.file,
+                           RosterKind::kRaters)[static_cast<std::size_t>(RosterField::kRaterClass)]
+          : std::nullopt;
+  hint_->setVisible(raterClass.has_value());
+  if (raterClass) {
+    hint_->setText(
+        tr("! The column %1 looks like the class of raters. If this file lists raters, go back and "
+           "choose Raters: who is imported as a trainee stays one.")
+            .arg(toQString(import_.file->header[*raterClass])));
+  }
 }
 
 void RosterColumnsPage::showSample() {
@@ -290,170 +310,6 @@ bool RosterColumnsPage::validatePage() {
   }
   keepColumns(*import_.file, import_.kind, import_.columns);
   return true;
-}
-
-RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, QWidget* parent)
-    : QWizardPage(parent),
-      import_(import),
-      shell_(shell),
-      summary_(new QLabel(this)),
-      progress_(new QProgressBar(this)),
-      lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
-  setTitle(tr("What would happen"));
-  setSubTitle(
-      tr("Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and "
-         "choose it again."));
-  setFinalPage(true);
-  summary_->setWordWrap(true);
-  progress_->setRange(0, kWhole);
-  progress_->setTextVisible(false);
-  progress_->setAccessibleName(tr("How far it has come"));
-  progress_->hide();
-  auto* column = new QVBoxLayout(this);
-  column->setSpacing(2 * kSpace);
-  column->addWidget(summary_);
-  column->addWidget(progress_);
-  column->addWidget(lines_, 1);
-  connect(&shell, &ShellContext::jobMoved, this, [this](const QString& step, double fraction) {
-    if (busy_) {
-      showProgress(step, fraction);
-    }
-  });
-  connect(&shell, &ShellContext::jobEnded, this, [this] {
-    busy_ = false;
-    progress_->hide();
-    Q_EMIT completeChanged();
-  });
-}
-
-void RosterPreviewPage::begin(const QString& what) {
-  busy_ = true;
-  progress_->setValue(0);
-  progress_->show();
-  summary_->setText(what);
-  Q_EMIT completeChanged();
-}
-
-void RosterPreviewPage::showProgress(const QString& step, double fraction) {
-  progress_->setValue(static_cast<int>(fraction * kWhole));
-  summary_->setText(tr("%1: %2 %").arg(step).arg(static_cast<int>(fraction * 100.0)));
-}
-
-void RosterPreviewPage::initializePage() {
-  import_.preview.reset();
-  lines_->setRows({});
-  begin(
-      tr("Comparing %n line(s) with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
-  struct Found {
-    std::optional<RosterPreview> preview;
-    std::optional<Error> problem;
-  };
-  const auto found = std::make_shared<Found>();
-  shell_.run(
-      tr("Looking at the roster"),
-      [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
-          SessionContext& session, const ProgressCallback& progress) {
-        try {
-          RosterPreview preview = previewRoster(session, file, kind, columns, progress);
-          // Proves before the last button that the database would take it.
-          if (preview.importable()) {
-            static_cast<void>(importRoster(session, file, kind, columns, preview.fingerprint,
-                                           RosterMode::kDryRun, progress));
-          }
-          found->preview = std::move(preview);
-        } catch (const Error& error) {
-          found->problem = error;
-        }
-      },
-      [page = QPointer<RosterPreviewPage>(this), found] {
-        if (page.isNull()) {
-          return;
-        }
-        if (found->problem) {
-          page->showProblem(rosterProblem(*found->problem));
-          return;
-        }
-        page->import_.preview = std::move(found->preview);
-        page->showPreview();
-      });
-}
-
-void RosterPreviewPage::showProblem(const QString& words) {
-  import_.preview.reset();
-  summary_->setText(words);
-  Q_EMIT completeChanged();
-}
-
-void RosterPreviewPage::showPreview() {
-  const RosterPreview& preview = *import_.preview;
-  QString summary = tr("%1 new, %2 with changes, %3 as they are, %4 with errors.")
-                        .arg(preview.added)
-                        .arg(preview.changed)
-                        .arg(preview.same)
-                        .arg(preview.errors);
-  if (import_.file->encoding != "UTF-8") {
-    summary +=
-        QLatin1Char(' ') +
-        tr("The file was read as %1: look at letters with accents.").arg(toQString(import_.file->encoding));
-  }
-  summary_->setText(summary);
-  // Every column that the file fills, so that what is taken can be read before it is.
-  std::vector<RosterField> fields;
-  std::vector<Column> columns{{tr("Line"), true}, {tr("Status")}, {tr("Note")}};
-  for (const RosterField field : rosterFields(preview.kind)) {
-    if (import_.columns[static_cast<std::size_t>(field)]) {
-      fields.push_back(field);
-      columns.push_back({rosterFieldName(field)});
-    }
-  }
-  lines_->setColumns(columns);
-  std::vector<Row> rows;
-  for (const RosterRow& row : preview.rows) {
-    const auto line = static_cast<qulonglong>(row.line);
-    const QString note = rosterNote(row);
-    Row shown{QString::number(line),
-              {{QString::number(line), line},
-               {rosterStatusName(row.status), static_cast<int>(row.status)},
-               {note, {}, note}}};
-    for (const RosterField field : fields) {
-      shown.cells.push_back({toQString(row.values[static_cast<std::size_t>(field)])});
-    }
-    rows.push_back(std::move(shown));
-  }
-  lines_->setRows(std::move(rows));
-  Q_EMIT completeChanged();
-}
-
-void RosterPreviewPage::commit(std::function<void()> done) {
-  begin(tr("Importing\u2026"));
-  const auto outcome = std::make_shared<RosterOutcome>();
-  const auto problem = std::make_shared<std::optional<Error>>();
-  shell_.run(
-      tr("Importing the roster"),
-      [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
-       fingerprint = import_.preview->fingerprint](SessionContext& session,
-                                                   const ProgressCallback& progress) {
-        try {
-          *outcome = importRoster(session, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
-        } catch (const Error& error) {
-          *problem = error;
-        }
-      },
-      [page = QPointer<RosterPreviewPage>(this), outcome, problem, done = std::move(done)] {
-        if (page.isNull()) {
-          return;
-        }
-        if (*problem) {
-          page->showProblem(rosterProblem(**problem));
-          return;
-        }
-        page->import_.outcome = std::move(*outcome);
-        done();
-      });
-}
-
-bool RosterPreviewPage::isComplete() const {
-  return !busy_ && import_.preview && import_.preview->importable();
 }
 
 }  // namespace torsio::gui

@@ -90,10 +90,12 @@ class RosterColumnsPage : public QWizardPage {
 
  private:
   void showSample();
+  void showHint();
 
   RosterImport& import_;
   QGridLayout* form_;
   DataTable* sample_;
+  QLabel* hint_;
   std::map<RosterField, QComboBox*> choices_;
 };
 

@@ -27,6 +27,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::int64_t kWhole_milli = 1000;
+constexpr int kModelLines = 5;
 
 std::int64_t milli(const QDoubleSpinBox* field) {
   return std::llround(field->value() * static_cast<double>(kWhole_milli));
@@ -80,6 +81,7 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
   setWindowTitle(tr("New evaluation"));
   resize(900, 620);
   models_->setTabChangesFocus(true);
+  models_->setFixedHeight(kModelLines * models_->fontMetrics().lineSpacing() + 3 * kSpace);
   models_->setPlainText(tr("PM = proposed model\nFEM = finite elements\nMSM = mass-spring"));
   auto* form = new QFormLayout;
   form->setSpacing(kSpace);
@@ -121,7 +123,7 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
   auto* left = new QVBoxLayout;
   left->addLayout(form);
   left->addWidget(recordings_, 1);
-  left->addWidget(raters_, 1);
+  left->addWidget(raters_, 2);
   auto* both = new QHBoxLayout;
   both->setSpacing(3 * kSpace);
   both->addLayout(left, 3);

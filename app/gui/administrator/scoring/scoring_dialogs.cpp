@@ -41,8 +41,8 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   QuestionDialog dialog(
       parent, translated(QT_TRANSLATE_NOOP("Scoring", "Invite raters")),
       translated(QT_TRANSLATE_NOOP("Scoring",
-                                   "Every rater gets an order of their own and case labels that tell "
-                                   "neither name, group nor stage.")));
+                                   "Case labels tell neither name, group nor occasion. Recordings come in an "
+                                   "order of their own for each rater, the real arm as you call.")));
   dialog.resize(620, 560);
   auto* table = new DataTable(QString(), &dialog);
   table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Rater"))},

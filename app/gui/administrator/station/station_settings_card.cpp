@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/station_settings_card.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,8 +25,6 @@
 #include "sim/base/time_units.h"
 
 namespace torsio::gui {
-
-namespace {}  // namespace
 
 StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent),
@@ -79,14 +79,14 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   signing->addWidget(learning_);
   content()->addLayout(signing);
   content()->addWidget(note_);
-  connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
+  // Whichever was set last stands, and the other one makes room for it.
+  connect(lock_, &QSpinBox::editingFinished, this,
+          [this] { warn_->setValue(std::min(warn_->value(), lock_->value() - 1)); });
+  connect(warn_, &QSpinBox::editingFinished, this,
+          [this] { lock_->setValue(std::max(lock_->value(), warn_->value() + 1)); });
   connect(learning_, &QPushButton::clicked, this, [this] { LearningRecordsDialog(shell_, this).exec(); });
   connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
   retranslate();
-}
-
-void StationSettingsCard::keepInBounds() {
-  warn_->setMaximum(lock_->value() - 1);
 }
 
 void StationSettingsCard::read() {
@@ -94,7 +94,6 @@ void StationSettingsCard::read() {
     name_->setText(toQString(centreSign(shell_.session().connectionWithoutRight()).name));
     const IdleLimits limits = centreIdleLimits(shell_.session().connectionWithoutRight());
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
-    keepInBounds();
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
     mouse_->setChecked(gradesWithMouse(shell_.session()));
     sound_->setChecked(soundsAtLimit(shell_.session()));

@@ -28,7 +28,6 @@ class StationSettingsCard : public Card {
 
  private:
   void keep();
-  void keepInBounds();
   void keepTwoPeople();
 
   ShellContext& shell_;

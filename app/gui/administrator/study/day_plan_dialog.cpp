@@ -65,6 +65,7 @@ DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trai
       minutes_(new QSpinBox(this)),
       pause_(new QSpinBox(this)),
       places_(new QLineEdit(this)),
+      outlook_(sentence(this, false)),
       plan_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("day-plan"), this)),
       remove_(listButton(table_)),
@@ -94,8 +95,8 @@ void DayPlanDialog::build(const QStringList& places) {
   pause_->setSuffix(tr(" min"));
   places_->setText(places.join(QStringLiteral(", ")));
   places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
+  outlook_->setObjectName(QStringLiteral("planOutlook"));
   plan_->setText(tr("&Add %n trainee(s) to the plan", nullptr, static_cast<int>(trainees_.size())));
-  plan_->setEnabled(!trainees_.empty());
   remove_->setText(tr("&Remove"));
   print_->setText(tr("&Print\u2026"));
   auto* words = sentence(this);
@@ -110,7 +111,7 @@ void DayPlanDialog::build(const QStringList& places) {
   form->addRow(tr("Pa&use between two"), pause_);
   form->addRow(tr("Stations and roo&ms, with commas"), places_);
   auto* row = new QHBoxLayout;
-  row->addStretch(1);
+  row->addWidget(outlook_, 1);
   row->addWidget(plan_);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(words);
@@ -123,12 +124,51 @@ void DayPlanDialog::build(const QStringList& places) {
   table_->setEmptyText(tr("Nobody is planned for this day yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &DayPlanDialog::reject);
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::read);
+  connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::showOutlook);
+  connect(first_, &QTimeEdit::timeChanged, this, &DayPlanDialog::showOutlook);
+  connect(minutes_, &QSpinBox::valueChanged, this, &DayPlanDialog::showOutlook);
+  connect(pause_, &QSpinBox::valueChanged, this, &DayPlanDialog::showOutlook);
+  connect(places_, &QLineEdit::textChanged, this, &DayPlanDialog::showOutlook);
   connect(plan_, &QPushButton::clicked, this, &DayPlanDialog::plan);
   connect(remove_, &QPushButton::clicked, this, &DayPlanDialog::remove);
   connect(print_, &QPushButton::clicked, this, &DayPlanDialog::askPrint);
   connect(table_, &DataTable::currentChanged, this,
           [this](const QString& id) { remove_->setEnabled(!id.isEmpty()); });
   remove_->setEnabled(false);
+  showOutlook();
+}
+
+QStringList DayPlanDialog::namedPlaces() const {
+  QStringList places;
+  for (const QString& place : places_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    if (!place.trimmed().isEmpty()) {
+      places << place.trimmed();
+    }
+  }
+  return places;
+}
+
+void DayPlanDialog::showOutlook() {
+  const auto side = static_cast<std::size_t>(namedPlaces().size());
+  if (trainees_.empty() || side == 0) {
+    outlook_->setText(trainees_.empty() ? QString() : tr("Name at least one place."));
+    plan_->setEnabled(false);
+    return;
+  }
+  const auto rounds = static_cast<int>((trainees_.size() + side - 1) / side);
+  const QDateTime first(day_->date(), first_->time());
+  const QDateTime last = first.addSecs(60LL * (rounds * minutes_->value() + (rounds - 1) * pause_->value()));
+  const bool fits = last <= day_->date().addDays(1).startOfDay();
+  const bool past = utcOf(first) < shell_.session().now_us();
+  const QString end = locale().toString(last.time(), QLocale::ShortFormat);
+  outlook_->setText(
+      !fits  ? tr("! That would take longer than this day: name more places, or choose fewer trainees.")
+      : past ? tr("! The last slot ends at %1. The first one has begun already: whoever is not there is "
+                  "overdue.")
+                   .arg(end)
+             : tr("The last slot ends at %1.").arg(end));
+  setLook(outlook_, "caution", !fits || past);
+  plan_->setEnabled(fits);
 }
 
 void DayPlanDialog::read() {
@@ -157,10 +197,8 @@ void DayPlanDialog::plan() {
   for (const auto& [id, code] : trainees_) {
     request.enrolmentIds.push_back(id);
   }
-  for (const QString& place : places_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-    if (!place.trimmed().isEmpty()) {
-      request.places.push_back(place.trimmed().toStdString());
-    }
+  for (const QString& place : namedPlaces()) {
+    request.places.push_back(place.toStdString());
   }
   request.firstUtc_us = utcOf(QDateTime(day_->date(), first_->time()));
   request.duration_us = minutes_->value() * kMinute_us;

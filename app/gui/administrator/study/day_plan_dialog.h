@@ -46,6 +46,9 @@ class DayPlanDialog : public QDialog {
  private:
   void build(const QStringList& places);
   void read();
+  [[nodiscard]] QStringList namedPlaces() const;
+  /// When the last slot would end, and whether that is still this day.
+  void showOutlook();
   void plan();
   void remove();
   void askPrint();
@@ -59,6 +62,7 @@ class DayPlanDialog : public QDialog {
   QSpinBox* minutes_;
   QSpinBox* pause_;
   QLineEdit* places_;
+  QLabel* outlook_;
   QPushButton* plan_;
   DataTable* table_;
   QPushButton* remove_;

@@ -176,7 +176,7 @@ QString RunDayPage::nowText(const RunDayRow& row) const {
     return tr("all phases done");
   }
   if (row.phaseLabel.empty()) {
-    return tr("no curriculum");
+    return row.groupCode.empty() ? tr("no group yet") : tr("no curriculum");
   }
   return toQString(row.phaseLabel);
 }

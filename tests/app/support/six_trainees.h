@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/allocation_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/scoring_plan.h"
+#include "assessment/rating/assignment.h"
+#include "assessment/rating/rubric.h"
+#include "assessment/rating/sheet.h"
+#include "assessment/study/cohort.h"
+#include "assessment/study/curriculum.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "sim/base/ids.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio::testing {
+
+/// Six trainees in three groups who follow the paper's curriculum, three chiefs, the shipped rubric.
+struct SixTrainees {
+  StudyCentre centre;
+  std::vector<RaterId> chiefs;
+  std::string rubric;
+  CohortId cohortId;
+  std::vector<EnrolmentId> enrolmentIds;
+
+  SixTrainees() {
+    const std::vector<TraineeId> trainees = centre.addTrainees(6);
+    chiefs = centre.addChiefs(3);
+    rubric = centre.addPaperRubric();
+    const std::string version = centre.runPaperCurriculum();
+    cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
+    enrolmentIds = enrolTrainees(centre.session(), cohortId, trainees);
+  }
+  void allocate() {
+    SessionContext& allocator = centre.as("allocator");
+    AllocationPlan plan;
+    plan.cohortId = cohortId;
+    lockAllocation(allocator, plan);
+    allocateAll(allocator, cohortId);
+  }
+  [[nodiscard]] ScoringPlan plan() const {
+    return {.cohortId = cohortId,
+            .occasionCodes = {"pre", "mid", "post"},
+            .raterIds = chiefs,
+            .rubricRevisionId = rubric,
+            .seed = 3};
+  }
+  [[nodiscard]] StudyArm armOf(const EnrolmentId& enrolmentId) {
+    SessionContext& session = centre.as("administrator");
+    const CohortRow cohort = cohorts(session).at(0);
+    const auto version =
+        CurriculumRepository(session.connectionWithoutRight()).version(cohort.cohort.curriculumVersionId);
+    for (const Enrolment& enrolment : enrolments(session, cohortId)) {
+      if (enrolment.id != enrolmentId) {
+        continue;
+      }
+      for (const StudyGroup& group : cohort.groups) {
+        for (const StudyArm& arm : version->arms) {
+          if (group.id == enrolment.groupId && arm.id == group.armId) {
+            return arm;
+          }
+        }
+      }
+    }
+    return {};
+  }
+  /// Fills in and submits every open sheet as the raters would.
+  void submitAll(const std::string& occasionCode) {
+    SheetRepository sheets(centre.connection());
+    const RubricRevision revision = sheets.revision(rubric).value();
+    for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+      if (status.assignment.occasionCode != occasionCode || status.state != SheetState::kOpen) {
+        continue;
+      }
+      Sheet sheet{.overall_steps = 70};
+      for (const RubricLine& row : revision.rows) {
+        sheet.rows.push_back({row.code, 70, ""});
+      }
+      sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
+                    centre.session().now_us());
+    }
+  }
+};
+
+}  // namespace torsio::testing
