@@ -16145,10 +16145,6 @@ audit trail %3</source>
         <translation>请用 --wall 给出其厚度</translation>
     </message>
     <message>
-        <source>the wall is %1 mm thick in the middle, %2 to %3 mm in eight tenths of the %4 % of its surface where its end is seen</source>
-        <translation>器官壁厚度中位数为 %1 mm；在可见外缘的 %4 % 表面中，十分之八为 %2 到 %3 mm</translation>
-    </message>
-    <message>
         <source>N01 this is no scan that is read</source>
         <translation>N01 这不是可读取的扫描</translation>
     </message>
@@ -16263,6 +16259,10 @@ audit trail %3</source>
     <message>
         <source>the scan</source>
         <translation>扫描</translation>
+    </message>
+    <message>
+        <source>the wall is %1 mm thick in the median, %2 to %3 mm in eight tenths, over the %4 % of the surface where its end is seen</source>
+        <translation>在可见外缘的 %4 % 表面上，器官壁厚度中位数为 %1 mm，其中十分之八为 %2 到 %3 mm</translation>
     </message>
 </context>
 <context>
