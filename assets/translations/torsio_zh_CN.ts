@@ -15729,167 +15729,167 @@ audit trail %3</source>
     </message>
     <message>
         <source>Copy or export the file again</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新复制或导出文件</translation>
     </message>
     <message>
         <source>N04 the file cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 无法打开文件</translation>
     </message>
     <message>
         <source>N04 the file ends, or is damaged, after %1 of %2 voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 文件在第 %1 个体素（共 %2 个）之后结束或已损坏</translation>
     </message>
     <message>
         <source>N01 the file is shorter than a NIfTI header, or damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>N01 文件比 NIfTI 文件头还短，或已损坏</translation>
     </message>
     <message>
         <source>Give a NIfTI-1 file, .nii or .nii.gz</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出 NIfTI-1 文件（.nii 或 .nii.gz）</translation>
     </message>
     <message>
         <source>N04 the voxels lie in a file of their own, NAME.img beside NAME.hdr, and it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 体素存放在单独的文件中（NAME.hdr 旁的 NAME.img），但该文件缺失</translation>
     </message>
     <message>
         <source>N04 the file ends before its voxels begin</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 文件在体素开始之前就结束了</translation>
     </message>
     <message>
         <source>N04 the file is damaged: its check sum is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 文件已损坏：校验和错误</translation>
     </message>
     <message>
         <source>%1 {voxel|voxels} without a number count as air</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个没有数值的体素按空气计</translation>
     </message>
     <message>
         <source>Check where the scan has no values</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查扫描何处没有数值</translation>
     </message>
     <message>
         <source>N01 this is a NIfTI-2 file; NIfTI-1 is read</source>
-        <translation type="unfinished"></translation>
+        <translation>N01 这是 NIfTI-2 文件；只读取 NIfTI-1</translation>
     </message>
     <message>
         <source>Save it as NIfTI-1</source>
-        <translation type="unfinished"></translation>
+        <translation>请另存为 NIfTI-1</translation>
     </message>
     <message>
         <source>N01 this is no NIfTI file: its header does not begin with 348</source>
-        <translation type="unfinished"></translation>
+        <translation>N01 这不是 NIfTI 文件：文件头不以 348 开头</translation>
     </message>
     <message>
         <source>N01 the file has no NIfTI mark: an Analyze file does not say where left and right are</source>
-        <translation type="unfinished"></translation>
+        <translation>N01 文件没有 NIfTI 标记：Analyze 文件不说明左右方向</translation>
     </message>
     <message>
         <source>Convert the scan to NIfTI-1 again from its DICOM files</source>
-        <translation type="unfinished"></translation>
+        <translation>请从 DICOM 文件重新转换为 NIfTI-1</translation>
     </message>
     <message>
         <source>N02 the file has %1 dimensions, a volume has 3</source>
-        <translation type="unfinished"></translation>
+        <translation>N02 文件有 %1 个维度，体数据应有 3 个</translation>
     </message>
     <message>
         <source>Give one volume</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出单个体数据</translation>
     </message>
     <message>
         <source>N02 dimension %1 is %2, it must lie between 1 and %3</source>
-        <translation type="unfinished"></translation>
+        <translation>N02 维度 %1 为 %2，必须在 1 到 %3 之间</translation>
     </message>
     <message>
         <source>Export the scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新导出扫描</translation>
     </message>
     <message>
         <source>N02 the file holds a series of volumes: dimension %1 is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>N02 文件含有一系列体数据：维度 %1 为 %2</translation>
     </message>
     <message>
         <source>N03 voxels of datatype %1 (colour, complex or 64-bit whole numbers) are not read</source>
-        <translation type="unfinished"></translation>
+        <translation>N03 不读取数据类型为 %1 的体素（彩色、复数或 64 位整数）</translation>
     </message>
     <message>
         <source>Save the volume with 16-bit whole numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>请以 16 位整数保存体数据</translation>
     </message>
     <message>
         <source>N03 datatype %1 with %2 bits a voxel contradicts itself</source>
-        <translation type="unfinished"></translation>
+        <translation>N03 数据类型 %1 与每体素 %2 位相互矛盾</translation>
     </message>
     <message>
         <source>N04 the voxels are said to begin at byte %1</source>
-        <translation type="unfinished"></translation>
+        <translation>N04 文件称体素从第 %1 字节开始</translation>
     </message>
     <message>
         <source>the file names no unit of length; millimetres are assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未说明长度单位；假定为毫米</translation>
     </message>
     <message>
         <source>Check the size of the organ</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查器官的大小</translation>
     </message>
     <message>
         <source>N06 the file&apos;s unit of length is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>N06 文件的长度单位未知</translation>
     </message>
     <message>
         <source>Save the volume with lengths in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>请以毫米为长度单位保存体数据</translation>
     </message>
     <message>
         <source>N05 the rotation of the file is none: its quaternion is %1 long</source>
-        <translation type="unfinished"></translation>
+        <translation>N05 文件的旋转无效：其四元数长度为 %1</translation>
     </message>
     <message>
         <source>the file does not say how the patient lay: left and right may be exchanged</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未说明患者的体位：左右可能颠倒</translation>
     </message>
     <message>
         <source>Convert the scan again from its DICOM files</source>
-        <translation type="unfinished"></translation>
+        <translation>请从 DICOM 文件重新转换扫描</translation>
     </message>
     <message>
         <source>Resample the volume to voxels with right angles, or export it again</source>
-        <translation type="unfinished"></translation>
+        <translation>请将体数据重采样为直角体素，或重新导出</translation>
     </message>
     <message>
         <source>N05 the file lies nowhere: its origin is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>N05 文件没有有效位置：其原点超出范围</translation>
     </message>
     <message>
         <source>N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>N05 体素沿轴 %2 为 %1 mm，必须在 %3 到 %4 mm 之间</translation>
     </message>
     <message>
         <source>N05 the volume is sheared: two of its axes are %1 degrees off a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>N05 体数据被剪切：其中两轴偏离直角 %1 度</translation>
     </message>
     <message>
         <source>soft tissue between -200 and 200 HU</source>
-        <translation type="unfinished"></translation>
+        <translation>-200 到 200 HU 之间的软组织</translation>
     </message>
     <message>
         <source>air near -1000 HU</source>
-        <translation type="unfinished"></translation>
+        <translation>-1000 HU 附近的空气</translation>
     </message>
     <message>
         <source>D13 the values are not those of a CT: there is no %1</source>
-        <translation type="unfinished"></translation>
+        <translation>D13 数值不是 CT 的数值：没有%1</translation>
     </message>
     <message>
         <source>Give a CT in Hounsfield units, or a label mask with --tissue label N</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出以 HU 为单位的 CT，或用 --tissue label N 给出标签掩膜</translation>
     </message>
     <message>
         <source>D15 the scan is too large: %1 x %2 x %3 voxels are %4 GB, at most %5 GB are read</source>
-        <translation type="unfinished"></translation>
+        <translation>D15 扫描过大：%1 x %2 x %3 个体素为 %4 GB，最多读取 %5 GB</translation>
     </message>
     <message>
         <source>Crop the scan, or export it with larger voxels</source>
-        <translation type="unfinished"></translation>
+        <translation>请裁剪扫描，或以更大的体素导出</translation>
     </message>
     <message>
         <source>this person has the account %1 already</source>
@@ -15993,135 +15993,131 @@ audit trail %3</source>
     </message>
     <message>
         <source>N07 the file has no label at all</source>
-        <translation type="unfinished"></translation>
+        <translation>N07 文件中没有任何标签</translation>
     </message>
     <message>
         <source>N07 the file has no label %1; it has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>N07 文件中没有标签 %1；有：%2</translation>
     </message>
     <message>
         <source>Choose one of its labels</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其中一个标签</translation>
     </message>
     <message>
         <source>gaps of up to %1 mm were closed, so that the surface has no handles</source>
-        <translation type="unfinished"></translation>
+        <translation>已闭合最宽 %1 mm 的间隙，使表面没有环柄</translation>
     </message>
     <message>
         <source>the scan does not show where the wall ends: %1 mm are assumed</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描未显示器官壁的外缘：假定厚 %1 mm</translation>
     </message>
     <message>
         <source>Give its thickness with --wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the wall is %1 mm thick in the middle, %2 to %3 mm in eight tenths of the %4 % of its surface where its end is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>请用 --wall 给出其厚度</translation>
     </message>
     <message>
         <source>a label must lie between 1 and %1</source>
-        <translation type="unfinished"></translation>
+        <translation>标签必须在 1 到 %1 之间</translation>
     </message>
     <message>
         <source>Name a label of the mask: --tissue label N</source>
-        <translation type="unfinished"></translation>
+        <translation>请指定掩膜中的标签：--tissue label N</translation>
     </message>
     <message>
         <source>D16 the seed %1 lies outside of the scan or the box</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 种子点 %1 位于扫描或方框之外</translation>
     </message>
     <message>
         <source>Give a point in millimetres: x to the left, y to the back, z up</source>
-        <translation type="unfinished"></translation>
+        <translation>请以毫米给出一点：x 向左，y 向后，z 向上</translation>
     </message>
     <message>
         <source>D16 no such tissue lies at the seed %1, where the scan has the value %2</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 种子点 %1 处没有这种组织，该处扫描值为 %2</translation>
     </message>
     <message>
         <source>Give a point inside of the organ</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出器官内部的一点</translation>
     </message>
     <message>
         <source>D16 no gas is enclosed in this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 此扫描中没有被包围的气体</translation>
     </message>
     <message>
         <source>D16 no such tissue lies in this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 此扫描中没有这种组织</translation>
     </message>
     <message>
         <source>Choose another --tissue, or another scan</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择其他 --tissue 或其他扫描</translation>
     </message>
     <message>
         <source>D16 several spaces are filled with gas: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 有多个充气的空腔：%1</translation>
     </message>
     <message>
         <source>Name the organ with --seed x,y,z, or look at a part with --box</source>
-        <translation type="unfinished"></translation>
+        <translation>请用 --seed x,y,z 指定器官，或用 --box 只看一部分</translation>
     </message>
     <message>
         <source>the largest of several pieces was taken: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用多块中最大的一块：%1</translation>
     </message>
     <message>
         <source>Name another one with --seed x,y,z</source>
-        <translation type="unfinished"></translation>
+        <translation>可用 --seed x,y,z 指定另一块</translation>
     </message>
     <message>
         <source>D16 the tissue reaches %1 of the 6 borders of the scan: it leaks, or the scan shows a part</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 组织触及扫描 6 个边界中的 %1 个：发生外漏，或扫描只显示了一部分</translation>
     </message>
     <message>
         <source>Give a --seed inside of the organ, or cut it out with --box</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出器官内部的 --seed，或用 --box 裁出器官</translation>
     </message>
     <message>
         <source>D16 the gas leaks: it fills %1 ml, a stomach holds at most %2 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 气体外漏：充满 %1 ml，而胃最多容纳 %2 ml</translation>
     </message>
     <message>
         <source>the left</source>
-        <translation type="unfinished"></translation>
+        <translation>左侧</translation>
     </message>
     <message>
         <source>the right</source>
-        <translation type="unfinished"></translation>
+        <translation>右侧</translation>
     </message>
     <message>
         <source>the back</source>
-        <translation type="unfinished"></translation>
+        <translation>背侧</translation>
     </message>
     <message>
         <source>the front</source>
-        <translation type="unfinished"></translation>
+        <translation>腹侧</translation>
     </message>
     <message>
         <source>the head</source>
-        <translation type="unfinished"></translation>
+        <translation>头侧</translation>
     </message>
     <message>
         <source>the feet</source>
-        <translation type="unfinished"></translation>
+        <translation>足侧</translation>
     </message>
     <message>
         <source>the scan cuts the organ off towards %1: the flat end is none of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描在%1切断了器官：平的一端不是器官本身的末端</translation>
     </message>
     <message>
         <source>Name it as an end of the organ, or give a scan that shows all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>请将其指定为器官的一端，或给出显示整个器官的扫描</translation>
     </message>
     <message>
         <source>D16 the box lies beside the scan, or holds nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>D16 方框位于扫描之外，或不含扫描的任何部分</translation>
     </message>
     <message>
         <source>Give two opposite corners in millimetres: x to the left, y to the back, z up</source>
-        <translation type="unfinished"></translation>
+        <translation>请以毫米给出两个对角：x 向左，y 向后，z 向上</translation>
     </message>
     <message>
         <source>this account may not sign in</source>
@@ -16693,243 +16689,243 @@ audit trail %3</source>
     </message>
     <message>
         <source>Reading the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取扫描</translation>
     </message>
     <message>
         <source>Looking for the organ</source>
-        <translation type="unfinished"></translation>
+        <translation>正在寻找器官</translation>
     </message>
     <message>
         <source>Drawing its surface</source>
-        <translation type="unfinished"></translation>
+        <translation>正在绘制其表面</translation>
     </message>
     <message>
         <source>Smoothing and thinning</source>
-        <translation type="unfinished"></translation>
+        <translation>正在平滑和简化</translation>
     </message>
     <message>
         <source>Measuring the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>正在测量器官壁</translation>
     </message>
     <message>
         <source>D15 the scan needs more than %1 MB of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>D15 扫描需要超过 %1 MB 的内存</translation>
     </message>
     <message>
         <source>D04 the reader failed on this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 读取程序无法处理此扫描</translation>
     </message>
     <message>
         <source>Copy or export the scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>请重新复制或导出扫描</translation>
     </message>
     <message>
         <source>D04 the reader gave no answer to this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 读取程序对此扫描没有答复</translation>
     </message>
     <message>
         <source>D04 the program that reads scans cannot be started: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 读取扫描的程序无法启动：%1</translation>
     </message>
     <message>
         <source>D04 the reader did not come to an end with this scan within %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 读取程序在 %1 秒内未能处理完此扫描</translation>
     </message>
     <message>
         <source>Crop the scan to the organ</source>
-        <translation type="unfinished"></translation>
+        <translation>请将扫描裁剪到器官范围</translation>
     </message>
     <message>
         <source>D04 the reader crashed on this scan (signal %1)</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 读取程序在处理此扫描时崩溃（信号 %1）</translation>
     </message>
     <message>
         <source>D04 the system gives no memory to read the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 系统没有可用内存来读取扫描</translation>
     </message>
     <message>
         <source>D15 the folder holds more than %1 files</source>
-        <translation type="unfinished"></translation>
+        <translation>D15 文件夹中的文件超过 %1 个</translation>
     </message>
     <message>
         <source>Give the folder of one scan</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出一次扫描的文件夹</translation>
     </message>
     <message>
         <source>D01 there is no DICOM file in this folder</source>
-        <translation type="unfinished"></translation>
+        <translation>D01 此文件夹中没有 DICOM 文件</translation>
     </message>
     <message>
         <source>D04 file %1 is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 文件 %1 已损坏或不完整</translation>
     </message>
     <message>
         <source>Give a folder of DICOM files, or a NIfTI file</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出 DICOM 文件夹或 NIfTI 文件</translation>
     </message>
     <message>
         <source>D02 there is no CT series in this folder: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>D02 此文件夹中没有 CT 序列：%1</translation>
     </message>
     <message>
         <source>Give a folder with the slices of a CT</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出包含 CT 层面的文件夹</translation>
     </message>
     <message>
         <source>series %1: %2 slices of %3 x %4</source>
-        <translation type="unfinished"></translation>
+        <translation>序列 %1：%2 层，%3 x %4</translation>
     </message>
     <message>
         <source>D03 there is no series %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>D03 没有序列 %1：%2</translation>
     </message>
     <message>
         <source>Choose one with --series N</source>
-        <translation type="unfinished"></translation>
+        <translation>请用 --series N 选择一个</translation>
     </message>
     <message>
         <source>series %1 was taken, the one with the most slices: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>已采用层数最多的序列 %1：%2</translation>
     </message>
     <message>
         <source>Choose another one with --series N</source>
-        <translation type="unfinished"></translation>
+        <translation>可用 --series N 选择另一个</translation>
     </message>
     <message>
         <source>D05 slice %1 is compressed with JPEG 2000 (%2), which is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>D05 层面 %1 以 JPEG 2000 (%2) 压缩，无法读取</translation>
     </message>
     <message>
         <source>D05 slice %1 is compressed in a way that is not read (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>D05 层面 %1 的压缩方式无法读取 (%2)</translation>
     </message>
     <message>
         <source>Export the scan without compression, or convert each file with gdcmconv --raw</source>
-        <translation type="unfinished"></translation>
+        <translation>请不压缩地导出扫描，或用 gdcmconv --raw 逐个转换文件</translation>
     </message>
     <message>
         <source>Export the slices of the CT themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>请导出 CT 的原始层面</translation>
     </message>
     <message>
         <source>D12 slice %1 holds %2 frames</source>
-        <translation type="unfinished"></translation>
+        <translation>D12 层面 %1 含有 %2 帧</translation>
     </message>
     <message>
         <source>Export the scan with one slice a file</source>
-        <translation type="unfinished"></translation>
+        <translation>请以每个文件一层的方式导出扫描</translation>
     </message>
     <message>
         <source>D12 slice %1 has %2 {bit|bits} a value and %3 {value|values} a pixel; 16 and 1 are read</source>
-        <translation type="unfinished"></translation>
+        <translation>D12 层面 %1 每个值 %2 位、每个像素 %3 个值；只读取 16 位、1 个值</translation>
     </message>
     <message>
         <source>D06 slice %1 has no valid size or depth: %2 x %3 pixels, %4 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>D06 层面 %1 的尺寸或位深无效：%2 x %3 像素，%4 位</translation>
     </message>
     <message>
         <source>D06 slice %1 has no valid %2</source>
-        <translation type="unfinished"></translation>
+        <translation>D06 层面 %1 没有有效的 %2</translation>
     </message>
     <message>
         <source>Export the scan again with its geometry</source>
-        <translation type="unfinished"></translation>
+        <translation>请连同几何信息重新导出扫描</translation>
     </message>
     <message>
         <source>D07 slice %1 has another size, spacing or orientation than slice %2</source>
-        <translation type="unfinished"></translation>
+        <translation>D07 层面 %1 的尺寸、间距或方向与层面 %2 不同</translation>
     </message>
     <message>
         <source>Give one series of one scan</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出一次扫描的一个序列</translation>
     </message>
     <message>
         <source>slices have scales of their own; each was taken by its own</source>
-        <translation type="unfinished"></translation>
+        <translation>各层面有各自的换算系数；已按各自的系数换算</translation>
     </message>
     <message>
         <source>D04 slice %1 is damaged or cut short: its pixels cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>D04 层面 %1 已损坏或不完整：无法读取其像素</translation>
     </message>
     <message>
         <source>D08 slices %1 and %2 lie at the same place and differ</source>
-        <translation type="unfinished"></translation>
+        <translation>D08 层面 %1 和 %2 位于同一位置但内容不同</translation>
     </message>
     <message>
         <source>%1 {slice|slices} that were there twice left out</source>
-        <translation type="unfinished"></translation>
+        <translation>已略去 %1 个重复的层面</translation>
     </message>
     <message>
         <source>Check that the scan is whole</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查扫描是否完整</translation>
     </message>
     <message>
         <source>D09 the slices lie unevenly: %1 mm between %2 and %3, elsewhere %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>D09 层面间距不均匀：%2 与 %3 之间为 %1 mm，其他处为 %4 mm</translation>
     </message>
     <message>
         <source>Look for slices that are missing, or take them as they are with --resample</source>
-        <translation type="unfinished"></translation>
+        <translation>请查找缺失的层面，或用 --resample 按现状采用</translation>
     </message>
     <message>
         <source>the slices lie unevenly, up to %1 mm apart: what lies in between is guessed</source>
-        <translation type="unfinished"></translation>
+        <translation>层面间距不均匀，最大相距 %1 mm：其间的内容为推算</translation>
     </message>
     <message>
         <source>Give a scan with slices at even distances</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出层面间距均匀的扫描</translation>
     </message>
     <message>
         <source>D07 slice %1 is shifted by %2 mm against the others</source>
-        <translation type="unfinished"></translation>
+        <translation>D07 层面 %1 相对其他层面偏移 %2 mm</translation>
     </message>
     <message>
         <source>D10 the gantry was tilted by %1 degrees, at most %2 are corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>D10 机架倾斜 %1 度，最多校正 %2 度</translation>
     </message>
     <message>
         <source>Give a scan with an upright gantry</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出机架垂直的扫描</translation>
     </message>
     <message>
         <source>the gantry was tilted by %1 degrees; the voxels lean so much</source>
-        <translation type="unfinished"></translation>
+        <translation>机架倾斜 %1 度；体素随之倾斜</translation>
     </message>
     <message>
         <source>the scan is coarse: voxels of %1 x %2 x %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描较粗：体素为 %1 x %2 x %3 mm</translation>
     </message>
     <message>
         <source>Give a series with thinner slices</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出层厚更薄的序列</translation>
     </message>
     <message>
         <source>D11 the series has %1 {slice|slices} at different places, at least %2 are needed</source>
-        <translation type="unfinished"></translation>
+        <translation>D11 该序列只有 %1 个不同位置的层面，至少需要 %2 个</translation>
     </message>
     <message>
         <source>Give a whole series</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出完整的序列</translation>
     </message>
     <message>
         <source>N01 this is no scan that is read</source>
-        <translation type="unfinished"></translation>
+        <translation>N01 这不是可读取的扫描</translation>
     </message>
     <message>
         <source>Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出 DICOM 文件夹或 NIfTI 文件（.nii、.nii.gz）</translation>
     </message>
     <message>
         <source>N07 a CT has no labels</source>
-        <translation type="unfinished"></translation>
+        <translation>N07 CT 没有标签</translation>
     </message>
     <message>
         <source>Give the label mask, a NIfTI file</source>
-        <translation type="unfinished"></translation>
+        <translation>请给出标签掩膜（NIfTI 文件）</translation>
     </message>
     <message>
         <source>the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>扫描</translation>
     </message>
     <message>
         <source>the centre sends no learning records</source>
@@ -17070,6 +17066,10 @@ audit trail %3</source>
     <message>
         <source>%1 is missing</source>
         <translation>缺少%1</translation>
+    </message>
+    <message>
+        <source>the wall is %1 mm thick in the median, %2 to %3 mm in eight tenths, over the %4 % of the surface where its end is seen</source>
+        <translation>在可见外缘的 %4 % 表面上，器官壁厚度中位数为 %1 mm，其中十分之八为 %2 到 %3 mm</translation>
     </message>
 </context>
 <context>

@@ -43,8 +43,8 @@ OrganReconstruction reconstructOrgan(OrganImportRequest request, const ScanReque
   }
   addFindings(result.import, std::move(found));
   result.import.organ.source = result.scan.kind;
-  if (!request.wall_m && scan.tissue == ScanTissue::kWall && result.scan.wall) {
-    result.import.organ.wall_m = kScanUnit_m * result.scan.wall->median_mm;
+  if (result.scan.ownWall_mm) {
+    result.import.organ.wall_m = kScanUnit_m * *result.scan.ownWall_mm;
   }
   return result;
 }

@@ -32,7 +32,7 @@ std::int16_t valueOfTrunk(const Vec3& p, double noise_HU) {
   const double waist = 1.0 - 0.12 * std::sin(p.z / 70.0);
   const double skin = std::hypot(p.x / (175.0 * waist), p.y / (120.0 * waist));
   double value_HU = -1000.0;
-  if (p.y > 135.0 && p.y < 145.0 && std::abs(p.x) < 200.0) {
+  if (p.y > 140.0 && p.y < 148.0 && std::abs(p.x) < 200.0) {
     value_HU = -200.0;  // the table
   }
   if (skin < 1.0) {

@@ -62,6 +62,7 @@ void putPixels(DcmDataset& data, const ScanVolume& scan, std::size_t k, const Di
 
 void writeDicomSeries(const std::filesystem::path& folder, const ScanVolume& scan, const DicomStyle& style) {
   static const bool kRegistered = [] {
+    OFLog::configure(OFLogger::OFF_LOG_LEVEL);
     DcmRLEEncoderRegistration::registerCodecs();
     DJEncoderRegistration::registerCodecs();
     DJLSEncoderRegistration::registerCodecs();

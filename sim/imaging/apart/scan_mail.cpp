@@ -135,7 +135,8 @@ std::string mailOf(const ScanSurface& surface) {
   }
   for (const double number : {surface.voxel_mm.x, surface.voxel_mm.y, surface.voxel_mm.z, surface.step_mm,
                               surface.level_HU ? 1.0 : 0.0, surface.level_HU.value_or(0.0),
-                              static_cast<double>(surface.rawTriangles), surface.wall ? 1.0 : 0.0}) {
+                              static_cast<double>(surface.rawTriangles), surface.ownWall_mm.value_or(0.0),
+                              surface.wall ? 1.0 : 0.0}) {
     facts.number(number);
   }
   const WallThickness wall = surface.wall.value_or(WallThickness{});
@@ -178,6 +179,8 @@ ScanSurface scanOfMail(std::span<const char> bytes, const std::string& where) {
   const double level_HU = facts.number();
   surface.level_HU = levelled ? std::optional(level_HU) : std::nullopt;
   surface.rawTriangles = facts.count(kMostAnswerBytes);
+  const double ownWall_mm = facts.number();
+  surface.ownWall_mm = ownWall_mm > 0.0 ? std::optional(ownWall_mm) : std::nullopt;
   const bool walled = facts.number() != 0.0;
   WallThickness wall;
   wall.median_mm = facts.number();

@@ -62,9 +62,9 @@ ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, co
   const auto news = [&progress, &left](std::span<const char> bytes) {
     left.append(bytes.begin(), bytes.end());
     while (left.size() >= 2) {
-      const int step = left[0];
-      if (progress && step >= 0 && step <= static_cast<int>(ScanStep::kMeasuring)) {
-        progress(static_cast<ScanStep>(step), 0.01 * left[1]);
+      const int step = static_cast<unsigned char>(left[0]);
+      if (progress && step <= static_cast<int>(ScanStep::kMeasuring)) {
+        progress(static_cast<ScanStep>(step), 0.01 * static_cast<unsigned char>(left[1]));
       }
       left.erase(0, 2);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/imaging/scan/scan_volume.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "sim/base/error.h"
 
@@ -15,7 +15,7 @@ constexpr std::int16_t kSoftFrom_HU = -200;
 constexpr std::int16_t kSoftTo_HU = 200;
 
 std::string inGigabytes(double bytes) {
-  const auto tenths = static_cast<long>(bytes / 1e8 + 0.5);
+  const auto tenths = std::lround(bytes / 1e8);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 

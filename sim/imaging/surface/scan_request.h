@@ -60,11 +60,12 @@ struct ScanSurface {
   std::vector<ScanRemark> remarks;
   std::string kind;  ///< "CT, 275 slices": says nothing of the patient
   std::array<std::size_t, 3> count{};
-  Vec3 voxel_mm;                   ///< sides of the scan's voxels
-  double step_mm = 0.0;            ///< side of the voxels that the surface was drawn on
-  std::optional<double> level_HU;  ///< at which it was drawn
-  std::optional<WallThickness> wall;
-  std::size_t rawTriangles = 0;  ///< before thinning
+  Vec3 voxel_mm;                      ///< sides of the scan's voxels
+  double step_mm = 0.0;               ///< side of the voxels that the surface was drawn on
+  std::optional<double> level_HU;     ///< at which it was drawn
+  std::optional<WallThickness> wall;  ///< as the scan shows it, of a kGasLumen or a kWall
+  std::optional<double> ownWall_mm;   ///< of a kWall: given, measured, or assumed with a warning
+  std::size_t rawTriangles = 0;       ///< before thinning
 };
 
 /// Triangles of the surface that is kept.

@@ -153,19 +153,21 @@ TriangleMesh finished(DrawnOrgan organ, double step_mm, const ScanProgress& prog
   return mesh;
 }
 
-/// How thick a wall is taken to be, and what there is to say of it.
-double wallFor(const ScanRequest& request, const std::optional<WallThickness>& seen,
-               std::vector<ScanRemark>& remarks) {
+/// Says how thick the organ's wall is, and how far from its lumen it is looked for.
+double wallReach_mm(const ScanRequest& request, ScanSurface& result) {
   if (request.wall_mm) {
+    result.ownWall_mm = request.wall_mm;
     return *request.wall_mm;
   }
-  if (seen && seen->seen >= kLeastSeen) {
-    return std::min(seen->ninety_mm, kThickestWall_mm);
+  if (result.wall && result.wall->seen >= kLeastSeen) {
+    result.ownWall_mm = result.wall->median_mm;
+    return std::min(result.wall->ninety_mm, kThickestWall_mm);
   }
-  remarks.push_back({"D18", true,
-                     Text::tr("the scan does not show where the wall ends: %1 mm are assumed",
-                              shortNumber(kAssumedWall_mm)),
-                     kAssumedWall_mm, Text::tr("Give its thickness with --wall")});
+  result.ownWall_mm = kAssumedWall_mm;
+  result.remarks.push_back({"D18", true,
+                            Text::tr("the scan does not show where the wall ends: %1 mm are assumed",
+                                     shortNumber(kAssumedWall_mm)),
+                            kAssumedWall_mm, Text::tr("Give its thickness with --wall")});
   return kAssumedWall_mm;
 }
 
@@ -175,7 +177,7 @@ void tellWall(const std::optional<WallThickness>& wall, std::vector<ScanRemark>&
   }
   remarks.push_back(
       {"D18", false,
-       Text::tr("the wall is %1 mm thick in the middle, %2 to %3 mm in eight tenths of the %4 % of its "
+       Text::tr("the wall is %1 mm thick in the median, %2 to %3 mm in eight tenths, over the %4 % of the "
                 "surface where its end is seen",
                 shortNumber(wall->median_mm), shortNumber(wall->tenth_mm), shortNumber(wall->ninety_mm),
                 shortNumber(100.0 * wall->seen)),
@@ -229,7 +231,7 @@ ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::
     tellWall(result.wall, result.remarks);
   }
   if (request.tissue == ScanTissue::kWall) {
-    const OrganShares shares = wallShares(grid, whole, wallFor(request, result.wall, result.remarks));
+    const OrganShares shares = wallShares(grid, whole, wallReach_mm(request, result));
     const auto outer = [&shares](const VoxelMask& closed) { return agreeing(shares, closed); };
     organ = drawn(grid, maskOf(shares, grid.volume.count), progress, kSoftBlur, outer, result.remarks);
     whole = organ.organ;

@@ -193,9 +193,26 @@ TEST(ScanSurface, MeasuresAWallWhereTheScanShowsItsEnd) {
   EXPECT_NEAR(signedVolume_m3(whole.mesh) / signedVolume_m3(outer), 1.0, 0.03);
   EXPECT_EQ(checkMesh(whole.mesh).euler, 2);
   ASSERT_NE(remark(whole, "D18"), nullptr);
+  EXPECT_EQ(whole.ownWall_mm, whole.wall->median_mm);
+  EXPECT_FALSE(inside.ownWall_mm.has_value());
   request.wall_mm = 8.0;  // said to be thicker: but fat is none of it
   const double thick_m3 = signedVolume_m3(reconstructed(scan, request).mesh);
   EXPECT_GT(thick_m3, 1.05 * signedVolume_m3(whole.mesh));
+}
+
+TEST(ScanSurface, AssumesAWallThatTheScanDoesNotShowAndWarns) {
+  const TriangleMesh lumen = testing::capsule(0.020, 0.06, 36, 8);
+  ScanVolume scan = testing::blankScanAround(lumen, {3, 3, 4}, 20.0);
+  std::fill(scan.values.begin(), scan.values.end(), kTissue_HU);
+  testing::fillWith(scan, lumen, kGas_HU);
+  ScanRequest request;
+  request.tissue = ScanTissue::kWall;
+  const ScanSurface made = reconstructed(scan, request);
+  ASSERT_NE(remark(made, "D18"), nullptr);
+  EXPECT_TRUE(remark(made, "D18")->warning);
+  EXPECT_DOUBLE_EQ(made.ownWall_mm.value(), 3.0);
+  const TriangleMesh outer = testing::capsule(0.023, 0.06, 36, 8);
+  EXPECT_NEAR(signedVolume_m3(made.mesh) / signedVolume_m3(outer), 1.0, 0.04);
 }
 
 TEST(ScanSurface, PutsALidWhereTheScanCutsTheOrgan) {
