@@ -160,11 +160,13 @@ std::vector<KeyReplacement> replacementsIn(const fs::path& file) {
   return found;
 }
 
-TrustedKeys::TrustedKeys(const std::string& root, const std::vector<KeyReplacement>& replacements,
+TrustedKeys::TrustedKeys(const std::string& publicKey, const std::vector<KeyReplacement>& replacements,
                          std::int64_t KeyReplacement::*measure) {
-  if (root.empty()) {
+  if (publicKey.empty()) {
     return;
   }
+  const std::optional<PublicKey> bytes = bytesOf<PublicKey>(publicKey);
+  const std::string root = bytes ? toHex(*bytes) : publicKey;  // also where somebody typed capitals
   times_[root] = {};
   for (std::string later = root;
        const KeyReplacement* next = replacementFrom(replacements, &KeyReplacement::old, later);) {

@@ -61,8 +61,8 @@ struct KeyReplacement {
 /// Keys whose signatures count, each in its time: one key, those it replaced, and those that replaced it.
 class TrustedKeys {
  public:
-  /// `root` empty: no signature is asked for. `measure`: by what times are told, length or time.
-  TrustedKeys(const std::string& root, const std::vector<KeyReplacement>& replacements,
+  /// `publicKey` empty: no signature is asked for. `measure`: by what times are told, length or time.
+  TrustedKeys(const std::string& publicKey, const std::vector<KeyReplacement>& replacements,
               std::int64_t KeyReplacement::*measure);
 
   [[nodiscard]] bool asksForSignatures() const { return !times_.empty(); }

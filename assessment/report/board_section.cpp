@@ -33,10 +33,17 @@ bool opensDirection(const PrimaryDifference& pair) {
   return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
 }
 
+/// With more decimals where an interval is so narrow that its ends would read the same.
 Text shown(const PrimaryDifference& pair) {
-  return Text::tr("%1 points [%2; %3]", formatFixed(pair.value, kPointDecimals),
-                  formatFixed(pair.interval.lower, kPointDecimals),
-                  formatFixed(pair.interval.upper, kPointDecimals));
+  constexpr int kMostDecimals = 4;
+  constexpr double kSteps = 2.0;  // of the last decimal, between the ends
+  int decimals = kPointDecimals;
+  while (decimals < kMostDecimals &&
+         pair.interval.upper - pair.interval.lower < kSteps * std::pow(10.0, -decimals)) {
+    ++decimals;
+  }
+  return Text::tr("%1 points [%2; %3]", formatFixed(pair.value, decimals),
+                  formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals));
 }
 
 Text questionOf(const CohortInputs& in) {

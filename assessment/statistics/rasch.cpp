@@ -117,9 +117,12 @@ class JointModel {
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(n, r + k);
     Eigen::MatrixXd square = Eigen::MatrixXd::Zero(r + k, r + k);
-    Eigen::VectorXd above(k);  // probability of a category above each threshold
-    Eigen::VectorXd joint(k);  // its covariance with the category
+    Eigen::MatrixXd above(k, r);  // probability of a category above each threshold, a column a mark
+    Eigen::VectorXd passed = Eigen::VectorXd::Zero(k);  // the sum of all of these
+    Eigen::VectorXd joint(k);                           // their covariance with the category
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(k, k);
     for (Index i = 0; i < n; ++i) {
+      above.setZero();
       for (Index j = 0; j < r; ++j) {
         const std::size_t person = persons_[static_cast<std::size_t>(i)];
         const std::size_t rater = raters_[static_cast<std::size_t>(j)];
@@ -142,7 +145,8 @@ class JointModel {
           const double p = at.p[static_cast<std::size_t>(s) + 1];
           tail += p;
           weighted += static_cast<double>(s + 1) * p;
-          above[s] = tail;
+          above(s, j) = tail;
+          passed[s] += tail;
           joint[s] = weighted - at.mean * tail;
           border[r + s] -= (mark > s ? 1.0 : 0.0) - tail;
         }
@@ -151,14 +155,17 @@ class JointModel {
         across.row(i).tail(k) -= joint.transpose();
         square(j, j) += at.variance;
         square.row(j).tail(k) += joint.transpose();
-        for (Index s = 0; s < k; ++s) {
-          for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
-            square(r + s, r + u) += above[u] - above[s] * above[u];
-          }
-        }
+      }
+      if (gradient != nullptr) {
+        products.selfadjointView<Eigen::Upper>().rankUpdate(above);
       }
     }
     if (gradient != nullptr) {
+      for (Index s = 0; s < k; ++s) {
+        for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
+          square(r + s, r + u) = passed[u] - products(s, u);
+        }
+      }
       square.triangularView<Eigen::StrictlyLower>() = square.transpose();
       gradient->resize(size());
       *gradient << slopes, free_.transpose() * border;
@@ -215,13 +222,15 @@ std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
     if (!step) {
       return std::nullopt;
     }
-    double next = model.evaluate(x + *step, nullptr, nullptr);
+    double next = model.evaluate(x + *step, &gradient, &information);
+    bool halved = false;
     for (int halving = 0; halving < 40 && !(next >= value - 1e-12 * std::abs(value)); ++halving) {
       *step *= 0.5;
+      halved = true;
       next = model.evaluate(x + *step, nullptr, nullptr);
     }
     x += *step;
-    value = model.evaluate(x, &gradient, &information);
+    value = halved ? model.evaluate(x, &gradient, &information) : next;
     if (step->cwiseAbs().maxCoeff() < kConverged) {
       return iteration;
     }

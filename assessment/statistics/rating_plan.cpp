@@ -95,6 +95,57 @@ std::optional<std::vector<double>> endlessRise(const RatingPlan& plan) {
   return directionWithin(rows, raters + static_cast<std::size_t>(plan.highest()) - 2);
 }
 
+/// Whether marks that cross each other show at once that nothing is free to grow, as they do in every plan of
+/// some size: exact, but where it says no only the system of endlessRise() tells.
+///
+/// A rater who gave somebody a higher mark than another did has no larger severity than the other along such
+/// a change (thresholds are in order, as every category is used). Where that leads from each rater to each
+/// other, severities are equal, and then so are the thresholds between any two marks of one person.
+bool crossEachOther(const RatingPlan& plan) {
+  const std::vector<std::size_t> raters = plan.estimatedRaters();
+  std::vector<std::vector<bool>> above(raters.size(), std::vector<bool>(raters.size(), false));
+  std::vector<bool> joined(static_cast<std::size_t>(plan.highest()),
+                           false);  // threshold c with c + 1; from 1
+  for (const std::size_t n : plan.estimatedPersons()) {
+    int least = plan.highest();
+    int most = 0;
+    for (std::size_t j = 0; j < raters.size(); ++j) {
+      if (!plan.used(n, raters[j])) {
+        continue;
+      }
+      const int mark = plan.mark(n, raters[j]);
+      least = std::min(least, mark);
+      most = std::max(most, mark);
+      for (std::size_t k = 0; k < raters.size(); ++k) {
+        if (plan.used(n, raters[k]) && mark > plan.mark(n, raters[k])) {
+          above[j][k] = true;
+        }
+      }
+    }
+    for (int c = least + 1; c < most; ++c) {
+      joined[static_cast<std::size_t>(c)] = true;
+    }
+  }
+  const auto reaches = [&](bool forwards) {
+    std::vector<bool> met(raters.size(), false);
+    std::vector<std::size_t> open{0};
+    met[0] = true;
+    while (!open.empty()) {
+      const std::size_t j = open.back();
+      open.pop_back();
+      for (std::size_t k = 0; k < raters.size(); ++k) {
+        if (!met[k] && (forwards ? above[j][k] : above[k][j])) {
+          met[k] = true;
+          open.push_back(k);
+        }
+      }
+    }
+    return std::find(met.begin(), met.end(), false) == met.end();
+  };
+  return std::find(joined.begin() + 1, joined.end(), false) == joined.end() && reaches(true) &&
+         reaches(false);
+}
+
 /// "rater 3 and the thresholds": the raters that leave the others behind, and whether thresholds part.
 std::string endlessNames(const std::vector<double>& direction, const std::vector<std::size_t>& raters) {
   std::vector<double> severities{0.0};
@@ -188,6 +239,9 @@ bool RatingPlan::connected() const {
 }
 
 std::optional<std::string> RatingPlan::unbounded() const {
+  if (crossEachOther(*this)) {
+    return std::nullopt;
+  }
   const std::optional<std::vector<double>> direction = endlessRise(*this);
   return direction ? std::optional(endlessNames(*direction, estimatedRaters())) : std::nullopt;
 }

@@ -15912,8 +15912,8 @@ audit trail %3</source>
         <translation>误报警的概率</translation>
     </message>
     <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 of these were and, by a false alarm, are not any more.</source>
-        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 曾被认为胜任，后因误报警而不再被认为胜任。</translation>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.</source>
+        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
     </message>
     <message>
         <source>Not shown to differ: %1.</source>

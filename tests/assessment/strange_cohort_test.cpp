@@ -2,6 +2,7 @@
 // Cohorts that nobody plans and every centre has once: nearly no marks, marks of one kind only, many people.
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -144,6 +145,18 @@ TEST(StrangeCohort, ThePairsThatWereNotShownToDifferAreNamedBesideTheOthers) {
   const std::string answer = cohortReport(in).sections.front().paragraphs[2].str();
   EXPECT_THAT(answer, HasSubstr("Group 1 - Group 2: -1.2 points [-2.0; -0.4]"));
   EXPECT_THAT(answer, HasSubstr("Not shown to differ: Group 1 - Group 3: 0.6 points [-0.2; 1.4], p = "));
+}
+
+TEST(StrangeCohort, TheEndsOfANarrowIntervalDoNotReadTheSame) {
+  const CohortInputs in = marking([](TrainingMark& mark) {
+    const std::int64_t person = mark.trainee.back() - '0';
+    mark.steps = 30 + 4 * person +
+                 (person + mark.rater.back() + static_cast<std::int64_t>(mark.occasion)) % 2 +
+                 (mark.occasion == 2 ? static_cast<std::int64_t>(mark.group) + person % 2 : 0);
+  });
+  const std::string answer = cohortReport(in).sections.front().paragraphs[2].str();
+  EXPECT_THAT(answer, HasSubstr("Group 1 - Group 2: -0.1"));
+  EXPECT_FALSE(std::regex_search(answer, std::regex(R"(\[(-?[0-9.]+); \1\])"))) << answer;
 }
 
 TEST(StrangeCohort, NothingIsSaidThatIsNoNumberOrLacksItsLevel) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // torsio allocate and its --replay: which changes of a kept file are found, and by what.
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -171,6 +173,11 @@ TEST_F(AllocateCommand, SignsTheHeadAndTheReplaySaysWithWhichKeyItChecked) {
   EXPECT_EQ(named["not_checked"], json({"head kept elsewhere"}));
   EXPECT_EQ(named["head"], head.substr(0, head.find(' ', head.find(" 30 ") + 4)));
   EXPECT_EQ(replayed(made, " --public-key " + owner)["signature"]["state"], "genuine");
+
+  std::string capitals = owner;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  EXPECT_EQ(replayed(made, " --public-key " + capitals)["signature"]["state"], "genuine");
 
   const json unknown = replayed(made);
   EXPECT_EQ(unknown["signature"]["state"], "genuine, key not known");

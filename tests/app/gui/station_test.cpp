@@ -142,7 +142,8 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_NEAR(debrief.debrief().duration_s, 40.0, 0.1);
   EXPECT_EQ(debrief.debrief().moduleTitle, "Quarter turn, second");
   EXPECT_FALSE(station.find<QLabel>("verdict")->text().isEmpty());
-  EXPECT_TRUE(station.find<QLabel>("competence")  // no verdict without its error rates
+  EXPECT_TRUE(station
+                  .find<QLabel>("competence")  // no verdict without its error rates
                   ->text()
                   .contains(QStringLiteral("are held to be able (false pass)")));
   station.press("trend");
