@@ -15728,6 +15728,26 @@ audit trail %3</source>
         <source>Warning about the organ of a recording</source>
         <translation>关于录制所用器官的警告</translation>
     </message>
+    <message>
+        <source>this person has the account %1 already</source>
+        <translation>此人已有账号 %1</translation>
+    </message>
+    <message>
+        <source>Give that account the role, or switch it on again</source>
+        <translation>请把角色赋予该账号，或重新启用它</translation>
+    </message>
+    <message>
+        <source>an account of the demonstration signs only what is simulated</source>
+        <translation>演示账号只能签署模拟数据</translation>
+    </message>
+    <message>
+        <source>Let a person of the centre do it</source>
+        <translation>请由本中心的真实人员完成</translation>
+    </message>
+    <message>
+        <source>the data set cannot be given its name: %1</source>
+        <translation>无法为数据集命名：%1</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

@@ -12,6 +12,7 @@
 #include "app/recording/trial_digests.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -117,9 +118,11 @@ TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
 TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
   constexpr std::size_t kRecordings = 300;  // more than are kept, read and measured at a time
   SmallStudy study;
+  Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < kRecordings; ++i) {
     record(study, "r" + std::to_string(1000 + i), 20 + i % 170);
   }
+  together.commit();
   SessionContext& session = study.centre.as("statistician");
   std::vector<std::string> told;
 
@@ -145,10 +148,12 @@ TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
 
 TEST(TrialDigests, OfARecordingThatCannotBeReadStopTheReportButNotWhatWasMeasured) {
   SmallStudy study;
+  Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < 300; ++i) {
     record(study, "r" + std::to_string(1000 + i), 50);
   }
   record(study, "r2000", 50, "{}", false);
+  together.commit();
 
   EXPECT_THROW(
       (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
