@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What recordings come down to: measured once, on every core, and kept.
+#include "app/recording/trial_digests.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -9,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/kept_digests.h"
-#include "app/recording/trial_digests.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
@@ -155,13 +156,11 @@ TEST(TrialDigests, OfARecordingThatCannotBeReadStopTheReportButNotWhatWasMeasure
   record(study, "r2000", 50, "{}", false);
   together.commit();
 
-  EXPECT_THROW(
-      (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
+  EXPECT_THROW((void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
 
-  EXPECT_EQ(DigestRepository(study.centre.connection())
-                .ofCohort(study.request.cohortId, kMetricsVersion)
-                .size(),
-            256U);
+  EXPECT_EQ(
+      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, kMetricsVersion).size(),
+      256U);
 }
 
 }  // namespace
