@@ -110,6 +110,11 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   press("Test the database");
   EXPECT_TRUE(QTest::qWaitFor([this] { return says("The database answers and is empty"); }, 20'000));
   press("Next");
+  {
+    Connection looked = open();
+    EXPECT_EQ(numberFrom(looked, "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema()"), 0)
+        << "written before the last step";
+  }
   press("Set up");
   testing::waitFor(window_->background());
 
