@@ -16,6 +16,7 @@
 #include "app/exchange/table_files.h"
 #include "app/exchange/trajectory.h"
 #include "assessment/metrics/metric_cards.h"
+#include "db/migrations/file_in_the_making.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -343,6 +344,21 @@ bool isSpdx(const std::string& word) {
   });
 }
 
+/// All files of the data set, in `folder`.
+std::vector<fs::path> writeLayout(const DatasetContents& contents, DatasetLayout layout,
+                                  const fs::path& folder) {
+  if (layout != DatasetLayout::kBids) {
+    return writePackage(contents, layout == DatasetLayout::kRoCrate, folder);
+  }
+  std::vector<fs::path> files = writeBids(contents, folder);
+  DatasetContents tables = contents;
+  tables.recordings.clear();  // they lie in the folders of BIDS
+  for (const fs::path& file : writePackage(tables, false, folder / "derivatives" / "torsio")) {
+    files.push_back(file);
+  }
+  return files;
+}
+
 }  // namespace
 
 DatasetLayout datasetLayout(const std::string& word) {
@@ -368,30 +384,26 @@ void requireWhole(const DatasetAbout& about) {
 std::vector<fs::path> writeDataset(const DatasetContents& contents, DatasetLayout layout,
                                    const fs::path& folder) {
   requireWhole(contents.about);
-  const bool wasThere = fs::exists(folder);
-  if (wasThere && !(fs::is_directory(folder) && fs::is_empty(folder))) {
+  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the folder of the data set is not empty"),
                 folder.string(), Text::tr("Choose a new folder, so that nothing is mixed"));
   }
-  try {
-    if (layout == DatasetLayout::kBids) {
-      std::vector<fs::path> files = writeBids(contents, folder);
-      DatasetContents tables = contents;
-      tables.recordings.clear();  // they lie in the folders of BIDS
-      for (const fs::path& file : writePackage(tables, false, folder / "derivatives" / "torsio")) {
-        files.push_back(file);
-      }
-      return files;
-    }
-    return writePackage(contents, layout == DatasetLayout::kRoCrate, folder);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-    if (wasThere) {
-      fs::create_directory(folder, ignored);
-    }
-    throw;
+  if (folder.has_parent_path()) {
+    ensureFolder(folder.parent_path());
   }
+  const FileInTheMaking making(folder);
+  std::vector<fs::path> files = writeLayout(contents, layout, making.path());
+  std::error_code failed;
+  fs::rename(making.path(), folder, failed);
+  if (failed) {
+    throw Error(ErrorCode::kFileUnwritable,
+                Text::tr("the data set cannot be given its name: %1", failed.message()), folder.string(),
+                Text::tr("Choose a folder in which you may write"));
+  }
+  for (fs::path& file : files) {
+    file = folder / file.lexically_relative(making.path());
+  }
+  return files;
 }
 
 }  // namespace torsio

@@ -15893,19 +15893,19 @@ audit trail %3</source>
     </message>
     <message>
         <source>this person has the account %1 already</source>
-        <translation type="unfinished"></translation>
+        <translation>此人已有账号 %1</translation>
     </message>
     <message>
         <source>Give that account the role, or switch it on again</source>
-        <translation type="unfinished"></translation>
+        <translation>请把角色赋予该账号，或重新启用它</translation>
     </message>
     <message>
         <source>an account of the demonstration signs only what is simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>演示账号只能签署模拟数据</translation>
     </message>
     <message>
         <source>Let a person of the centre do it</source>
-        <translation type="unfinished"></translation>
+        <translation>请由本中心的真实人员完成</translation>
     </message>
     <message>
         <source>Probability of a false alarm</source>
@@ -17070,6 +17070,10 @@ audit trail %3</source>
     <message>
         <source>the wall is %1 mm thick in the median, %2 to %3 mm in eight tenths, over the %4 % of the surface where its end is seen</source>
         <translation>在可见外缘的 %4 % 表面上，器官壁厚度中位数为 %1 mm，其中十分之八为 %2 到 %3 mm</translation>
+    </message>
+    <message>
+        <source>the data set cannot be given its name: %1</source>
+        <translation>无法为数据集命名：%1</translation>
     </message>
 </context>
 <context>

@@ -226,9 +226,10 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
     }
     const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
     if (known.checksum != step.checksum) {
-      throw Error(
-          ErrorCode::kBadData, Text::tr("schema step %1 differs from the one that was applied", known.name),
-          connection.location(), Text::tr("Use the program that made this database, or restore a backup"));
+      throw Error(ErrorCode::kVerifyFailed,
+                  Text::tr("schema step %1 differs from the one that was applied", known.name),
+                  connection.location(),
+                  Text::tr("Use the program that made this database, or restore a backup"));
     }
   }
   return state;

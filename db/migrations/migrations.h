@@ -34,9 +34,9 @@ struct SchemaState {
 };
 
 /// Compares the database with what this program knows. Throws Error: kNewerSchema when the database is newer
-/// than this program (allowed when it is opened read-only and its compatible_from permits), kBadData when a
-/// step that was applied is not the step that we know (checksum), kFileUnreadable when the database holds
-/// somebody else's tables. Changes nothing.
+/// than this program (allowed when it is opened read-only and its compatible_from permits), kVerifyFailed
+/// when a step that was applied is not the step that we know (checksum), kFileUnreadable when the database
+/// holds somebody else's tables. Changes nothing.
 [[nodiscard]] SchemaState checkSchema(Connection& connection, const std::vector<Migration>& migrations);
 
 struct MigrationOptions {

@@ -128,6 +128,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "assessment/scoring",
         "assessment/study",
         "db/connection",
+        "db/migrations",
         "db/repository/base",
         "db/repository/people",
         "db/repository/rating",

@@ -125,7 +125,7 @@ TEST_F(MigrationsTest, RefuseAStepThatWasEditedAfterItWasApplied) {
   const Refusal refusal =
       refusalFrom([&] { migrate(connection, {step(1, "CREATE TABLE a (y BIGINT);\n")}, kOptions); });
 
-  EXPECT_EQ(refusal.code, ErrorCode::kBadData);
+  EXPECT_EQ(refusal.code, ErrorCode::kVerifyFailed);
   EXPECT_NE(refusal.text.find("0001_test"), std::string::npos) << refusal.text;
 }
 

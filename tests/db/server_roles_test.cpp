@@ -155,6 +155,14 @@ class ServerRolesTest : public DatabaseTest {
     return answer.substr(answer.find('\n') + 1);
   }
 
+  void expectRefused(const std::string& act) const {
+    const std::string answer = as("u-office", act);
+    EXPECT_TRUE(answer.find("permission denied") != std::string::npos ||
+                answer.find("must be owner") != std::string::npos ||
+                answer.find("must be superuser") != std::string::npos)
+        << act << ": " << answer;
+  }
+
   TemporaryFolder folder_;
   Locator owner_;
   std::string role_;
@@ -198,11 +206,52 @@ TEST_F(ServerRolesTest, TheStationCannotRewriteForgeOrOpenTheGate) {
         "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES ('a', 'b', 'c', 1)",
         "UPDATE schema_migration SET version = 2", "CREATE TABLE mine (id TEXT)",
         "DROP TRIGGER training_mark_append_only ON training_mark", "SET ROLE torsio"}) {
-    const std::string answer = as("u-office", act);
-    EXPECT_TRUE(answer.find("permission denied") != std::string::npos ||
-                answer.find("must be owner") != std::string::npos)
-        << act << ": " << answer;
+    expectRefused(act);
   }
+}
+
+TEST_F(ServerRolesTest, TheStationReachesNothingBeyondItsTables) {
+  for (const char* act :
+       {"COPY training_mark TO PROGRAM 'cat'",
+        "COPY training_mark TO '/tmp/stolen'",
+        "COPY training_mark FROM PROGRAM 'cat'",
+        "SELECT pg_read_file('/etc/passwd')",
+        "SELECT lo_import('/etc/passwd')",
+        "SELECT pg_ls_dir('.')",
+        "SELECT passwd FROM pg_shadow",
+        "CREATE FUNCTION mine() RETURNS int LANGUAGE sql AS 'SELECT 1'",
+        "CREATE EXTENSION dblink",
+        "CREATE TRIGGER mine BEFORE INSERT ON training_mark FOR EACH ROW"
+        " EXECUTE FUNCTION suppress_redundant_updates_trigger()",
+        "CREATE RULE mine AS ON INSERT TO training_mark DO INSTEAD NOTHING",
+        "ALTER TABLE training_mark DISABLE ROW LEVEL SECURITY",
+        "DROP POLICY torsio_select ON training_mark",
+        "CREATE OR REPLACE FUNCTION sees_all_marks() RETURNS boolean LANGUAGE sql AS 'SELECT TRUE'",
+        "SET session_replication_role = replica",
+        "SET SESSION AUTHORIZATION torsio",
+        "ALTER ROLE CURRENT_USER SUPERUSER",
+        "CREATE ROLE mine",
+        "BEGIN; LOCK TABLE audit_entry",
+        "CREATE SCHEMA mine"}) {
+    expectRefused(act);
+  }
+  // A table of the session under a name of the record does not reach into the owner's functions.
+  EXPECT_EQ(psql("CREATE TEMP TABLE app_user AS SELECT 'x'::text AS id, 'active'::text AS state,"
+                 " (SELECT rater_id FROM assignment LIMIT 1) AS person_id;"
+                 " SELECT set_config('torsio.actor', 'x', false); SELECT count(*) FROM training_mark")
+                .substr(2),
+            "0");
+}
+
+TEST_F(ServerRolesTest, WhatAStationAddsByHandIsFound) {
+  ASSERT_EQ(findingsIn(*connection_), "");
+  const std::string entry =
+      as("u-office",
+         "INSERT INTO audit_entry SELECT sequence + 1, at_utc_us, 'u-office', station, action, object_kind,"
+         " object_id, old_json, new_json, 'forged', object_hash, previous_hash, entry_hash FROM audit_entry"
+         " ORDER BY sequence DESC LIMIT 1");
+  EXPECT_EQ(entry.find("ERROR"), std::string::npos) << entry;
+  EXPECT_NE(findingsIn(*connection_), "");
 }
 
 TEST_F(ServerRolesTest, MarksAreSeenByWhomTheyConcern) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/trial_repository.h"
 
+#include <span>
 #include <thread>
 
 #include "assessment/attempt/trial_listing.h"
@@ -395,6 +396,38 @@ TEST_F(TrialRepositoryTest, RefusesAModeThatThisVersionDoesNotKnow) {
   EXPECT_EQ(modeOf("SELECT CAST(NULL AS TEXT)").value(), std::nullopt);
   EXPECT_EQ(faultFrom([&] { (void)modeOf("SELECT CAST('sometimes' AS TEXT)"); }), DbFault::kCheck);
   EXPECT_THROW((void)modeOf("SELECT CAST('' AS TEXT)"), DbError);
+}
+
+TEST_F(TrialRepositoryTest, ReadsSeveralTrialsAtOnceAsItReadsEach) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  std::vector<TrialId> ids;
+  for (int seconds : {2, 0, 3, 1}) {
+    ids.emplace_back(sample.ids.newUuid());
+    TrialRepository trials(connection, {"station-1", ""});
+    record(trials, sampleHeader(ids.back(), "T-01"), seconds, seconds == 3);
+  }
+  TrialLoader loader(connection);
+
+  const std::vector<Trial> loaded = loader.load(ids);
+
+  ASSERT_EQ(loaded.size(), ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Trial alone = loader.load(ids[i]);
+    expectSameHeader(loaded[i].header, alone.header);
+    EXPECT_EQ(loaded[i].header.trialId, ids[i]);
+    ASSERT_EQ(loaded[i].chunks.size(), alone.chunks.size());
+    for (std::size_t second = 0; second < alone.chunks.size(); ++second) {
+      expectSameChunk(loaded[i].chunks[second], alone.chunks[second]);
+    }
+    EXPECT_EQ(loaded[i].summary.samples, alone.summary.samples);
+    EXPECT_EQ(loaded[i].summary.outcome, alone.summary.outcome);
+    EXPECT_EQ(loaded[i].summary.contentHash, alone.summary.contentHash);
+  }
+  EXPECT_EQ(loaded[2].summary.outcome, TrialOutcome::kInterrupted);
+  EXPECT_TRUE(loader.load(std::span<const TrialId>()).empty());
+  ids.insert(ids.begin() + 1, "none");
+  EXPECT_EQ(refusalFrom([&] { (void)loader.load(ids); }).code, ErrorCode::kBadData);
 }
 
 TEST_F(TrialRepositoryTest, SaysSoWhenThereIsNoSuchTrial) {

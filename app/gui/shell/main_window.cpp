@@ -121,7 +121,10 @@ void MainWindow::createPanels() {
   trouble_->setTheme(theme(theme_));
   connect(trouble_, &TroublePanel::retryWanted, this, &MainWindow::openDatabase);
   connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &MainWindow::enterFirstRun);
-  connect(firstRun_, &FirstRunPanel::languageWanted, this, &MainWindow::chooseLanguage);
+  connect(firstRun_, &FirstRunPanel::languageWanted, this, [this](Language language) {
+    firstRunLanguage_ = language;
+    chooseLanguage(language);
+  });
   connect(firstRun_, &FirstRunPanel::chosen, this, &MainWindow::setUp);
   connect(firstRun_, &FirstRunPanel::done, this, &MainWindow::enterDesk);
   connect(firstRun_, &FirstRunPanel::lookRoundWanted, this, &MainWindow::lookRound);

@@ -103,6 +103,8 @@ class MainWindow : public QWidget {
   void openDatabase();
   void setUp(const FirstRunChoice& choice);
   void enterFirstRun();
+  /// A centre is set up, or found, there: from now on this station remembers what is chosen.
+  void keepFirstRun(const QString& locator);
   /// A record of simulated people in a folder of its own, for whoever is only curious.
   void lookRound();
   /// Removes that record; nothing of it stays, nor of what was chosen meanwhile.
@@ -152,8 +154,9 @@ class MainWindow : public QWidget {
   MonotonicClock machineClock_;
   IdleGuard idle_;
   QTimer second_;
-  std::unique_ptr<QTemporaryDir> lookedAt_;  ///< the record of a look round; outlives its session
-  QString lookedFrom_;                       ///< the locator before it
+  std::unique_ptr<QTemporaryDir> lookedAt_;   ///< the record of a look round; outlives its session
+  QString lookedFrom_;                        ///< the locator before it
+  std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   std::unique_ptr<LrsWorker> lessons_;  ///< learning records leave while the record is open

@@ -66,6 +66,7 @@ void MainWindow::openDatabase() {
       enterFirstRun();
       return;
     }
+    preferences_.keep(true);
     session_ = std::make_unique<SessionContext>(key());
     session_->setPasswordCost(setup_.passwordCost);
     const CentreSign sign = centreSign(session_->connectionWithoutRight());
@@ -171,7 +172,9 @@ void MainWindow::changeRecord(const RecordChange& change) {
   signIn_->say(sentence, failed);
 }
 
+/// Nothing is written before the last step, no setting of this station either.
 void MainWindow::enterFirstRun() {
+  preferences_.keep(false);
   firstRun_->setLanguage(language_.present());
   show(firstRun_);
 }
@@ -184,7 +187,6 @@ void MainWindow::lookRound() {
     return;
   }
   lookedFrom_ = setup_.locator;
-  preferences_.keep(false);
   FirstRunChoice choice;
   choice.locator = lookedAt_->filePath(QStringLiteral("torsio.sqlite"));
   choice.first.centre = tr("A look round: simulated people").toStdString();
@@ -207,7 +209,14 @@ void MainWindow::endLookRound() {
   session_.reset();  // nobody has the record open now
   lookedAt_.reset();
   setup_.locator = lookedFrom_;
+}
+
+void MainWindow::keepFirstRun(const QString& locator) {
   preferences_.keep(true);
+  preferences_.setDatabase(locator);
+  if (firstRunLanguage_) {
+    preferences_.setLanguage({}, *firstRunLanguage_);
+  }
 }
 
 void MainWindow::setUp(const FirstRunChoice& choice) {
@@ -229,7 +238,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
         if (!needsFirstRun(own.connectionWithoutRight())) {
           return [this, choice] {  // a centre is there already: its people sign in
             firstRun_->job().end();
-            preferences_.setDatabase(choice.locator);
+            keepFirstRun(choice.locator);
             openDatabase();
           };
         }
@@ -257,7 +266,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
             desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
             return;
           }
-          preferences_.setDatabase(choice.locator);
+          keepFirstRun(choice.locator);
           firstRun_->showAccounts(accounts);
         };
       },

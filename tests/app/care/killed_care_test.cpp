@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/maintenance/anchor.h"
 #include "db/connection/connection.h"
@@ -16,6 +17,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/demonstration_data.h"
+#include "sim/base/file_io.h"
 #include "tests/db/full_record.h"
 
 namespace torsio {
@@ -288,22 +290,40 @@ TEST_F(KilledCare, ADemonstrationTakesThePlaceOfAnOlderOneWholeOrNot) {
 }
 
 TEST_F(KilledCare, AWorkbookIsWholeOrNotThere) {
-  if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
-    GTEST_SKIP() << "needs a demonstration; TORSIO_KILL_INSTANTS says at how many instants";
-  }
-  const std::string out = file("demonstration");
-  ASSERT_EQ(run({"demo", "--out", out, "--shorten", "600", "--seed", "7"}).code, 0);
   const auto whole = [this] {
     const std::string book = file("book.xlsx");
     if (fs::exists(book)) {
       const std::string bytes = readFile(book);
       EXPECT_NE(bytes.find("PK\x05\x06"), std::string::npos) << "no end of the archive";
     }
+    expectWholeRecord();
   };
   const CutOff cut{
-      .arguments = {"export", "workbook", "--out", file("book.xlsx"), "--database", out + "/torsio.sqlite"},
+      .arguments = {"export", "workbook", "--out", file("book.xlsx"), "--database", file("record.sqlite")},
       .before = [this] { fs::remove(file("book.xlsx")); },
       .after = whole};
+  killEverywhere(cut);
+  fillDiskEverywhere(cut);
+  expectNothingHalf();
+}
+
+TEST_F(KilledCare, ADataSetIsWholeOrNotThere) {
+  const fs::path set = file("set");
+  const auto whole = [&] {
+    if (!fs::exists(set)) {
+      return;
+    }
+    const nlohmann::json package = nlohmann::json::parse(readFile(set / "datapackage.json"));
+    for (const auto& resource : package.at("resources")) {
+      EXPECT_TRUE(fs::exists(set / resource.at("path").get<std::string>())) << resource;
+    }
+    EXPECT_TRUE(fs::exists(set / "README.md"));
+  };
+  const CutOff cut{.arguments = {"dataset", "export", "--title", "T", "--licence", "CC-BY-4.0", "--out",
+                                 set.string(), "--database", file("record.sqlite")},
+                   .before = [&set] { fs::remove_all(set); },
+                   .after = whole,
+                   .done = [&set] { return fs::exists(set); }};
   killEverywhere(cut);
   fillDiskEverywhere(cut);
   expectNothingHalf();

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 
@@ -61,6 +62,36 @@ TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
     ++files;
   }
   EXPECT_GE(files, 5U) << "record, backup, record before the restore, report and table";
+}
+
+TEST(PrivateFiles, WhatIsTakenOutIsForItsOwnerAloneWhateverTheUmask) {
+  const fs::path folder = emptyFolder("taken-out");
+  const std::string record = (folder / "record.sqlite").string();
+  {
+    Connection connection = openRecord(record, OpenMode::kCreate, {.softwareVersion = "test"});
+    const FullRecord rows(connection, "real", false);
+  }
+  const auto in = [&folder](const char* name) { return (folder / name).string(); };
+  const std::string database = " --database " + record;
+  const mode_t before = umask(0);
+  for (const std::string& line :
+       {"export workbook --out " + in("book.xlsx") + database,
+        "export tables --as spss --out " + in("tables") + database,
+        "dataset export --title T --licence CC-BY-4.0 --pseudonymised --key-file " + in("names.key") +
+            " --out " + in("set") + database,
+        "audit key " + in("key"), "audit head --key " + in("key") + " --witness " + in("heads") + database,
+        "db copy --as-system " + record + " " + in("moved.sqlite"),
+        "record --duration 1 --database " + in("new.sqlite")}) {
+    EXPECT_EQ(runTorsio(line, folder).code, 0) << line;
+  }
+  umask(before);
+
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    EXPECT_TRUE(isPrivate(entry.path())) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 25U);
 }
 
 TEST(PrivateFiles, ACrashLeavesNoDump) {

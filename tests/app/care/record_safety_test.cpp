@@ -262,6 +262,11 @@ TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
        ErrorCode::kFileUnreadable},
       {"a record of a newer version", [&](const std::string& path) { changed(path, newer); },
        ErrorCode::kNewerSchema},
+      {"a record whose step of the schema is another one",
+       [&](const std::string& path) {
+         changed(path, "UPDATE schema_migration SET checksum = checksum || 'x'");
+       },
+       ErrorCode::kVerifyFailed},
   };
   for (const NoRecord& one : all) {
     const std::string path = file("looked-at");

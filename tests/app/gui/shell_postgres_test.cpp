@@ -113,6 +113,11 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   ASSERT_NE(focused, nullptr);
   EXPECT_EQ(focused->text().remove(QLatin1Char('&')), QStringLiteral("Next")) << "Enter goes on";
   press("Next");
+  {
+    Connection looked = open();
+    EXPECT_EQ(numberFrom(looked, "SELECT count(*) FROM pg_tables WHERE schemaname = current_schema()"), 0)
+        << "written before the last step";
+  }
   press("Set up");
   testing::waitFor(window_->background());
 

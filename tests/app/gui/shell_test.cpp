@@ -53,6 +53,10 @@
 namespace torsio::gui {
 namespace {
 
+using testing::named;
+using testing::press;
+using testing::says;
+
 constexpr std::chrono::seconds kLong{20};  // far more than a busy machine needs
 constexpr const char* kAdminPassword = "a short sentence for the lab";
 constexpr const char* kStartPassword = "start with these words";
@@ -90,36 +94,6 @@ std::vector<PageGroup> bareGroups() {
   return {{[] { return QStringLiteral("Training"); }, {entry(PageId::kNextStep), entry(PageId::kPractice)}},
           {[] { return QStringLiteral("Review"); }, {entry(PageId::kQueue)}},
           {[] { return QStringLiteral("Administration"); }, {entry(PageId::kUsers), entry(PageId::kAudit)}}};
-}
-
-template <typename Widget>
-Widget* named(QWidget& where, const QString& name) {
-  for (Widget* widget : where.findChildren<Widget*>()) {
-    if (widget->accessibleName() == name && widget->isVisibleTo(&where)) {
-      return widget;
-    }
-  }
-  ADD_FAILURE() << "no field " << name.toStdString();
-  return nullptr;
-}
-
-void press(QWidget& where, const QString& text) {
-  for (QPushButton* button : where.findChildren<QPushButton*>()) {
-    if (button->text() == text && button->isVisible() && button->isEnabled()) {
-      QTest::mouseClick(button, Qt::LeftButton);
-      return;
-    }
-  }
-  ADD_FAILURE() << "no button " << text.toStdString();
-}
-
-bool says(QWidget& where, const QString& part) {
-  for (const QLabel* label : where.findChildren<QLabel*>()) {
-    if (label->isVisible() && label->text().contains(part)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 class Shell : public ::testing::Test {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLabel>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QString>
 #include <QTest>
@@ -22,6 +24,39 @@ namespace torsio::gui::testing {
 inline void waitFor(const Background& background) {
   constexpr int kPatience_ms = 120'000;
   EXPECT_TRUE(QTest::qWaitFor([&] { return !background.working(); }, kPatience_ms));
+}
+
+/// The field of this name that can be seen.
+template <typename Widget>
+Widget* named(QWidget& where, const QString& name) {
+  for (Widget* widget : where.findChildren<Widget*>()) {
+    if (widget->accessibleName() == name && widget->isVisibleTo(&where)) {
+      return widget;
+    }
+  }
+  ADD_FAILURE() << "no field " << name.toStdString();
+  return nullptr;
+}
+
+/// Presses the button with this text.
+inline void press(QWidget& where, const QString& text) {
+  for (QPushButton* button : where.findChildren<QPushButton*>()) {
+    if (button->text() == text && button->isVisible() && button->isEnabled()) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      return;
+    }
+  }
+  ADD_FAILURE() << "no button " << text.toStdString();
+}
+
+/// Whether a sentence with this part can be read.
+[[nodiscard]] inline bool says(QWidget& where, const QString& part) {
+  for (const QLabel* label : where.findChildren<QLabel*>()) {
+    if (label->isVisible() && label->text().contains(part)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace torsio::gui::testing

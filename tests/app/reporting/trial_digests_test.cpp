@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What recordings come down to: measured once, on every core, and kept.
+#include "app/recording/trial_digests.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -9,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/kept_digests.h"
-#include "app/recording/trial_digests.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -117,9 +119,11 @@ TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
 TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
   constexpr std::size_t kRecordings = 300;  // more than are kept, read and measured at a time
   SmallStudy study;
+  Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < kRecordings; ++i) {
     record(study, "r" + std::to_string(1000 + i), 20 + i % 170);
   }
+  together.commit();
   SessionContext& session = study.centre.as("statistician");
   std::vector<std::string> told;
 
@@ -145,18 +149,18 @@ TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
 
 TEST(TrialDigests, OfARecordingThatCannotBeReadStopTheReportButNotWhatWasMeasured) {
   SmallStudy study;
+  Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < 300; ++i) {
     record(study, "r" + std::to_string(1000 + i), 50);
   }
   record(study, "r2000", 50, "{}", false);
+  together.commit();
 
-  EXPECT_THROW(
-      (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
+  EXPECT_THROW((void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
 
-  EXPECT_EQ(DigestRepository(study.centre.connection())
-                .ofCohort(study.request.cohortId, kMetricsVersion)
-                .size(),
-            256U);
+  EXPECT_EQ(
+      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, kMetricsVersion).size(),
+      256U);
 }
 
 }  // namespace
