@@ -3,6 +3,7 @@
 #include "db/repository/system/learning_repository.h"
 
 #include <set>
+#include <string>
 
 #include "assessment/rating/remark.h"
 #include "assessment/study/cohort.h"
@@ -30,6 +31,18 @@ class LearningRepositoryTest : public DatabaseTest {
                         .decidedUtc_us = kSampleTime_us,
                         .recordedBy = "office"});
   }
+  /// Enrols a trainee, who is no simulated one, in a cohort of their own.
+  static Enrolment enrol(Connection& connection, SampleRecord& sample, std::size_t trainee) {
+    StudyRepository studies(connection);
+    const CohortId cohort = sample.ids.newUuid();
+    studies.addCohort({cohort, "Course " + std::to_string(trainee), "", kSampleTime_us, false}, {});
+    Enrolment enrolment{.id = sample.ids.newUuid(),
+                        .cohortId = cohort,
+                        .traineeId = sample.trainees[trainee].person.id,
+                        .enrolledUtc_us = kSampleTime_us};
+    studies.enrol({&enrolment, 1});
+    return enrolment;
+  }
 };
 
 TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) {
@@ -37,9 +50,9 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) 
   SampleRecord sample(connection, 1);
   const PersonId who = sample.trainees[0].person.id;
   turnOn(connection, who);
-  noteLearningEvents(connection, LearningEventKind::kRegistered, {&sample.enrolments[0].id.text(), 1});
+  const Enrolment enrolment = enrol(connection, sample, 0);
   const Exposure rest{.id = sample.ids.newUuid(),
-                      .enrolmentId = sample.enrolments[0].id,
+                      .enrolmentId = enrolment.id,
                       .kind = ExposureKind::kRest,
                       .startedUtc_us = kSampleTime_us,
                       .duration_us = 60'000'000,
@@ -48,7 +61,7 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) 
   Trial trial = sampleTrial();
   trial.header.traineeCode = sample.trainees[0].person.code;
   trial.header.demonstration = false;
-  TrialRepository trials(connection, {.station = "here", .enrolmentId = sample.enrolments[0].id});
+  TrialRepository trials(connection, {.station = "here", .enrolmentId = enrolment.id});
   trials.begin(trial.header);
   trials.append(trial.chunks.front());
   trials.finish({.samples = trial.chunks.front().samples, .contentHash = "hash"});
@@ -80,8 +93,8 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) 
     EXPECT_EQ(event.personId, who);
     const std::optional<LearningFacts> facts = outbox.facts(event);
     ASSERT_TRUE(facts);
-    EXPECT_EQ(facts->enrolmentId, sample.enrolments[0].id);
-    EXPECT_EQ(facts->cohortName, sample.cohort.name);
+    EXPECT_EQ(facts->enrolmentId, enrolment.id);
+    EXPECT_EQ(facts->cohortName, "Course 0");
   }
   EXPECT_EQ(due.size(), 6U);
   EXPECT_EQ(kinds.size(), 6U);
@@ -96,9 +109,8 @@ TEST_F(LearningRepositoryTest, AnEntryIsTakenByOneAndEndsInOneState) {
   for (const Trainee& trainee : sample.trainees) {
     turnOn(connection, trainee.person.id);
   }
-  for (const Enrolment& enrolment : sample.enrolments) {
-    noteLearningEvents(connection, LearningEventKind::kRegistered, {&enrolment.id.text(), 1});
-  }
+  enrol(connection, sample, 0);
+  enrol(connection, sample, 1);
   LearningRepository outbox(connection);
   const std::vector<LearningEvent> due = outbox.due(0, 10);
   ASSERT_EQ(due.size(), 2U);
