@@ -18,7 +18,7 @@
 namespace torsio::gui {
 namespace {
 
-using testing::TestLrs;
+using torsio::testing::TestLrs;
 
 class LearningPages : public CarePages {
  protected:

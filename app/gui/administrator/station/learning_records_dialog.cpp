@@ -73,6 +73,7 @@ void LearningRecordsDialog::build() {
   auto* keyRow = new QHBoxLayout;
   auto* set = new QPushButton(tr("Set the &key"), this);
   set->setObjectName(QStringLiteral("lrsSetKey"));
+  set->setAutoDefault(false);
   user_->setPlaceholderText(tr("name"));
   secret_->setPlaceholderText(tr("secret"));
   user_->setAccessibleName(tr("Name of the key"));
@@ -84,6 +85,7 @@ void LearningRecordsDialog::build() {
   auto* keepButton = new QPushButton(tr("&Save"), this);
   keepButton->setObjectName(QStringLiteral("lrsKeep"));
   keepButton->setProperty("primary", true);
+  keepButton->setDefault(true);
   dead_->setColumns({{tr("What")}, {tr("When")}, {tr("Tries"), true}, {tr("What the store said")}});
   dead_->setEmptyText(tr("Nothing was refused."));
   auto* buttons = new QDialogButtonBox(this);
