@@ -6,6 +6,7 @@ import { CalibrationPage } from './calibration_page.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
 import { draftsUnderway, stopDrafts } from './drafts_underway.js';
+import { DiscrepancyPage } from './discrepancy_page.js';
 import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
@@ -49,6 +50,7 @@ const kPages = [
   { hash: '#queue', of: 'queue', title: () => t('Your queue'), make: () => new QueuePage(frame) },
   { hash: '#calibration', of: 'queue', title: () => t('Calibration'), make: () => new CalibrationPage(frame) },
   { hash: '#severity', of: 'queue', title: () => t('My severity'), make: () => new SeverityPage(frame) },
+  { hash: '#discrepancies', of: 'queue', title: () => t('Discrepancy review'), make: () => new DiscrepancyPage(frame) },
   { hash: '#evaluation', of: 'evaluation', title: () => t('Evaluation'), make: () => new EvaluationPage(frame) },
   { hash: '#own', of: 'own', title: () => t('Your record'), make: () => new OwnPage(frame) },
   { hash: '#remarks', of: 'own', title: () => t('Remarks'), make: () => new OwnRemarksPage(frame) },

@@ -81,7 +81,7 @@ export class BoardPage {
     const words = { submitted: t('submitted'), draft: t('draft'), open: t('open'), '': t('not asked') };
     this.place.replaceChildren(
       h('p', { class: 'quiet' }, t('● submitted, ◐ draft, ○ open. No marks are shown here.')),
-      h('section', { class: 'card wide-table' }, table([t('Trainee'), t('Scoring point'), ...raters.map((rater) => rater.code)],
+      h('section', { class: 'card wide-table' }, table([t('Trainee'), t('Occasion'), ...raters.map((rater) => rater.code)],
         [...lines.map((line) => h('tr', {}, h('th', { scope: 'row' }, line.trainee), h('td', {}, line.occasion),
           line.cells.map((cell) => h('td', {}, h('span', { role: 'img', 'aria-label': words[cell] }, marks[cell]))))),
         h('tr', {}, h('th', { scope: 'row' }, t('Still open')), h('td', {}), raters.map((rater) => h('td', {}, figure(rater.open))))])));

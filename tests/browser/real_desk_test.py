@@ -105,6 +105,7 @@ def come_by_invitation(url, secret, pictures):
 def look_round(url, pictures):
     """Every page of every role opens, in both languages, without a fault and without sideways scrolling."""
     pages = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "severity": "My severity",
+                            "discrepancies": "Discrepancy review",
                             "evaluation": "Evaluation", "sessions": "Your sessions"},
              "apprentice": {"own": "Your record", "remarks": "Remarks", "transcript": "Transcript"},
              "office": {"board": "Today's sessions", "scored": "Who has scored what", "signed-in": "Signed in now"}}
