@@ -24,6 +24,7 @@
 #include "sim/base/file_io.h"
 #include "sim/base/live_of_sample.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/scene/blood_map.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
@@ -158,6 +159,7 @@ class ShapeTrack {
   }
 
   [[nodiscard]] std::size_t states() const noexcept { return states_.size(); }
+  [[nodiscard]] const OrganState& state(std::size_t at) const { return states_[at]; }
   [[nodiscard]] const std::vector<std::size_t>& stateOfFrame() const noexcept { return stateOfFrame_; }
   [[nodiscard]] std::vector<float> shape(std::size_t state) {
     scene_.deform(states_[state], places_m_);
@@ -268,9 +270,33 @@ std::vector<std::uint8_t> tissueColours(const Scene& scene) {
   return colours;
 }
 
+/// How an untwisted organ's blood colours it: the share of each vertex and the factor of each frame, both as
+/// the window has them. Marks of the jaw and the clip are not in it.
+void addBloodColours(BinaryContainer& container, const std::shared_ptr<const Scene>& scene,
+                     const ShapeTrack& track) {
+  const BloodMap map(scene);
+  if (map.empty()) {
+    return;
+  }
+  constexpr float kWhole = 255.0F;
+  constexpr float kFactorStep = 0.001F;
+  std::vector<std::uint8_t> fed;
+  for (const float share : map.fed()) {
+    fed.push_back(static_cast<std::uint8_t>(std::lround(kWhole * share)));
+  }
+  std::vector<float> blood;
+  for (const std::size_t state : track.stateOfFrame()) {
+    const std::array<float, 3> factor = BloodMap::twistedFactor(track.state(state).hollow);
+    blood.insert(blood.end(), factor.begin(), factor.end());
+  }
+  container.add("fed", std::span<const std::uint8_t>(fed));
+  container.addMultiples("blood", blood, kFactorStep, 3);
+}
+
 std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
                     const std::filesystem::path& assets, float& farthest_mm) {
-  const Scene scene = loadScene(sceneOf(recording, assets));
+  const auto shared = std::make_shared<const Scene>(loadScene(sceneOf(recording, assets)));
+  const Scene& scene = *shared;
   checkScene(recording, scene);
   playback.setPoses(PoseTrack(scene, playback.header(), playback.chunks()));
   ShapeTrack track(scene, playback);
@@ -295,6 +321,7 @@ std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
   container.addDifferences("basis", std::span<const std::int16_t>(found.basis.steps), 3);
   container.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
   container.add("colour", std::span<const std::uint8_t>(colour));
+  addBloodColours(container, shared, track);
   addInstrument(container, assets, "grasper");
   return gzipped(container.bytes());
 }

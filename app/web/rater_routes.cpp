@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calibration on reference runs, and how strict a rater is beside the others.
+// Calibration on reference runs, how strict a rater is beside the others, and cases where their marks lie
+// apart.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -8,12 +9,14 @@
 #include <utility>
 
 #include "app/base/assets.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/own_severity.h"
 #include "app/review/rater_calibration.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
+#include "assessment/rating/written_words.h"
 #include "sim/base/refusal.h"
 
 namespace torsio::web {
@@ -23,6 +26,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::int64_t kMostReferenceSteps = 1'000'000;
+constexpr std::size_t kBytesOfASign = 4;
 
 template <typename Value>
 json valueOrNull(const std::optional<Value>& value) {
@@ -98,6 +102,53 @@ HttpResponse answerSeverity(Call& call) {
                      {"used", severity.used}});
 }
 
+json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
+  json rows = json::array();
+  for (const RowComparison& row : one.rows) {
+    rows.push_back({{"label", row.label.empty() ? "" : call.wording(Text(row.label)).toStdString()},
+                    {"own", row.own},
+                    {"mean", row.mean},
+                    {"lowest", row.lowest},
+                    {"highest", row.highest},
+                    {"apart", row.apart}});
+  }
+  const char* const decisions[] = {"keep", "move", "third"};
+  return {
+      {"case", call.session->handleOf(one.shown.assignmentId)},
+      {"label", one.shown.label},
+      {"largest", one.largest},
+      {"decision", one.decision ? json(decisions[static_cast<std::size_t>(*one.decision)]) : json(nullptr)},
+      {"reason", one.reason},
+      {"rows", std::move(rows)}};
+}
+
+HttpResponse answerDiscrepancies(Call& call) {
+  json cases = json::array();
+  for (const DiscrepancyCase& one : alignmentCases(call.context)) {
+    cases.push_back(discrepancyJson(call, one));
+  }
+  return jsonAnswer({{"cases", std::move(cases)}});
+}
+
+AssignmentId discrepancyOf(const Call& call) {
+  const auto found = call.session->caseOf(call.parts.front());
+  if (!found) {
+    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
+                Text::tr("Open a case of your own queue"));
+  }
+  return *found;
+}
+
+HttpResponse answerKeep(Call& call) {
+  keepMark(call.context, discrepancyOf(call), call.body.text("reason", kLongestReason * kBytesOfASign));
+  return answerDiscrepancies(call);
+}
+
+HttpResponse answerThird(Call& call) {
+  askForThird(call.context, discrepancyOf(call), call.body.text("reason", kLongestReason * kBytesOfASign));
+  return answerDiscrepancies(call);
+}
+
 }  // namespace
 
 std::vector<Route> raterRoutes() {
@@ -106,7 +157,10 @@ std::vector<Route> raterRoutes() {
           {"PUT", "/api/calibration/*", kIn, answerReferenceScore},
           {"GET", "/api/calibration/*/recording", kIn, answerReferenceRecording, true},
           {"GET", "/api/calibration/*/organ", kIn, answerReferenceOrgan, true},
-          {"GET", "/api/severity", kIn, answerSeverity}};
+          {"GET", "/api/severity", kIn, answerSeverity},
+          {"GET", "/api/discrepancies", kIn, answerDiscrepancies},
+          {"POST", "/api/discrepancies/*/keep", kIn, answerKeep},
+          {"POST", "/api/discrepancies/*/third", kIn, answerThird}};
 }
 
 }  // namespace torsio::web

@@ -16492,10 +16492,6 @@ audit trail %3</source>
         <translation>待评分时点</translation>
     </message>
     <message>
-        <source>Scoring point</source>
-        <translation>评分时点</translation>
-    </message>
-    <message>
         <source>Sheets missing</source>
         <translation>缺评分表</translation>
     </message>
@@ -17074,6 +17070,54 @@ audit trail %3</source>
     <message>
         <source>the data set cannot be given its name: %1</source>
         <translation>无法为数据集命名：%1</translation>
+    </message>
+    <message>
+        <source>An adjudicator has been requested</source>
+        <translation>已请求仲裁评分者</translation>
+    </message>
+    <message>
+        <source>Ask for an adjudicator</source>
+        <translation>请求仲裁评分者</translation>
+    </message>
+    <message>
+        <source>Discrepancy review</source>
+        <translation>评分分歧复核</translation>
+    </message>
+    <message>
+        <source>Keep my mark</source>
+        <translation>保留我的评分</translation>
+    </message>
+    <message>
+        <source>Look at it again, or move the mark</source>
+        <translation>再次查看，或调整评分</translation>
+    </message>
+    <message>
+        <source>Lowest to highest</source>
+        <translation>最低至最高</translation>
+    </message>
+    <message>
+        <source>Mean of the others</source>
+        <translation>他人均分</translation>
+    </message>
+    <message>
+        <source>No disagreement waits for you.</source>
+        <translation>没有待处理的分歧。</translation>
+    </message>
+    <message>
+        <source>Only cases that all have submitted, and only where your mark lies apart from the others. Nobody is named.</source>
+        <translation>只列出所有人均已提交、且您的评分与他人相差较大的案例，不透露任何人的姓名。</translation>
+    </message>
+    <message>
+        <source>Reason (needed to move a mark or to ask for an adjudicator)</source>
+        <translation>理由（调整评分或请求仲裁评分者时必填）</translation>
+    </message>
+    <message>
+        <source>to be decided</source>
+        <translation>待决定</translation>
+    </message>
+    <message>
+        <source>Your mark stays as it is</source>
+        <translation>您的评分保持不变</translation>
     </message>
 </context>
 <context>
@@ -27808,10 +27852,6 @@ T-02,master,17</translation>
         <translation>为每个所选用户生成一个链接，用于在浏览器中设置密码。</translation>
     </message>
     <message>
-        <source>Revoke in&amp;vitations…</source>
-        <translation>撤销登录邀请(&amp;V)…</translation>
-    </message>
-    <message>
         <source>Invited until</source>
         <translation>邀请有效期</translation>
     </message>
@@ -27826,6 +27866,10 @@ T-02,master,17</translation>
     <message>
         <source>Invitations revoked: %1</source>
         <translation>已撤销登录邀请：%1</translation>
+    </message>
+    <message>
+        <source>Revoke &amp;links…</source>
+        <translation>撤销链接(&amp;L)…</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@ import { CalibrationPage } from './calibration_page.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
 import { draftsUnderway, stopDrafts } from './drafts_underway.js';
+import { DiscrepancyPage } from './discrepancy_page.js';
 import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
@@ -49,10 +50,11 @@ const kPages = [
   { hash: '#queue', of: 'queue', title: () => t('Your queue'), make: () => new QueuePage(frame) },
   { hash: '#calibration', of: 'queue', title: () => t('Calibration'), make: () => new CalibrationPage(frame) },
   { hash: '#severity', of: 'queue', title: () => t('My severity'), make: () => new SeverityPage(frame) },
-  { hash: '#evaluation', of: 'evaluation', title: () => t('Evaluation'), make: () => new EvaluationPage(frame) },
+  { hash: '#discrepancies', of: 'queue', title: () => t('Discrepancy review'), make: () => new DiscrepancyPage(frame) },
   { hash: '#own', of: 'own', title: () => t('Your record'), make: () => new OwnPage(frame) },
   { hash: '#remarks', of: 'own', title: () => t('Remarks'), make: () => new OwnRemarksPage(frame) },
   { hash: '#transcript', of: 'own', title: () => t('Transcript'), make: () => new TranscriptPage(frame) },
+  { hash: '#evaluation', of: 'evaluation', title: () => t('Evaluation'), make: () => new EvaluationPage(frame) },
   { hash: '#board', of: 'board', title: () => t("Today's sessions"), make: () => new BoardPage(frame, false) },
   { hash: '#scored', of: 'board', title: () => t('Who has scored what'), make: () => new BoardPage(frame, true) },
   { hash: '#signed-in', of: 'people', title: () => t('Signed in now'), make: () => new SessionsPage(frame, true) },

@@ -6,6 +6,7 @@ const kPosition = 0;
 const kNormal = 1;
 const kColour = 2;
 const kRest = 3;
+const kFed = 4;
 const kStride_B = 24;
 
 /// A context, or null where the browser has none. Without edges smoothed where the processor draws.
@@ -35,7 +36,7 @@ export function makeProgram(gl, vertexSource, fragmentSource) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
   const at = (name) => gl.getUniformLocation(program, name);
-  const places = Object.fromEntries(['model', 'viewProjection', 'eye', 'headlight', 'fine'].map((n) => [n, at(n)]));
+  const places = Object.fromEntries(['model', 'viewProjection', 'eye', 'headlight', 'fine', 'blood'].map((n) => [n, at(n)]));
   return {
     use: () => gl.useProgram(program),
     model: (matrix) => gl.uniformMatrix4fv(places.model, false, matrix),
@@ -43,11 +44,13 @@ export function makeProgram(gl, vertexSource, fragmentSource) {
     eye: (point) => gl.uniform3fv(places.eye, point),
     headlight: (matrix) => gl.uniformMatrix3fv(places.headlight, false, matrix),
     fine: (on) => gl.uniform1f(places.fine, on ? 1 : 0),
+    blood: (factor) => gl.uniform3fv(places.blood, factor),
   };
 }
 
-/// `vertices`: x y z nx ny nz each; `colour`: three u8 each, or one colour for all; `rest`: x y z each, or null.
-export function makeMesh(gl, { index, vertices, colour, rest = null, moves = false }) {
+/// `vertices`: x y z nx ny nz each; `colour`: three u8 each, or one colour for all; `rest`: x y z each, or null;
+/// `fed`: one u8 each, how far the uniform `blood` colours it, or null.
+export function makeMesh(gl, { index, vertices, colour, rest = null, fed = null, moves = false }) {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
   const buffer = gl.createBuffer();
@@ -57,15 +60,16 @@ export function makeMesh(gl, { index, vertices, colour, rest = null, moves = fal
   gl.vertexAttribPointer(kPosition, 3, gl.FLOAT, false, kStride_B, 0);
   gl.enableVertexAttribArray(kNormal);
   gl.vertexAttribPointer(kNormal, 3, gl.FLOAT, false, kStride_B, 12);
-  const still = (place, data, type, normalised) => {
+  const still = (place, data, type, normalised, size = 3) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, type, normalised, 0, 0);
+    gl.vertexAttribPointer(place, size, type, normalised, 0, 0);
   };
   const oneColour = colour.length === 3;
   if (!oneColour) still(kColour, colour, gl.UNSIGNED_BYTE, true);
   if (rest) still(kRest, rest, gl.FLOAT, false);
+  if (fed) still(kFed, fed, gl.UNSIGNED_BYTE, true, 1);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
   gl.bindVertexArray(null);
@@ -77,6 +81,7 @@ export function makeMesh(gl, { index, vertices, colour, rest = null, moves = fal
     draw(first = 0, count = index.length) {
       gl.bindVertexArray(array);
       if (oneColour) gl.vertexAttrib3f(kColour, ...colour);
+      if (!fed) gl.vertexAttrib1f(kFed, 0);
       gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
     },
   };

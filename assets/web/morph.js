@@ -12,6 +12,7 @@ export class Morph {
     this.index = arrays.index;
     this.colour = arrays.colour;
     this.rest = arrays.mean;
+    this.fed = arrays.fed ?? null;
     this.arrays = arrays;
     this.vertices = new Float32Array(kFloatsAVertex * meta.vertices);
     this.#weights = new Float32Array(meta.components);
@@ -23,6 +24,14 @@ export class Morph {
     this.#place();
     this.#turnNormals();
     return this.vertices;
+  }
+
+  /// The factor on the colour of what is fed through the twist.
+  bloodAt(time_s) {
+    const { blood } = this.arrays;
+    if (!blood) return [1, 1, 1];
+    const frame = Math.min(Math.max(Math.round(time_s * this.meta.rate_hz), 0), this.meta.frames - 1);
+    return blood.slice(3 * frame, 3 * frame + 3);
   }
 
   /// Weights at this time, each times its scale: linear between frames.

@@ -7,6 +7,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
 layout(location = 3) in vec3 rest;
+layout(location = 4) in float fed;
+uniform vec3 blood;
 uniform mat4 model;
 uniform mat4 viewProjection;
 out vec3 place;
@@ -17,7 +19,8 @@ void main() {
   vec4 world = model * vec4(position, 1.0);
   place = world.xyz;
   facing = mat3(model) * normal;
-  skin = colour * colour;
+  vec3 own = colour * mix(vec3(1.0), blood, fed);
+  skin = own * own;
   still = rest;
   gl_Position = viewProjection * world;
 }`;

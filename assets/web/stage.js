@@ -160,6 +160,7 @@ export class Stage {
     this.#begin(this.tissue);
     this.tissue.fine(this.#still || this.#share === 0);
     this.tissue.model(kIdentity);
+    this.tissue.blood(this.organ.bloodAt(this.#time_s));
     organ.draw();
     this.#begin(this.steel);
     this.#drawTool(tool);

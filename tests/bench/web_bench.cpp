@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 200;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 20;
-  testing::ReviewCentre centre({.raters = count, .trainees = 2, .trial_s = 0.5});
+  torsio::testing::ReviewCentre centre({.raters = count, .trainees = 2, .trial_s = 0.5});
   web::WebDesk desk({.locator = centre.locator(), .assets = assetsFolder(), .workers = 4});
   const web::HttpServer server({"127.0.0.1", 0}, {}, {.connectionsAnAddress = 1000},
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     rater->client.cookie = std::string(web::kCookie) + "=" + cookie;
     rater->client.token = desk.sessions().find(cookie, Clock::now())->token;
     const auto begun = Clock::now();
-    rater->path = "/api/cases/" + testing::firstCase(rater->client);
+    rater->path = "/api/cases/" + torsio::testing::firstCase(rater->client);
     opened.add(rater->client.get(rater->path), begun);
     raters.push_back(std::move(rater));
   }
@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
   constexpr int kSaves = 100;
   for (int i = 0; i < kSaves; ++i) {
     Rater& one = *raters.front();
-    const WebAnswer answer =
-        one.client.send("PUT", one.path + "/sheet", testing::sheetBody(one.revision, 70, 80, 10 + i % 80));
+    const WebAnswer answer = one.client.send("PUT", one.path + "/sheet",
+                                             torsio::testing::sheetBody(one.revision, 70, 80, 10 + i % 80));
     one.revision += answer.status == 200 ? 1 : 0;
   }
   std::cout << "a sheet's save: " << 1000.0 * (processor_s() - before_s) / kSaves << " ms of the processor\n";

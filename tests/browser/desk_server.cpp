@@ -12,11 +12,14 @@
 #include "app/access/invitations.h"
 #include "app/access/two_people.h"
 #include "app/base/assets.h"
+#include "app/review/rater_calibration.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/people/account.h"
+#include "assessment/rating/campaign.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/review_centre.h"
@@ -40,6 +43,17 @@ int main(int argc, char** argv) {
   access.addUser({.id = "u-apprentice", .login = "apprentice", .personId = trainee, .roles = {"trainee"}},
                  "correct horse battery");
   access.setPassword("u-apprentice", access.sealPassword("apprentice", "correct horse battery"), false);
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false}});
+  Campaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Two models";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1, centre.trialIds()[0]},
+                     {"FEM", "finite elements", "M", 2, {}}};
+  campaign.raters = {{centre.raterId(0), "chief", "PM,FEM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
   SettingRepository(centre.connection()).set(kTwoPeopleSetting, "no", 0);
   // By the clock of the server: the centre's own stands still.
   SessionContext office({centre.locator(), "station", centre.administrator()->actor()});

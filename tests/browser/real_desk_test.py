@@ -105,6 +105,7 @@ def come_by_invitation(url, secret, pictures):
 def look_round(url, pictures):
     """Every page of every role opens, in both languages, without a fault and without sideways scrolling."""
     pages = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "severity": "My severity",
+                            "discrepancies": "Discrepancy review",
                             "evaluation": "Evaluation", "sessions": "Your sessions"},
              "apprentice": {"own": "Your record", "remarks": "Remarks", "transcript": "Transcript"},
              "office": {"board": "Today's sessions", "scored": "Who has scored what", "signed-in": "Signed in now"}}
@@ -123,8 +124,14 @@ def look_round(url, pictures):
                     check(f"{page} scrolls sideways at {size}: {over}", over <= 0)
                     browser.picture(pictures / f"{page}-{size[0]}.png")
             if login == "apprentice":
-                browser.click("main a[href^='#run/']") if browser.run("return !!document.querySelector(\"main a[href^='#run/']\")") else None
+                browser.resize(1280, 800)
+                browser.run("location.hash = '#own'")
+                browser.click("main a[href^='#run/']")
+                browser.says("main", "Twists")
+                browser.until("the traces are there", lambda: "of 0:06" in browser.text(".time"))
+                browser.picture(pictures / "run.png")
                 browser.run("location.hash = '#transcript'")
+                browser.there("main .primary")
                 browser.click("main .primary")
                 browser.says("main", "no certificate")
                 browser.picture(pictures / "transcript-made.png")

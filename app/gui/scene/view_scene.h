@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/scene/blood_map.h"
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
 #include "app/gui/scene/organ_surface.h"
@@ -16,6 +15,7 @@
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/tissue_skin.h"
 #include "sim/base/vec3.h"
+#include "sim/scene/blood_map.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/tissue_look.h"
 

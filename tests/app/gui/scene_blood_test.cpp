@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/scene/blood_map.h"
 #include "app/gui/scene/shear_map.h"
+#include "sim/scene/blood_map.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 #include "tests/sim/servo/hollow_bar.h"
 

@@ -47,6 +47,8 @@ TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
   for (const char* trace : {"flow_percent", "dose", "patency_percent", "pressure_mmHg"}) {
     EXPECT_EQ(head.find(trace) != std::string::npos, undone) << trace;
   }
+  const std::string organ = torsio::testing::unpackedGzip(picture.organ).substr(0, 4000);
+  EXPECT_EQ(organ.find("\"blood\"") != std::string::npos, undone) << "the colour of its blood";
   RecordProperty("farthest_um", static_cast<int>(std::lround(1000.0F * picture.farthest_mm)));
   RecordProperty("organ_bytes", static_cast<int>(picture.organ.size()));
   RecordProperty("recording_bytes", static_cast<int>(picture.recording.size()));

@@ -191,7 +191,9 @@ const std::map<std::string, std::set<std::string>>& answersOf() {
   static const std::set<std::string> kOfAll = {"GET /api/texts", "GET /api/me", "GET /api/sessions"};
   static const std::map<std::string, std::set<std::string>> kAnswers = {
       {"all", kOfAll},
-      {"rater", {"GET /api/queue", "GET /api/evaluation", "GET /api/calibration", "GET /api/severity"}},
+      {"rater",
+       {"GET /api/queue", "GET /api/evaluation", "GET /api/calibration", "GET /api/severity",
+        "GET /api/discrepancies"}},
       {"trainee", {"GET /api/evaluation", "GET /api/own", "GET /api/own/remarks", "GET /api/own/transcript"}},
       {"administrator", {"GET /api/all-sessions", "GET /api/cohorts"}}};
   return kAnswers;

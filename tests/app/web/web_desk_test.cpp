@@ -194,8 +194,8 @@ TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
   WebClient client = served.physician(0);
   std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
   for (const char* path :
-       {"/api/evaluation", "/api/calibration", "/api/severity", "/api/sessions", "/api/own",
-        "/api/own/remarks", "/api/own/transcript", "/api/cohorts", "/api/all-sessions"}) {
+       {"/api/evaluation", "/api/calibration", "/api/severity", "/api/discrepancies", "/api/sessions",
+        "/api/own", "/api/own/remarks", "/api/own/transcript", "/api/cohorts", "/api/all-sessions"}) {
     answers.push_back(client.get(path));
   }
   const json queue = answers.front().json();

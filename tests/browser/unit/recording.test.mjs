@@ -78,6 +78,17 @@ test('the organ at a moment is the mean and its weighted components, linear betw
   assert.deepEqual(heights, [0, 0, 0.5, 1, 2, 2].map(Math.fround));
 });
 
+test('blood colours what is fed through the twist by the frame, and nothing else', () => {
+  const plain = new Morph(kTriangle);
+  assert.deepEqual([...plain.bloodAt(0.5)], [1, 1, 1]);
+  assert.equal(plain.fed, null);
+  const blood = new Float32Array([1, 1, 1, 0.5, 0.25, 0.75, 0, 0, 0]);
+  const fed = new Uint8Array([0, 128, 255]);
+  const twisted = new Morph({ meta: kTriangle.meta, arrays: { ...kTriangle.arrays, blood, fed } });
+  assert.deepEqual([-1, 0.5, 9].map((time_s) => [...twisted.bloodAt(time_s)]), [[1, 1, 1], [0.5, 0.25, 0.75], [0, 0, 0]]);
+  assert.equal(twisted.fed, fed);
+});
+
 test('normals are those of the triangles as they are now', () => {
   const morph = new Morph(kTriangle);
   assert.deepEqual([...morph.evaluate(0).slice(3, 6)], [0, 0, 1]);

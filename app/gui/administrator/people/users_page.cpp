@@ -132,7 +132,7 @@ void UsersPage::retranslate() {
   invite_->setText(tr("&Invite\u2026"));
   invite_->setToolTip(
       tr("A link for each of the chosen users, with which they set a password in a browser."));
-  uninvite_->setText(tr("Revoke in&vitations\u2026"));
+  uninvite_->setText(tr("Revoke &links\u2026"));
   table_->setColumns({{tr("Sign-in name")},
                       {tr("Person")},
                       {tr("Roles")},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/blood_map.h"
+#include "sim/scene/blood_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "sim/tissue/perfusion/tissue_colour.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -55,17 +55,30 @@ BloodMap::BloodMap(std::shared_ptr<const Scene> scene) {
   }
 }
 
-void BloodMap::evaluate(const OrganState& state, std::span<Factor> factors) const {
-  TORSIO_EXPECTS(factors.size() == places_.size());
-  const HollowPose& pose = state.hollow;
+std::vector<float> BloodMap::fed() const {
+  std::vector<float> shares;
+  shares.reserve(places_.size());
+  for (const Place& place : places_) {
+    shares.push_back(place.fed);
+  }
+  return shares;
+}
+
+std::array<float, 3> BloodMap::twistedFactor(const HollowPose& pose) {
   const PerfusionState blood{.flow = pose.reading.flow,
                              .congestion = pose.congestion,
                              .dose = pose.reading.dose,
                              .saturation = pose.saturation};
   const TissueColour colour = pose.present ? colourOf(blood) : kSerosaPink;
-  const Factor twisted{static_cast<float>(colour.red / kSerosaPink.red),
-                       static_cast<float>(colour.green / kSerosaPink.green),
-                       static_cast<float>(colour.blue / kSerosaPink.blue)};
+  return {static_cast<float>(colour.red / kSerosaPink.red),
+          static_cast<float>(colour.green / kSerosaPink.green),
+          static_cast<float>(colour.blue / kSerosaPink.blue)};
+}
+
+void BloodMap::evaluate(const OrganState& state, std::span<Factor> factors) const {
+  TORSIO_EXPECTS(factors.size() == places_.size());
+  const HollowPose& pose = state.hollow;
+  const Factor twisted = twistedFactor(pose);
   for (std::size_t v = 0; v < factors.size(); ++v) {
     factors[v] = {1.0F, 1.0F, 1.0F};
     blend(factors[v], twisted, places_[v].fed);
@@ -98,4 +111,4 @@ void BloodMap::paintClip(double arc_m, std::span<Factor> factors) const {
   }
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

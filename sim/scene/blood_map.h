@@ -8,10 +8,10 @@
 
 #include "sim/scene/scene.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// How a hollow organ that came twisted looks: colour by its blood (sim/tissue/perfusion), beyond the held
-/// sections as sound tissue; bruises, tears, and the clip. GUI thread; holds the scene.
+/// sections as sound tissue; bruises, tears, and the clip. Any one thread; holds the scene.
 class BloodMap {
  public:
   BloodMap() = default;
@@ -19,6 +19,10 @@ class BloodMap {
 
   /// Tells that the organ shows nothing of its blood.
   [[nodiscard]] bool empty() const noexcept { return scene_ == nullptr; }
+  /// Returns how far the blood of each vertex comes through what is twisted, 0 .. 1.
+  [[nodiscard]] std::vector<float> fed() const;
+  /// Returns the factor on the colour of what is fed through the twist alone, sRGB.
+  [[nodiscard]] static std::array<float, 3> twistedFactor(const HollowPose& pose);
   /// Computes the factor on the tissue's own colour, sRGB, one a vertex of the mesh.
   void evaluate(const OrganState& state, std::span<std::array<float, 3>> factors) const;
 
@@ -36,4 +40,4 @@ class BloodMap {
   std::vector<Place> places_;           // one a vertex
 };
 
-}  // namespace torsio::gui
+}  // namespace torsio
