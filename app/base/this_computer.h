@@ -14,7 +14,8 @@ namespace torsio {
 [[nodiscard]] inline bool isThisComputer(const std::string& host) {
   const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
   return host == "localhost" ||
-         QHostAddress(QString::fromStdString(bracketed ? host.substr(1, host.size() - 2) : host)).isLoopback();
+         QHostAddress(QString::fromStdString(bracketed ? host.substr(1, host.size() - 2) : host))
+             .isLoopback();
 }
 
 }  // namespace torsio
