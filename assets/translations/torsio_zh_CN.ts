@@ -490,6 +490,14 @@
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Enter the full name.</source>
+        <translation>请输入姓名。</translation>
+    </message>
+    <message>
+        <source>Choose a class here, or tick that the person trains.</source>
+        <translation>请在此选择类别，或勾选此人参加训练。</translation>
+    </message>
 </context>
 <context>
     <name>PointerKeys</name>
@@ -826,6 +834,10 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Say why: the reason stays in the record.</source>
+        <translation>请说明原因：原因会保留在记录中。</translation>
     </message>
 </context>
 <context>
@@ -15728,6 +15740,42 @@ audit trail %3</source>
         <source>Warning about the organ of a recording</source>
         <translation>关于录制所用器官的警告</translation>
     </message>
+    <message>
+        <source>Second intake (demonstration)</source>
+        <translation>第二批学员（演示）</translation>
+    </message>
+    <message>
+        <source>Three tissue models, second reading (demonstration)</source>
+        <translation>三种组织模型，第二次评价（演示）</translation>
+    </message>
+    <message>
+        <source>Nine-index evaluation (demonstration)</source>
+        <translation>九项指标评价（演示）</translation>
+    </message>
+    <message>
+        <source>Twist training, three arms (demonstration)</source>
+        <translation>扭转训练，三组（演示）</translation>
+    </message>
+    <message>
+        <source>First steps (demonstration)</source>
+        <translation>入门（演示）</translation>
+    </message>
+    <message>
+        <source>Volvulus and torsion (demonstration)</source>
+        <translation>肠胃扭转与睾丸扭转（演示）</translation>
+    </message>
+    <message>
+        <source>the scale of the scores is not usable</source>
+        <translation>评分量表无法使用</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>量表</translation>
+    </message>
+    <message>
+        <source>Give a lowest mark below the highest, and 1 to 1000 steps a point</source>
+        <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -15791,16 +15839,28 @@ audit trail %3</source>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
     </message>
+    <message>
+        <source>Enter the name to sign in with.</source>
+        <translation>请输入登录名。</translation>
+    </message>
+    <message>
+        <source>Choose a person: whoever trains or scores is one of the record.</source>
+        <translation>请选择人员：训练或评分的人必须在记录中。</translation>
+    </message>
+    <message>
+        <source>Choose at least one role.</source>
+        <translation>请至少选择一个角色。</translation>
+    </message>
+    <message>
+        <source>These are the present roles.</source>
+        <translation>与当前角色相同。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AccountsDialog</name>
     <message>
         <source>&amp;Copy</source>
         <translation>复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Save &amp;cards (PDF)…</source>
-        <translation>保存卡片 (PDF)(&amp;C)…</translation>
     </message>
     <message>
         <source>Start passwords</source>
@@ -15811,40 +15871,16 @@ audit trail %3</source>
         <translation>这些初始密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
     </message>
     <message>
-        <source>Person</source>
-        <translation>人员</translation>
-    </message>
-    <message>
-        <source>Sign-in name</source>
-        <translation>登录名</translation>
-    </message>
-    <message>
         <source>Start password</source>
         <translation>初始密码</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
     </message>
     <message>
         <source>Copied</source>
         <translation>已复制</translation>
     </message>
     <message>
-        <source>Cards saved</source>
-        <translation>卡片已保存</translation>
-    </message>
-    <message>
-        <source>Save cards</source>
-        <translation>保存卡片</translation>
-    </message>
-    <message>
         <source>start-passwords.pdf</source>
         <translation>初始密码.pdf</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Nothing was copied or saved, and these passwords are not shown again. Close all the same?</source>
@@ -17150,6 +17186,18 @@ MSM = 质点弹簧</translation>
         <source>The report then tests whether groups are equal within it. It belongs to the plan: it cannot be changed later.</source>
         <translation>报告随后检验各组在此范围内是否等效。它属于研究计划：以后不能更改。</translation>
     </message>
+    <message>
+        <source>Enter a name for the cohort.</source>
+        <translation>请输入批次名称。</translation>
+    </message>
+    <message>
+        <source>Name the groups, with commas between, or choose a curriculum.</source>
+        <translation>请用逗号分隔填写各组名称，或选择一个课程。</translation>
+    </message>
+    <message>
+        <source>This is the present name.</source>
+        <translation>与当前名称相同。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortsPage</name>
@@ -17792,6 +17840,18 @@ MSM = 质点弹簧</translation>
     <message>
         <source>&amp;Discard</source>
         <translation>放弃改动(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Give the purpose a title.</source>
+        <translation>请填写该用途的标题。</translation>
+    </message>
+    <message>
+        <source>Say what people agree to.</source>
+        <translation>请写明同意的内容。</translation>
+    </message>
+    <message>
+        <source>Purpose %1 has no title or no text in this language yet: %2.</source>
+        <translation>第 %1 项用途在此语言中还没有标题或正文：%2。</translation>
     </message>
 </context>
 <context>
@@ -20233,10 +20293,6 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::KioskCardsDialog</name>
     <message>
-        <source>Save &amp;cards (PDF)…</source>
-        <translation>保存卡片 (PDF)(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Cards for the kiosk</source>
         <translation>自助终端卡片</translation>
     </message>
@@ -20245,36 +20301,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>这些代码仅显示这一次。每个代码供其学员在自助终端登录；丢失的卡片可在此撤销，或通过生成新卡片替换。</translation>
     </message>
     <message>
-        <source>Person</source>
-        <translation>人员</translation>
-    </message>
-    <message>
-        <source>Sign-in name</source>
-        <translation>登录名</translation>
-    </message>
-    <message>
         <source>Code</source>
         <translation>代码</translation>
     </message>
     <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Cards saved</source>
-        <translation>卡片已保存</translation>
-    </message>
-    <message>
-        <source>Save cards</source>
-        <translation>保存卡片</translation>
-    </message>
-    <message>
         <source>kiosk-cards.pdf</source>
         <translation>自助终端卡片.pdf</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>No cards were saved, and these codes are not shown again. Close all the same?</source>
@@ -23796,10 +23828,6 @@ Leave it empty to remove it.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 (%2). %3</source>
-        <translation>%1（%2）。%3</translation>
-    </message>
-    <message>
         <source>Publish</source>
         <translation>发布</translation>
     </message>
@@ -24799,6 +24827,37 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ShownOnceDialog</name>
+    <message>
+        <source>Save &amp;cards (PDF)…</source>
+        <translation>保存卡片 (PDF)(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Cards saved</source>
+        <translation>卡片已保存</translation>
+    </message>
+    <message>
+        <source>Save cards</source>
+        <translation>保存卡片</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SignInPanel</name>
     <message>
         <source>Too many wrong tries. Please wait %1 s</source>
@@ -25591,6 +25650,10 @@ T-02,master,17</translation>
     <message>
         <source>&amp;Kiosks let trainees in by the code on their card, without a password (from their next start on)</source>
         <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Enter the name of your centre.</source>
+        <translation>请输入贵中心的名称。</translation>
     </message>
 </context>
 <context>

@@ -30,8 +30,8 @@ static_assert(sizeof(EdgeVertex) == 48, "the layout that is announced to the gra
 /// Names the parts of EdgeVertex to a geometry.
 void announceEdgeVertices(QQuick3DGeometry& geometry);
 
-/// Where a surface turns away from the viewer. Steps of pixels are seen there and nowhere else, so that a soft
-/// edge of one pixel along it smooths the picture. Plain value; one thread.
+/// Where a surface turns away from the viewer. Steps of pixels are seen there and nowhere else, so that a
+/// soft edge of one pixel along it smooths the picture. Plain value; one thread.
 class Silhouette {
  public:
   /// A side of a triangle that faces the viewer, beyond which the surface faces away or ends.
@@ -47,20 +47,22 @@ class Silhouette {
   std::span<const Rim> find(std::span<const QVector3D> places, const QVector3D& eye);
   /// At a vertex of the rim that was found: away from the surface, across the line of sight; unit.
   [[nodiscard]] QVector3D outward(std::uint32_t vertex) const { return outward_[vertex].normalized(); }
-  [[nodiscard]] const TriangleMesh::Triangle& triangle(std::uint32_t index) const { return triangles_[index]; }
+  [[nodiscard]] const TriangleMesh::Triangle& triangle(std::uint32_t index) const {
+    return triangles_[index];
+  }
 
  private:
   struct Side {
     Rim rim;
-    Rim other;  // the same side, of the triangle beyond
+    Rim other;          // the same side, of the triangle beyond
     bool last = false;  // nothing is beyond
   };
   void add(std::span<const QVector3D> places, const QVector3D& eye, const Rim& seen);
 
   std::vector<TriangleMesh::Triangle> triangles_;
   std::vector<Side> sides_;
-  std::vector<std::uint8_t> faces_;   // one a triangle: 1 towards the viewer
-  std::vector<QVector3D> outward_;    // one a vertex, sums
+  std::vector<std::uint8_t> faces_;  // one a triangle: 1 towards the viewer
+  std::vector<QVector3D> outward_;   // one a vertex, sums
   std::vector<Rim> rims_;
 };
 

@@ -1,40 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include <QDialog>
-
 #include "app/gui/administrator/base/printed_cards.h"
-
-class QPushButton;
+#include "app/gui/administrator/people/shown_once_dialog.h"
 
 namespace torsio::gui {
 
-class DataTable;
-
-/// The codes that were just made, to print as cards; they are not shown again. GUI thread.
-class KioskCardsDialog : public QDialog {
+/// The codes for the kiosk that were just made, to print as cards.
+class KioskCardsDialog : public ShownOnceDialog {
   Q_OBJECT
 
  public:
-  KioskCardsDialog(std::vector<KioskCardText> cards, std::string centre, QWidget* parent);
-
-  /// Throws Error{kFileUnwritable}.
-  void saveCards(const std::filesystem::path& file);
-
- public Q_SLOTS:
-  void reject() override;
-
- private:
-  void askCards();
-
-  std::vector<KioskCardText> cards_;
-  std::string centre_;
-  QPushButton* save_;
-  bool taken_ = false;
+  KioskCardsDialog(const std::vector<KioskCardText>& cards, const std::string& centre, QWidget* parent);
 };
 
 }  // namespace torsio::gui
