@@ -97,7 +97,7 @@ class DeskMaker {
     StudyRepository study(connection_);
     desk_.cohortId = ids_.newUuid();
     const std::vector<StudyGroup> groups{{ids_.newUuid(), desk_.cohortId, 1, "G1", "40 min virtual"}};
-    study.addCohort({desk_.cohortId, "Second intake (demonstration)",
+    study.addCohort({desk_.cohortId, std::string(Text::tr("Second intake (demonstration)").english()),
                      "Simulated trainees, scored from recordings", options_.utc_us, true},
                     groups);
     std::vector<Trainee> trainees;
@@ -267,7 +267,7 @@ class DeskMaker {
   void addCampaign() {
     Campaign campaign;
     campaign.id = ids_.newUuid();
-    campaign.name = "Three tissue models, second reading (demonstration)";
+    campaign.name = std::string(Text::tr("Three tissue models, second reading (demonstration)").english());
     campaign.instrument = paperInstrument();
     constexpr std::array<const char*, 3> kClasses{"intern", "deputy_chief", "chief"};
     for (std::size_t c = 0; c < kClasses.size(); ++c) {

@@ -167,7 +167,7 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
 Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& raters, std::int64_t utc_us) {
   Campaign campaign;
   campaign.id = ids.newUuid();
-  campaign.name = "Nine-index evaluation (demonstration)";
+  campaign.name = std::string(Text::tr("Nine-index evaluation (demonstration)").english());
   campaign.instrument = paperInstrument();
   for (std::size_t c = 0; c < kClasses.size(); ++c) {
     campaign.instrument.classes[c].id = kClasses[c].code;
@@ -318,7 +318,7 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   }
   constexpr double kMargin = 0.5;  // points
   studies.addCohort({.id = study.cohortId,
-                     .name = "Twist training, three arms (demonstration)",
+                     .name = std::string(Text::tr("Twist training, three arms (demonstration)").english()),
                      .description = "Simulated trainees after section 6 of the paper",
                      .createdUtc_us = utc_us,
                      .demonstration = true,

@@ -25,7 +25,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kCohort = "First steps (demonstration)";
 constexpr const char* kStationTemplate = "first-steps";
 constexpr double kAttempt_s = 20.0;
 constexpr std::int64_t kBetween_us = 600'000'000;
@@ -97,6 +96,11 @@ void addRemark(Connection& connection, IdSource& ids, const TrialId& trialId, st
             .demonstration = true});
 }
 
+/// The name of the cohort as it is stored; shown in the language of the window.
+Text cohortOfStation() {
+  return Text::tr("First steps (demonstration)");
+}
+
 }  // namespace
 
 DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource& ids,
@@ -113,7 +117,7 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   const Person& person = trainees.front().person;
   station.personId = person.id;
   for (const Cohort& cohort : studies.cohorts()) {
-    if (cohort.name != kCohort) {
+    if (cohort.name != cohortOfStation().str()) {
       continue;
     }
     station.cohortId = cohort.id;
@@ -139,9 +143,9 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   for (const Cohort& cohort : studies.cohorts()) {
     newest_us = std::max(newest_us, cohort.createdUtc_us + 1);
   }
-  studies.addCohort(
-      {station.cohortId, kCohort, "A simulated trainee on the way through the first steps", newest_us, true},
-      {});
+  studies.addCohort({station.cohortId, cohortOfStation().str(),
+                     "A simulated trainee on the way through the first steps", newest_us, true},
+                    {});
   CurriculumRepository(connection).assign(station.cohortId, version.id);
   const Enrolment enrolment{.id = ids.newUuid(),
                             .cohortId = station.cohortId,

@@ -24,7 +24,6 @@ namespace {
 constexpr const char* kVolvulusTemplate = "volvulus";
 constexpr const char* kGroupCode = "G1";
 constexpr const char* kGroupLabel = "untwisting";
-constexpr const char* kVolvulusCohort = "Volvulus and torsion (demonstration)";
 constexpr std::uint64_t kUntwistingStream = 0x75'6e74'7769'7374ULL;
 constexpr std::int64_t kBetweenAttempts_us = 600'000'000;
 
@@ -68,9 +67,9 @@ std::map<std::string, EnrolmentId> storeCohort(Connection& connection, IdSource&
   StudyRepository studies(connection);
   const CohortId cohortId = ids.newUuid();
   const StudyGroup group{ids.newUuid(), cohortId, 1, kGroupCode, kGroupLabel};
-  studies.addCohort(
-      {cohortId, kVolvulusCohort, "Simulated trainees who undo organs that come twisted", utc_us + 1, true},
-      {&group, 1});
+  studies.addCohort({cohortId, std::string(Text::tr("Volvulus and torsion (demonstration)").english()),
+                     "Simulated trainees who undo organs that come twisted", utc_us + 1, true},
+                    {&group, 1});
   CurriculumRepository(connection).assign(cohortId, versionId);
   std::map<std::string, TraineeId> people;
   for (const Trainee& trainee : PeopleRepository(connection).trainees()) {

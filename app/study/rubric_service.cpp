@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -81,45 +82,79 @@ RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId
   return revision.id;
 }
 
+std::optional<Error> flawOf(const ScoreScale& scale) {
+  try {
+    validateScale(scale);
+  } catch (const Error& refused) {
+    return refused;
+  }
+  return std::nullopt;
+}
+
+/// `say(field, what, remedy)` takes what is wrong with the anchors of a row.
+template <typename Say>
+void sayAnchors(const RubricLine& row, const Say& say) {
+  std::set<std::int64_t> scores;
+  for (const RubricAnchor& anchor : row.anchors) {
+    if (!isOnScale(anchor.score_steps, row.scale)) {
+      say(RubricField::kAnchors, Text::tr("an anchor lies outside the scale"),
+          Text::tr("Move it, or widen the scale"));
+    }
+    if (!scores.insert(anchor.score_steps).second) {
+      say(RubricField::kAnchors, Text::tr("two anchors stand at the same mark"), Text::tr("Join them"));
+    }
+    if (anchor.meaning.empty()) {
+      say(RubricField::kAnchors, Text::tr("an anchor has no words"), Text::tr("Say what the mark means"));
+    }
+  }
+}
+
 }  // namespace
 
-void checkRubric(const RubricRevision& revision) {
-  validateScale(revision.overall);
+std::vector<RubricProblem> rubricProblems(const RubricRevision& revision) {
+  std::vector<RubricProblem> problems;
+  const Text whole = Text::tr("rubric");
+  if (const std::optional<Error> flaw = flawOf(revision.overall)) {
+    problems.push_back(
+        {RubricField::kOverall, 0, flaw->happenedText(), flaw->whereText(), flaw->remedyText()});
+  }
   if (revision.rows.empty()) {
-    refuseParameter(Text::tr("the rubric has no rows"), Text::tr("rubric"),
-                    Text::tr("Add at least one criterion"));
+    problems.push_back({RubricField::kRows, 0, Text::tr("the rubric has no rows"), whole,
+                        Text::tr("Add at least one criterion")});
+    return problems;
+  }
+  std::set<std::string> codes;
+  for (std::size_t i = 0; i < revision.rows.size(); ++i) {
+    const RubricLine& row = revision.rows[i];
+    const Text where(row.label.empty() ? "row " + row.code : row.label);
+    const auto say = [&](RubricField field, Text what, Text remedy) {
+      problems.push_back({field, i, std::move(what), where, std::move(remedy)});
+    };
+    if (row.code.empty() || row.label.empty()) {
+      say(RubricField::kLabel, Text::tr("a row has no code or no label"), Text::tr("Fill both in"));
+    } else if (!codes.insert(row.code).second) {
+      say(RubricField::kLabel, Text::tr("two rows have the same code"), Text::tr("Rename one of them"));
+    }
+    if (row.weight_milli < 0 || row.weight_milli > std::llround(kMostWeight * kMilli)) {
+      say(RubricField::kWeight, Text::tr("a weight is out of range"), Text::tr("Use 0 to 100"));
+    }
+    if (const std::optional<Error> flaw = flawOf(row.scale)) {
+      say(RubricField::kScale, flaw->happenedText(), flaw->remedyText());
+    }
+    sayAnchors(row, say);
   }
   if (std::none_of(revision.rows.begin(), revision.rows.end(),
                    [](const RubricLine& row) { return row.weight_milli > 0; })) {
-    refuseParameter(Text::tr("no row has a weight"), Text::tr("rubric"),
-                    Text::tr("Give at least one criterion a weight above 0"));
+    problems.push_back({RubricField::kWeight, 0, Text::tr("no row has a weight"), whole,
+                        Text::tr("Give at least one criterion a weight above 0")});
   }
-  std::set<std::string> codes;
-  for (const RubricLine& row : revision.rows) {
-    const std::string where = row.label.empty() ? "row " + row.code : row.label;
-    if (row.code.empty() || row.label.empty()) {
-      refuseParameter(Text::tr("a row has no code or no label"), where, Text::tr("Fill both in"));
-    }
-    if (!codes.insert(row.code).second) {
-      refuseParameter(Text::tr("two rows have the same code"), where, Text::tr("Rename one of them"));
-    }
-    if (row.weight_milli < 0 || row.weight_milli > std::llround(kMostWeight * kMilli)) {
-      refuseParameter(Text::tr("a weight is out of range"), where, Text::tr("Use 0 to 100"));
-    }
-    validateScale(row.scale);
-    std::set<std::int64_t> scores;
-    for (const RubricAnchor& anchor : row.anchors) {
-      if (!isOnScale(anchor.score_steps, row.scale)) {
-        refuseParameter(Text::tr("an anchor lies outside the scale"), where,
-                        Text::tr("Move it, or widen the scale"));
-      }
-      if (!scores.insert(anchor.score_steps).second) {
-        refuseParameter(Text::tr("two anchors stand at the same mark"), where, Text::tr("Join them"));
-      }
-      if (anchor.meaning.empty()) {
-        refuseParameter(Text::tr("an anchor has no words"), where, Text::tr("Say what the mark means"));
-      }
-    }
+  return problems;
+}
+
+void checkRubric(const RubricRevision& revision) {
+  if (const std::vector<RubricProblem> problems = rubricProblems(revision); !problems.empty()) {
+    const RubricProblem& first = problems.front();
+    throw Error(ErrorCode::kBadParameter, first.what, first.where, first.remedy);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/access/session_context.h"
 #include "assessment/rating/rubric.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -24,8 +25,21 @@ struct RubricTemplate {
 /// Writes what parseRubric() reads.
 [[nodiscard]] std::string rubricText(const std::string& title, const RubricRevision& revision);
 
+/// What of a rubric is meant.
+enum class RubricField { kOverall, kRows, kLabel, kScale, kWeight, kAnchors };
+/// What is wrong with a rubric.
+struct RubricProblem {
+  RubricField field = RubricField::kRows;
+  std::size_t row = 0;  ///< of kLabel, kScale, kWeight and kAnchors
+  Text what{};
+  Text where{};
+  Text remedy{};
+};
+/// Everything that is wrong, in the order of the rows; empty: it can be published.
+[[nodiscard]] std::vector<RubricProblem> rubricProblems(const RubricRevision& revision);
+
 /// Throws Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out
-/// of range, no row with a weight.
+/// of range, no row with a weight. It is the first of rubricProblems().
 void checkRubric(const RubricRevision& revision);
 /// Makes a code for a criterion of this name that no row of the revision has.
 [[nodiscard]] std::string codeForCriterion(const RubricRevision& revision, const std::string& label);

@@ -109,9 +109,9 @@ void validateScale(const ScoreScale& scale) {
   const bool sound = scale.lo < scale.hi && scale.stepsPerPoint >= 1 && scale.stepsPerPoint <= 1000 &&
                      scale.lo >= -kMaxSteps && scale.hi <= kMaxSteps;
   if (!sound) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the scale of the scores is not usable"),
-                Text::verbatim("scale"),
-                Text::verbatim("Give lowest < highest and between 1 and 1000 steps a point."));
+    throw Error(ErrorCode::kBadParameter, Text::tr("the scale of the scores is not usable"),
+                Text::tr("scale"),
+                Text::tr("Give a lowest mark below the highest, and 1 to 1000 steps a point"));
   }
 }
 

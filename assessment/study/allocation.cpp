@@ -67,6 +67,16 @@ std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance meas
   return std::ssize(counts) * squares - sum * sum;
 }
 
+}  // namespace
+
+bool usesFactors(AllocationMethod method) noexcept {
+  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kMinimisation;
+}
+
+bool usesBlocks(AllocationMethod method) noexcept {
+  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kPermutedBlocks;
+}
+
 void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
   if (sizes.empty()) {
     refuseDesign(Text::tr("no block size is given"), Text::tr("Give one or more block sizes."));
@@ -77,16 +87,6 @@ void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
                    Text::tr("Give multiples of the number of arms."));
     }
   }
-}
-
-}  // namespace
-
-bool usesFactors(AllocationMethod method) noexcept {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kMinimisation;
-}
-
-bool usesBlocks(AllocationMethod method) noexcept {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kPermutedBlocks;
 }
 
 void validateDesign(const AllocationDesign& design) {

@@ -52,6 +52,9 @@ struct AllocationDesign {
   std::map<std::string, std::size_t> stratumTotals;
 };
 
+/// Throws Error{kBadParameter}: no block sizes, or one that is no multiple of the arms.
+void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms);
+
 /// Checks a design. Throws Error{kBadParameter}: fewer than two arms, one named twice, block sizes that are
 /// no multiple of the arms or, with known strata, of the smallest, a factor without levels, a probability of
 /// 1, a permutation for nobody.

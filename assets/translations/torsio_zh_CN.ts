@@ -521,6 +521,14 @@
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Enter the full name.</source>
+        <translation>请输入姓名。</translation>
+    </message>
+    <message>
+        <source>Choose a class here, or tick that the person trains.</source>
+        <translation>请在此选择类别，或勾选此人参加训练。</translation>
+    </message>
 </context>
 <context>
     <name>PointerKeys</name>
@@ -877,6 +885,10 @@
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Say why: the reason stays in the record.</source>
+        <translation>请说明原因：原因会保留在记录中。</translation>
     </message>
 </context>
 <context>
@@ -17119,6 +17131,42 @@ audit trail %3</source>
         <source>Your mark stays as it is</source>
         <translation>您的评分保持不变</translation>
     </message>
+    <message>
+        <source>Second intake (demonstration)</source>
+        <translation>第二批学员（演示）</translation>
+    </message>
+    <message>
+        <source>Three tissue models, second reading (demonstration)</source>
+        <translation>三种组织模型，第二次评价（演示）</translation>
+    </message>
+    <message>
+        <source>Nine-index evaluation (demonstration)</source>
+        <translation>九项指标评价（演示）</translation>
+    </message>
+    <message>
+        <source>Twist training, three arms (demonstration)</source>
+        <translation>扭转训练，三组（演示）</translation>
+    </message>
+    <message>
+        <source>First steps (demonstration)</source>
+        <translation>入门（演示）</translation>
+    </message>
+    <message>
+        <source>Volvulus and torsion (demonstration)</source>
+        <translation>肠胃扭转与睾丸扭转（演示）</translation>
+    </message>
+    <message>
+        <source>the scale of the scores is not usable</source>
+        <translation>评分量表无法使用</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>量表</translation>
+    </message>
+    <message>
+        <source>Give a lowest mark below the highest, and 1 to 1000 steps a point</source>
+        <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -17181,6 +17229,22 @@ audit trail %3</source>
     <message>
         <source>&amp;Reason</source>
         <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Enter the name to sign in with.</source>
+        <translation>请输入登录名。</translation>
+    </message>
+    <message>
+        <source>Choose a person: whoever trains or scores is one of the record.</source>
+        <translation>请选择人员：训练或评分的人必须在记录中。</translation>
+    </message>
+    <message>
+        <source>Choose at least one role.</source>
+        <translation>请至少选择一个角色。</translation>
+    </message>
+    <message>
+        <source>These are the present roles.</source>
+        <translation>与当前角色相同。</translation>
     </message>
 </context>
 <context>
@@ -18509,6 +18573,18 @@ MSM = 质点弹簧</translation>
         <source>The report then tests whether groups are equal within it. It belongs to the plan: it cannot be changed later.</source>
         <translation>报告随后检验各组在此范围内是否等效。它属于研究计划：以后不能更改。</translation>
     </message>
+    <message>
+        <source>Enter a name for the cohort.</source>
+        <translation>请输入批次名称。</translation>
+    </message>
+    <message>
+        <source>Name the groups, with commas between, or choose a curriculum.</source>
+        <translation>请用逗号分隔填写各组名称，或选择一个课程。</translation>
+    </message>
+    <message>
+        <source>This is the present name.</source>
+        <translation>与当前名称相同。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CohortsPage</name>
@@ -19151,6 +19227,18 @@ MSM = 质点弹簧</translation>
     <message>
         <source>&amp;Discard</source>
         <translation>放弃改动(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Give the purpose a title.</source>
+        <translation>请填写该用途的标题。</translation>
+    </message>
+    <message>
+        <source>Say what people agree to.</source>
+        <translation>请写明同意的内容。</translation>
+    </message>
+    <message>
+        <source>Purpose %1 has no title or no text in this language yet: %2.</source>
+        <translation>第 %1 项用途在此语言中还没有标题或正文：%2。</translation>
     </message>
 </context>
 <context>
@@ -25321,10 +25409,6 @@ Leave it empty to remove it.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1 (%2). %3</source>
-        <translation>%1（%2）。%3</translation>
-    </message>
-    <message>
         <source>Publish</source>
         <translation>发布</translation>
     </message>
@@ -27159,6 +27243,10 @@ T-02,master,17</translation>
     <message>
         <source>L&amp;earning records…</source>
         <translation>学习记录(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Enter the name of your centre.</source>
+        <translation>请输入贵中心的名称。</translation>
     </message>
 </context>
 <context>

@@ -97,7 +97,7 @@ void EvaluationPage::read() {
   const QSignalBlocker quiet(campaigns_);
   campaigns_->clear();
   for (const EvaluationForm& one : forms_) {
-    campaigns_->addItem(toQString(one.title));
+    campaigns_->addItem(toQString(Text(one.title)));
   }
 }
 
@@ -237,7 +237,7 @@ void EvaluationPage::showAll() {
   const ScoreScale& scale = one->scale;
   scaleText_->setText(
       tr("%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.")
-          .arg(toQString(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
+          .arg(toQString(Text(one->title)), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
   if (now->submitted) {
     said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));

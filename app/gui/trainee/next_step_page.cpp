@@ -72,6 +72,7 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
   auto* told = new QHBoxLayout;
   told->setSpacing(2 * kSpace);
   bestPicture_ = new QLabel(session_);
+  bestPicture_->setObjectName(QStringLiteral("bestPicture"));
   sessionWords_ = plainLabel(session_);
   sessionWords_->setObjectName(QStringLiteral("sessionWords"));
   lookAtBest_ = linkButton(session_);
@@ -323,7 +324,7 @@ void NextStepPage::fill() {
                    .arg(sentence, StationLabels::minutes(steps_.exposureDone_us),
                         StationLabels::minutes(steps_.exposureTotal_us));
   }
-  const QString place = toQString(steps_.cohortName);
+  const QString place = toQString(Text(steps_.cohortName));
   heading_->setTexts(place.isEmpty() ? tr("Welcome") : place, sentence);
   consent_->setText(tr("&Consent"));
   next_->setTitle(tr("Next"));

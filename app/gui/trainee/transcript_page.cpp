@@ -82,7 +82,7 @@ QString TranscriptPage::html(bool paper) const {
   const QString name = toQString(t.fullName);
   const QString code = toQString(t.traineeCode);
   line(name.isEmpty() ? tr("Trainee %1").arg(code) : tr("%1 (trainee %2)").arg(name, code));
-  line(tr("%1, %2").arg(toQString(t.centre), toQString(t.cohortName)));
+  line(tr("%1, %2").arg(toQString(t.centre), toQString(Text(t.cohortName))));
   if (!t.armLabel.empty()) {
     line(tr("Programme: %1").arg(toQString(t.armLabel)));
   }

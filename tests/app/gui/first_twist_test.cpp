@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <gtest/gtest.h>
@@ -194,6 +195,18 @@ TEST(SessionStory, StandsOnTheFirstPageAfterARun) {
   const QString words = station.find<QLabel>("sessionWords")->text();
   EXPECT_TRUE(words.startsWith(QStringLiteral("One run"))) << words.toStdString();
   EXPECT_TRUE(words.contains(QStringLiteral("Your best twist"))) << words.toStdString();
+
+  // Its picture, as the debrief takes it where scenes are drawn, stands beside the words in its own shape.
+  auto* picture = station.find<QLabel>("bestPicture");
+  EXPECT_FALSE(picture->isVisibleTo(station.page.get()));
+  QImage taken(900, 600, QImage::Format_RGB32);
+  taken.fill(Qt::darkRed);
+  station.desk().story.setPicture(taken);
+  station.open(PageId::kNextStep);
+  picture = station.find<QLabel>("bestPicture");
+  EXPECT_TRUE(picture->isVisibleTo(station.page.get()));
+  EXPECT_EQ(picture->pixmap(Qt::ReturnByValue).size(), QSize(225, 150));
+  EXPECT_FALSE(picture->accessibleName().isEmpty());
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first)
   for (CohortRow& row : rows) {
     row.today = row.today && first == CohortFirst::kOfToday;
     if (row.cohort.state != CohortState::kArchived) {
-      chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
+      chooser->addItem(toQString(Text(row.cohort.name)), toQString(row.cohort.id));
     }
   }
   if (const std::size_t shown = cohortShownFirst(rows); shown < rows.size()) {
@@ -71,7 +71,7 @@ void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& n
   chooser->addItem(none, QString());
   int first = 0;
   for (const ReportableCampaign& campaign : reportableCampaigns(session)) {
-    chooser->addItem(toQString(campaign.name), toQString(campaign.id));
+    chooser->addItem(toQString(Text(campaign.name)), toQString(campaign.id));
     if (campaign.hasMarks) {
       first = chooser->count() - 1;
     }

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -118,10 +119,8 @@ void OrderedList::retranslate() {
   down_->setToolTip(tr("Moves it behind the one below."));
 }
 
-CodeField::CodeField() : field_(new QLineEdit), problem_(sentence(nullptr)) {
+CodeField::CodeField() : field_(new QLineEdit), problem_(fieldHint()) {
   field_->setMaximumWidth(kCodeWidth);
-  problem_->hide();
-  setLook(problem_, "caution", true);
 }
 
 void CodeField::show(const std::string& code) {
@@ -134,8 +133,7 @@ std::optional<std::string> CodeField::changed(const std::string& before,
                                               const QString& used) {
   std::string code = field_->text().trimmed().toStdString();
   const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
-  problem_->setText(code.empty() ? missing : used);
-  problem_->setVisible(code.empty() || !free);
+  sayHint(problem_, code.empty() ? missing : free ? QString() : used);
   if (code == before) {
     return std::nullopt;
   }

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -22,6 +23,10 @@ struct ReasonDialog {
 };
 
 }  // namespace
+
+QString reasonWanted() {
+  return ReasonDialog::tr("Say why: the reason stays in the record.");
+}
 
 QuestionDialog::QuestionDialog(QWidget* parent, const QString& title, const QString& question)
     : QDialog(parent), column_(new QVBoxLayout(this)) {
@@ -66,11 +71,10 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
   reason->setObjectName(QStringLiteral("reason"));
   auto* form = new QFormLayout;
   form->addRow(ReasonDialog::tr("&Reason"), reason);
+  FieldChecks checks(&dialog);
+  checks.addNeeded(form, reason, reasonWanted());
   dialog.column()->addLayout(form);
-  QPushButton* ok = dialog.finish(title);
-  const auto check = [ok, reason] { ok->setEnabled(!reason->text().trimmed().isEmpty()); };
-  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
-  check();
+  checks.decide(dialog.finish(title));
   reason->setFocus();
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;

@@ -34,6 +34,9 @@ class QuestionDialog : public QDialog {
   QVBoxLayout* column_;
 };
 
+/// The hint at a reason that is missing.
+[[nodiscard]] QString reasonWanted();
+
 /// Asks for one sentence on why; `title` is the name of the accepting button as well. Empty: given up.
 [[nodiscard]] std::optional<std::string> askReason(QWidget* parent, const QString& title,
                                                    const QString& question);

@@ -17,6 +17,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -159,10 +160,7 @@ QString problemSentence(const CurriculumProblem& problem) {
 }
 
 void FieldHints::add(QFormLayout* form, CurriculumField field) {
-  QLabel* label = sentence(nullptr, false);
-  setLook(label, "caution", true);
-  label->setObjectName(QStringLiteral("fieldHint"));
-  label->hide();
+  QLabel* label = fieldHint();
   form->addRow(QString(), label);
   labels_.emplace_back(field, label);
 }
@@ -178,8 +176,7 @@ void FieldHints::show(const std::vector<CurriculumProblem>& problems, Curriculum
       }
       sentences << problemSentence(problem);
     }
-    label->setText(sentences.join(QLatin1Char('\n')));
-    label->setVisible(!sentences.isEmpty());
+    sayHint(label, sentences.join(QLatin1Char('\n')));
   }
 }
 

@@ -22,6 +22,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -114,6 +115,8 @@ void ConsentTextsDialog::build() {
   top->addWidget(addLanguage_);
   top->addStretch(1);
   column->addLayout(top);
+  languageHint_ = fieldHint(this);
+  column->addWidget(languageHint_);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(2 * kSpace);
   auto* left = new QVBoxLayout;
@@ -126,7 +129,11 @@ void ConsentTextsDialog::build() {
   middle->addLayout(left);
   auto* right = new QVBoxLayout;
   nameField(addField(right, title_), tr("&Title"));
+  titleHint_ = fieldHint(this);
+  right->addWidget(titleHint_);
   nameField(addField(right, text_), tr("Te&xt"));
+  textHint_ = fieldHint(this);
+  right->addWidget(textHint_);
   middle->addLayout(right, 1);
   column->addLayout(middle, 1);
   auto* buttons = new QDialogButtonBox(this);
@@ -216,6 +223,32 @@ void ConsentTextsDialog::showText() {
   showButtons();
 }
 
+bool ConsentTextsDialog::showHints() {
+  const ConsentWords* present = words();
+  const auto at = static_cast<std::size_t>(std::max(0, purposes_->currentRow()));
+  const auto whole = [](const ConsentText& text) { return !text.title.empty() && !text.text.empty(); };
+  const ConsentText* shown = present != nullptr && at < present->texts.size() ? &present->texts[at] : nullptr;
+  sayHint(titleHint_, shown != nullptr && shown->title.empty() ? tr("Give the purpose a title.") : QString());
+  sayHint(textHint_, shown != nullptr && shown->text.empty() ? tr("Say what people agree to.") : QString());
+  QString elsewhere;
+  bool sound = shown == nullptr || whole(*shown);
+  for (const ConsentWords& one : shown_.languages) {
+    for (std::size_t i = 0; i < one.texts.size(); ++i) {
+      if (whole(one.texts[i]) || &one.texts[i] == shown) {
+        continue;
+      }
+      sound = false;
+      if (elsewhere.isEmpty()) {
+        elsewhere = tr("Purpose %1 has no title or no text in this language yet: %2.")
+                        .arg(i + 1)
+                        .arg(nameOfLanguage(one.language));
+      }
+    }
+  }
+  sayHint(languageHint_, elsewhere);
+  return sound;
+}
+
 void ConsentTextsDialog::showButtons() {
   const bool editable = newest() && shell_.may(Operation::kSettingsEdit);
   const ConsentWords* present = words();
@@ -227,7 +260,8 @@ void ConsentTextsDialog::showButtons() {
   addLanguage_->setEnabled(editable);
   removePurpose_->setEnabled(editable && any && present->texts[at].purpose != kTrainingRecord);
   removePurpose_->setToolTip(tr("The training record stays: without it nothing may be recorded"));
-  publish_->setEnabled(editable && edited());
+  const bool sound = showHints();
+  publish_->setEnabled(editable && edited() && sound);
   print_->setEnabled(any && !edited());
   print_->setToolTip(edited() ? tr("Publish first: a form names the version of its text") : QString());
 }

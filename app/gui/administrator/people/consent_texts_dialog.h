@@ -9,6 +9,7 @@
 #include "assessment/people/consent.h"
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
@@ -36,6 +37,8 @@ class ConsentTextsDialog : public QDialog {
   void showPurposes();
   void showText();
   void showButtons();
+  /// Says at each field what is missing. True: nothing is.
+  bool showHints();
   void takeText();
   void addPurpose();
   void removePurpose();
@@ -57,6 +60,9 @@ class ConsentTextsDialog : public QDialog {
   QPushButton* addPurpose_;
   QPushButton* removePurpose_;
   QLineEdit* title_;
+  QLabel* titleHint_ = nullptr;
+  QLabel* textHint_ = nullptr;
+  QLabel* languageHint_ = nullptr;
   QPlainTextEdit* text_;
   QPushButton* print_;
   QPushButton* publish_;

@@ -13,7 +13,9 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -102,6 +104,7 @@ class PersonDialog : public QDialog {
   void layOut() {
     auto* form = new QFormLayout;
     form->addRow(tr("&Full name"), name_);
+    checks_->addNeeded(form, name_, tr("Enter the full name."));
     form->addRow(tr("&Number"), number_);
     form->addRow(tr("&E-mail"), email_);
     form->addRow(tr("Se&x"), sex_);
@@ -111,8 +114,14 @@ class PersonDialog : public QDialog {
     form->addRow(QString(), trainee_);
     form->addRow(tr("&Handedness"), handedness_);
     form->addRow(tr("S&cores as"), raterClass_);
+    checks_->add(form, raterClass_, [this] {
+      return trainee_->isChecked() || !raterClass_->currentData().toString().isEmpty()
+                 ? QString()
+                 : tr("Choose a class here, or tick that the person trains.");
+    });
     if (change_) {
       form->addRow(tr("&Reason of the change"), reason_);
+      checks_->addNeeded(form, reason_, reasonWanted());
     }
     reason_->setVisible(change_);
     auto* buttons = new QDialogButtonBox(this);
@@ -121,11 +130,8 @@ class PersonDialog : public QDialog {
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    for (QLineEdit* field : {name_, number_, reason_}) {
-      connect(field, &QLineEdit::textChanged, this, [this] { check(); });
-    }
+    checks_->decide(accept_);
     connect(trainee_, &QCheckBox::toggled, this, [this] { check(); });
-    connect(raterClass_, &QComboBox::currentIndexChanged, this, [this] { check(); });
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
     column->setSpacing(2 * kSpace);
@@ -134,10 +140,8 @@ class PersonDialog : public QDialog {
   }
 
   void check() {
-    const bool does = trainee_->isChecked() || !raterClass_->currentData().toString().isEmpty();
-    const bool why = !change_ || !reason_->text().trimmed().isEmpty();
-    accept_->setEnabled(!name_->text().trimmed().isEmpty() && does && why);
     handedness_->setEnabled(trainee_->isChecked());
+    checks_->check();
   }
 
   bool change_;
@@ -152,6 +156,7 @@ class PersonDialog : public QDialog {
   QComboBox* handedness_ = new QComboBox(this);
   QComboBox* raterClass_ = new QComboBox(this);
   QLineEdit* reason_ = new QLineEdit(this);
+  FieldChecks* checks_ = new FieldChecks(this);
   QPushButton* accept_ = nullptr;
 };
 

@@ -19,6 +19,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 
 namespace torsio::gui {
 
@@ -57,7 +58,12 @@ class RoleBoxes : public QGroupBox {
     }
     return roles;
   }
-  [[nodiscard]] const std::vector<std::pair<std::string, QCheckBox*>>& boxes() const { return boxes_; }
+  /// Whether a chosen role is that of a person of the record.
+  [[nodiscard]] bool needPerson() const {
+    const std::vector<std::string> roles = get();
+    return std::any_of(roles.begin(), roles.end(),
+                       [](const std::string& role) { return role == "trainee" || role == "rater"; });
+  }
 
  private:
   std::vector<std::pair<std::string, QCheckBox*>> boxes_;
@@ -94,30 +100,26 @@ std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoic
     person->addItem(choice.label, toQString(choice.personId));
   }
   auto* form = new QFormLayout;
-  form->addRow(UserDialogs::tr("&Sign-in name"), login);
-  form->addRow(UserDialogs::tr("&Person"), person);
-  dialog.column()->addLayout(form);
   auto* roles = new RoleBoxes(&dialog);
+  FieldChecks checks(&dialog);
+  form->addRow(UserDialogs::tr("&Sign-in name"), login);
+  checks.addNeeded(form, login, UserDialogs::tr("Enter the name to sign in with."));
+  form->addRow(UserDialogs::tr("&Person"), person);
+  checks.add(form, person, [person, roles] {
+    return roles->needPerson() && person->currentData().toString().isEmpty()
+               ? UserDialogs::tr("Choose a person: whoever trains or scores is one of the record.")
+               : QString();
+  });
+  dialog.column()->addLayout(form);
   dialog.column()->addWidget(roles);
+  checks.add(dialog.column(), roles, [roles] {
+    return roles->get().empty() ? UserDialogs::tr("Choose at least one role.") : QString();
+  });
   dialog.addNote(
       UserDialogs::tr("Trainees and physicians need a person of the record. The "
                       "start password is shown once, and must be changed at the "
                       "first sign-in."));
-  QPushButton* ok = dialog.finish(UserDialogs::tr("Add user"));
-  const auto check = [&] {
-    const std::vector<std::string> chosen = roles->get();
-    const bool needsPerson = std::any_of(chosen.begin(), chosen.end(), [](const std::string& role) {
-      return role == "trainee" || role == "rater";
-    });
-    ok->setEnabled(!login->text().trimmed().isEmpty() && !chosen.empty() &&
-                   (!needsPerson || !person->currentData().toString().isEmpty()));
-  };
-  QObject::connect(login, &QLineEdit::textChanged, &dialog, check);
-  QObject::connect(person, &QComboBox::currentIndexChanged, &dialog, check);
-  for (const auto& [role, box] : roles->boxes()) {
-    QObject::connect(box, &QCheckBox::toggled, &dialog, check);
-  }
-  check();
+  checks.decide(dialog.finish(UserDialogs::tr("Add user")));
   login->setFocus();
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
@@ -138,14 +140,13 @@ std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
   reason->setObjectName(QStringLiteral("reason"));
   auto* form = new QFormLayout;
   form->addRow(UserDialogs::tr("&Reason"), reason);
+  FieldChecks checks(&dialog);
+  checks.add(dialog.column(), boxes, [boxes, roles] {
+    return boxes->get() == roles ? UserDialogs::tr("These are the present roles.") : QString();
+  });
+  checks.addNeeded(form, reason, reasonWanted());
   dialog.column()->addLayout(form);
-  QPushButton* ok = dialog.finish(UserDialogs::tr("Change roles"));
-  const auto check = [&] { ok->setEnabled(!reason->text().trimmed().isEmpty() && boxes->get() != roles); };
-  QObject::connect(reason, &QLineEdit::textChanged, &dialog, check);
-  for (const auto& [role, box] : boxes->boxes()) {
-    QObject::connect(box, &QCheckBox::toggled, &dialog, check);
-  }
-  check();
+  checks.decide(dialog.finish(UserDialogs::tr("Change roles")));
   reason->setFocus();
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;

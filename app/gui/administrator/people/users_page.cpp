@@ -215,8 +215,7 @@ void UsersPage::makeKioskCards() {
       const std::string person = user == users_.end() ? std::string() : personCodes_[user->personId];
       cards.push_back({person.empty() ? card.login : person, card.login, card.code});
     }
-    KioskCardsDialog(std::move(cards), centreSign(shell().session().connectionWithoutRight()).name, this)
-        .exec();
+    KioskCardsDialog(cards, centreSign(shell().session().connectionWithoutRight()).name, this).exec();
     enter({});
   });
 }

@@ -61,7 +61,7 @@ void CampaignsPage::showContent() {
       models << tr("%1 (shown as %2)").arg(toQString(model.label), toQString(model.hiddenLabel));
     }
     rows.push_back({toQString(row.campaign.id),
-                    {{toQString(row.campaign.name)},
+                    {{toQString(Text(row.campaign.name))},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
                      {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
                       static_cast<qlonglong>(row.marksSubmitted)},
@@ -79,7 +79,7 @@ void CampaignsPage::showRaters() {
   const auto row =
       std::find_if(rows_.begin(), rows_.end(), [&](const CampaignRow& r) { return r.campaign.id == id; });
   std::vector<Row> rows;
-  ratersTitle_->setText(row != rows_.end() ? tr("Raters of %1").arg(toQString(row->campaign.name))
+  ratersTitle_->setText(row != rows_.end() ? tr("Raters of %1").arg(toQString(Text(row->campaign.name)))
                                            : QString());
   if (row != rows_.end()) {
     for (const CampaignRow::Rater& rater : row->raters) {

@@ -55,6 +55,7 @@ RubricDialog::RubricDialog(ShellContext& shell, QWidget* parent)
   build();
   connect(revision_, &QComboBox::currentIndexChanged, this, &RubricDialog::showRevision);
   connect(form_, &RubricForm::edited, this, &RubricDialog::changed);
+  connect(form_, &RubricForm::shown, this, &RubricDialog::changed);
   connect(publish_, &QPushButton::clicked, this, &RubricDialog::publish);
   connect(import_, &QPushButton::clicked, this, [this] {
     const QString file = askFileToOpen(this, tr("Import a scoring sheet"), tr("Scoring sheet (*.json)"));
@@ -149,18 +150,25 @@ void RubricDialog::showRevision() {
 }
 
 void RubricDialog::changed() {
-  QString problem;
+  const std::vector<RubricProblem> elsewhere = form_->showProblems();
+  bool sound = true;
   try {
     checkRubric(form_->revision());
     preview_->beginSheet(form_->revision(), {});
-  } catch (const Error& refused) {
-    const TranslatedError said = translated(refused);
-    problem = tr("%1 (%2). %3").arg(said.happened, toQString(refused.where()), said.remedy);
+  } catch (const Error&) {
+    sound = false;
   }
-  problem_->setText(problem);
-  problem_->setVisible(!problem.isEmpty());
+  // What is wrong with another criterion than the shown one is named with it.
+  QString said;
+  if (!elsewhere.empty()) {
+    const RubricProblem& first = elsewhere.front();
+    said = tr("%1: %2").arg(toQString(first.where), translatedLine(Error(ErrorCode::kBadParameter, first.what,
+                                                                         first.where, first.remedy)));
+  }
+  problem_->setText(said);
+  problem_->setVisible(!said.isEmpty());
   import_->setEnabled(newest());
-  publish_->setEnabled(problem.isEmpty() && edited());
+  publish_->setEnabled(sound && edited());
 }
 
 bool RubricDialog::importFrom(const std::filesystem::path& file) {

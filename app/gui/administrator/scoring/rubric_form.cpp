@@ -19,9 +19,11 @@
 
 #include "app/gui/administrator/base/ordered_list.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/study/rubric_service.h"
+#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -113,9 +115,11 @@ RubricForm::RubricForm(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace);
   column->addWidget(rows_, 1);
+  addHint(column, RubricField::kRows);
   auto* overall = new QGroupBox(tr("Overall mark"), this);
   auto* inside = new QVBoxLayout(overall);
   inside->addWidget(overall_);
+  addHint(inside, RubricField::kOverall);
   column->addWidget(overall);
   connect(rows_, &OrderedList::chosen, this, &RubricForm::showRow);
   connect(rows_, &OrderedList::addWanted, this, &RubricForm::addRow);
@@ -151,7 +155,9 @@ QWidget* RubricForm::rowForm() {
   column->setSpacing(kSpace);
   label_->setObjectName(QStringLiteral("label"));
   nameField(addField(column, label_), tr("&Criterion"));
+  addHint(column, RubricField::kLabel);
   column->addWidget(scale_);
+  addHint(column, RubricField::kScale);
   weight_->setObjectName(QStringLiteral("weight"));
   weight_->setRange(0.0, kMostWeight);
   weight_->setDecimals(2);
@@ -163,6 +169,7 @@ QWidget* RubricForm::rowForm() {
   nameField(addField(row, weight_), tr("&Weight"));
   row->addStretch(1);
   column->addLayout(row);
+  addHint(column, RubricField::kWeight);
   anchors_->setObjectName(QStringLiteral("anchors"));
   anchors_->setHorizontalHeaderLabels({tr("Mark"), tr("What it means")});
   anchors_->horizontalHeader()->setStretchLastSection(true);
@@ -179,7 +186,32 @@ QWidget* RubricForm::rowForm() {
   tools->addWidget(removeAnchor_);
   tools->addStretch(1);
   column->addLayout(tools);
+  addHint(column, RubricField::kAnchors);
   return form;
+}
+
+void RubricForm::addHint(QBoxLayout* column, RubricField field) {
+  QLabel* hint = fieldHint();
+  column->addWidget(hint);
+  hints_.emplace_back(field, hint);
+}
+
+std::vector<RubricProblem> RubricForm::showProblems() {
+  std::vector<RubricProblem> elsewhere = rubricProblems(revision_);
+  const int chosen = rows_->row();
+  for (const auto& [field, hint] : hints_) {
+    QStringList lines;
+    std::erase_if(elsewhere, [&, field = field](const RubricProblem& problem) {
+      const bool whole = field == RubricField::kOverall || field == RubricField::kRows;
+      if (problem.field != field || (!whole && static_cast<int>(problem.row) != chosen)) {
+        return false;
+      }
+      lines << translatedLine(Error(ErrorCode::kBadParameter, problem.what, problem.where, problem.remedy));
+      return true;
+    });
+    sayHint(hint, lines.join(QLatin1Char('\n')));
+  }
+  return elsewhere;
 }
 
 void RubricForm::setRevision(const RubricRevision& revision) {
@@ -223,6 +255,7 @@ void RubricForm::showRow() {
   }
   showAnchors(line == nullptr ? RubricLine{} : *line);
   filling_ = false;
+  Q_EMIT shown();
 }
 
 void RubricForm::showAnchors(const RubricLine& line) {

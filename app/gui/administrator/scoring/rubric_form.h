@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <QWidget>
 
+#include "app/study/rubric_service.h"
 #include "assessment/rating/rubric.h"
 
+class QBoxLayout;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -53,12 +58,17 @@ class RubricForm : public QWidget {
   void setRevision(const RubricRevision& revision);
   [[nodiscard]] const RubricRevision& revision() const noexcept { return revision_; }
   void setReadOnly(bool readOnly);
+  /// Says beside the fields what is wrong with them. Returns what is wrong elsewhere: with other criteria.
+  std::vector<RubricProblem> showProblems();
 
  Q_SIGNALS:
   void edited();
+  /// Another criterion is shown.
+  void shown();
 
  private:
   QWidget* rowForm();
+  void addHint(QBoxLayout* column, RubricField field);
   void showLines(int row);
   void showRow();
   void showAnchors(const RubricLine& line);
@@ -78,6 +88,7 @@ class RubricForm : public QWidget {
   QPushButton* addAnchor_;
   QPushButton* removeAnchor_;
   ScaleFields* overall_;
+  std::vector<std::pair<RubricField, QLabel*>> hints_;
 };
 
 }  // namespace torsio::gui

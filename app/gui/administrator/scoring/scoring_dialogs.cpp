@@ -21,6 +21,7 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/person.h"
 
@@ -127,16 +128,16 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   auto* form = new QFormLayout;
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "Occa&sion")), point);
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
-  dialog.column()->addLayout(form);
-  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it")));
-  const auto check = [=, &states] {
+  FieldChecks checks(&dialog);
+  checks.add(form, reason, [=, &states] {
     const auto at = static_cast<std::size_t>(point->currentIndex());
     const bool needed = at < states.size() && (states[at].released || states[at].missing > 0);
-    ok->setEnabled(at < states.size() && (!needed || !reason->text().trimmed().isEmpty()));
-  };
-  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
-  QObject::connect(point, &QComboBox::currentIndexChanged, ok, check);
-  check();
+    return needed && reason->text().trimmed().isEmpty() ? reasonWanted() : QString();
+  });
+  dialog.column()->addLayout(form);
+  checks.decide(dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it"))),
+                [&states] { return !states.empty(); });
+  QObject::connect(point, &QComboBox::currentIndexChanged, &checks, &FieldChecks::check);
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
   }

@@ -19,6 +19,7 @@
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/station/learning_records_dialog.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/training/run_session.h"
@@ -43,7 +44,8 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       sign_(new QSpinBox(this)),
       note_(sentence(this)),
       learning_(new QPushButton(this)),
-      keep_(new QPushButton(this)) {
+      keep_(new QPushButton(this)),
+      checks_(new FieldChecks(this)) {
   name_->setObjectName(QStringLiteral("centreName"));
   warn_->setObjectName(QStringLiteral("idleWarn"));
   lock_->setObjectName(QStringLiteral("idleLock"));
@@ -67,6 +69,10 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   row->addSpacing(2 * kSpace);
   row->addWidget(keep_);
   content()->addLayout(row);
+  checks_->add(content(), name_, [this] {
+    return name_->text().trimmed().isEmpty() ? tr("Enter the name of your centre.") : QString();
+  });
+  checks_->decide(keep_);
   content()->addWidget(mouse_);
   content()->addWidget(sound_);
   content()->addWidget(two_);

@@ -11,6 +11,7 @@ class QSpinBox;
 
 namespace torsio::gui {
 
+class FieldChecks;
 class ShellContext;
 
 /// What holds at every station of the centre: its name, after how many minutes an empty place warns and
@@ -46,6 +47,7 @@ class StationSettingsCard : public Card {
   QLabel* note_;
   QPushButton* learning_;
   QPushButton* keep_;
+  FieldChecks* checks_;
 };
 
 }  // namespace torsio::gui

@@ -16,10 +16,13 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
+#include "assessment/study/allocation.h"
 #include "assessment/study/cohort.h"
+#include "sim/base/error.h"
 #include "sim/base/ids.h"
 
 namespace torsio::gui {
@@ -135,6 +138,10 @@ QWidget* AllocationPage::designForm() {
   grid->addLayout(checks, 1, 1);
   grid->addWidget(blocksLabel_, 2, 0);
   grid->addWidget(blocks_, 2, 1);
+  blocks_->setObjectName(QStringLiteral("blocks"));
+  blocksHint_ = fieldHint();
+  grid->addWidget(blocksHint_, 3, 1);
+  connect(blocks_, &QLineEdit::textChanged, this, &AllocationPage::showFields);
   design_->content()->addLayout(grid);
   design_->content()->addStretch(1);
   auto* acts = new QHBoxLayout;
@@ -161,6 +168,10 @@ void AllocationPage::read() {
     const std::string cohort = chosenId(cohort_);
     designs_ =
         cohort.empty() ? std::vector<AllocationDesignRow>{} : allocationDesigns(shell().session(), cohort);
+    arms_ = 0;
+    for (const CohortRow& row : cohorts(shell().session())) {
+      arms_ = row.cohort.id == cohort ? row.groups.size() : arms_;
+    }
     preview_.reset();
     showFields();
     showDesign();
@@ -180,23 +191,40 @@ AllocationPlan AllocationPage::plan() const {
     }
   }
   if (usesBlocks(plan.method)) {
-    for (const QString& size : blocks_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    for (const QString& size : blocks_->text().split(QLatin1Char(','))) {
       plan.blockSizes.push_back(static_cast<std::size_t>(size.trimmed().toUInt()));
     }
   }
   return plan;
 }
 
+QString AllocationPage::flawOfBlocks() const {
+  const AllocationPlan planned = plan();
+  if (planned.blockSizes.empty() || arms_ < 2) {
+    return {};
+  }
+  try {
+    checkBlockSizes(planned.blockSizes, arms_);
+  } catch (const Error& refused) {
+    return translatedLine(refused);
+  }
+  return {};
+}
+
 void AllocationPage::showFields() {
   const auto method = static_cast<AllocationMethod>(method_->currentData().toInt());
+  const QString flaw = flawOfBlocks();
+  sayHint(blocksHint_, flaw);
   for (const auto& [name, box] : factors_) {
     box->setEnabled(usesFactors(method));
   }
   blocks_->setEnabled(usesBlocks(method));
   const bool some = cohort_->count() > 0;
   const bool run = shell().may(Operation::kAllocationRun);
-  previewButton_->setEnabled(some && run);
-  lock_->setEnabled(some && run);
+  for (QPushButton* button : {previewButton_, lock_}) {
+    button->setEnabled(some && run && flaw.isEmpty());
+    button->setToolTip(flaw);
+  }
   allocate_->setEnabled(!designs_.empty() && run);
   reveal_->setEnabled(!designs_.empty() && designs_.back().stored.seed.empty() &&
                       shell().may(Operation::kAllocationReveal));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -52,6 +53,8 @@ class AllocationPage : public Page {
   void showDesign();
   void showBalance();
   void showFields();
+  /// What is wrong with the block sizes as they are typed; empty: nothing, or none are used.
+  [[nodiscard]] QString flawOfBlocks() const;
   void askLock();
   void askReveal();
   void askCards();
@@ -71,6 +74,8 @@ class AllocationPage : public Page {
   QLabel* factorsLabel_;
   QLabel* blocksLabel_;
   QLineEdit* blocks_;
+  QLabel* blocksHint_ = nullptr;
+  std::size_t arms_ = 0;  // groups of the cohort
   QPushButton* previewButton_;
   QPushButton* lock_;
   Card* state_;

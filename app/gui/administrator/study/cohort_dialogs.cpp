@@ -13,6 +13,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -26,7 +27,8 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
       groups_(new QLineEdit(this)),
       groupsLabel_(new QLabel(tr("&Groups"), this)),
       margin_(new QDoubleSpinBox(this)),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)),
+      checks_(new FieldChecks(this)) {
   name_->setObjectName(QStringLiteral("name"));
   setWindowTitle(tr("New cohort"));
   curriculum_->addItem(tr("none yet"), QString());
@@ -40,9 +42,15 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
   form->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   form->setSpacing(kSpace);
   form->addRow(tr("&Name"), name_);
+  checks_->addNeeded(form, name_, tr("Enter a name for the cohort."));
   form->addRow(tr("&Description"), description_);
   form->addRow(tr("&Curriculum"), curriculum_);
   form->addRow(groupsLabel_, groups_);
+  checks_->add(form, groups_, [this] {
+    return chosenId(curriculum_).empty() && cohort().groups.empty()
+               ? tr("Name the groups, with commas between, or choose a curriculum.")
+               : QString();
+  });
   margin_->setObjectName(QStringLiteral("margin"));
   margin_->setDecimals(2);
   margin_->setSingleStep(0.25);
@@ -58,8 +66,7 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
   buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
   form->addRow(buttons_);
   name_->setMinimumWidth(360);
-  connect(name_, &QLineEdit::textChanged, this, &CohortDialog::check);
-  connect(groups_, &QLineEdit::textChanged, this, &CohortDialog::check);
+  checks_->decide(buttons_->button(QDialogButtonBox::Ok));
   connect(curriculum_, &QComboBox::currentIndexChanged, this, &CohortDialog::check);
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -70,8 +77,7 @@ void CohortDialog::check() {
   const bool byName = chosenId(curriculum_).empty();
   groups_->setVisible(byName);
   groupsLabel_->setVisible(byName);
-  const bool whole = !name_->text().trimmed().isEmpty() && (!byName || !cohort().groups.empty());
-  buttons_->button(QDialogButtonBox::Ok)->setEnabled(whole);
+  checks_->check();
 }
 
 NewCohort CohortDialog::cohort() const {
@@ -112,13 +118,14 @@ std::optional<std::string> askCohortName(QWidget* parent, const std::string& nam
   auto* field = new QLineEdit(toQString(name), &dialog);
   field->setObjectName(QStringLiteral("name"));
   nameField(addField(dialog.column(), field), CohortDialog::tr("&Name"));
-  QPushButton* ok = dialog.finish(CohortDialog::tr("Rename"));
-  const auto check = [&] {
+  FieldChecks checks(&dialog);
+  checks.add(dialog.column(), field, [field, &name] {
     const std::string typed = field->text().trimmed().toStdString();
-    ok->setEnabled(!typed.empty() && typed != name);
-  };
-  QObject::connect(field, &QLineEdit::textChanged, &dialog, check);
-  check();
+    return typed.empty()   ? CohortDialog::tr("Enter a name for the cohort.")
+           : typed == name ? CohortDialog::tr("This is the present name.")
+                           : QString();
+  });
+  checks.decide(dialog.finish(CohortDialog::tr("Rename")));
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
   }
@@ -145,10 +152,10 @@ std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& c
   auto* reason = new QLineEdit(&dialog);
   reason->setObjectName(QStringLiteral("reason"));
   nameField(addField(dialog.column(), reason), CohortDialog::tr("&Reason"));
-  QPushButton* ok = dialog.finish(CohortDialog::tr("Do it"));
-  ok->setEnabled(false);
-  QObject::connect(reason, &QLineEdit::textChanged, ok,
-                   [ok](const QString& text) { ok->setEnabled(!text.trimmed().isEmpty()); });
+  FieldChecks checks(&dialog);
+  checks.add(dialog.column(), reason,
+             [reason] { return reason->text().trimmed().isEmpty() ? reasonWanted() : QString(); });
+  checks.decide(dialog.finish(CohortDialog::tr("Do it")));
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
   }

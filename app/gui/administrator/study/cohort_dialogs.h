@@ -19,6 +19,8 @@ class QLineEdit;
 
 namespace torsio::gui {
 
+class FieldChecks;
+
 /// Asks for a new cohort: name, words, and the running curriculum whose arms become its groups; without one,
 /// the groups by name; and what difference of scores the plan takes for none.
 class CohortDialog : public QDialog {
@@ -39,6 +41,7 @@ class CohortDialog : public QDialog {
   QLabel* groupsLabel_;
   QDoubleSpinBox* margin_;
   QDialogButtonBox* buttons_;
+  FieldChecks* checks_;
 };
 
 /// Asks for another name of a cohort. Empty: given up.

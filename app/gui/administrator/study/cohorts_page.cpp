@@ -99,7 +99,7 @@ void CohortsPage::showContent() {
     }
     rows.push_back(
         {toQString(row.cohort.id),
-         {{toQString(row.cohort.name)},
+         {{toQString(Text(row.cohort.name))},
           {cohortStateName(row.cohort.state), static_cast<int>(row.cohort.state)},
           {row.curriculumName.empty()
                ? tr("none yet")
@@ -138,9 +138,9 @@ void CohortsPage::showMembers() {
   membersTitle_->setText(row == nullptr ? QString()
                          : row->cohort.equivalenceMargin
                              ? tr("Trainees of %1 (planned: differences up to %2 points do not matter)")
-                                   .arg(toQString(row->cohort.name))
+                                   .arg(toQString(Text(row->cohort.name)))
                                    .arg(*row->cohort.equivalenceMargin)
-                             : tr("Trainees of %1").arg(toQString(row->cohort.name)));
+                             : tr("Trainees of %1").arg(toQString(Text(row->cohort.name))));
   enrolments_.clear();
   if (row != nullptr) {
     attempt(shell(), [&] { enrolments_ = enrolments(session, row->cohort.id); });
@@ -188,9 +188,10 @@ void CohortsPage::enrol() {
         free.push_back(std::move(person));
       }
     }
-    PeopleDialog dialog(tr("Enrol trainees"),
-                        tr("Who takes part in %1? Groups are drawn later.").arg(toQString(row->cohort.name)),
-                        free, this);
+    PeopleDialog dialog(
+        tr("Enrol trainees"),
+        tr("Who takes part in %1? Groups are drawn later.").arg(toQString(Text(row->cohort.name))), free,
+        this);
     if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) {
       return;
     }

@@ -10,6 +10,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 
 namespace torsio::gui {
 
@@ -38,11 +39,10 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCod
   auto* form = new QFormLayout;
   form->addRow(GroupMoveDialog::tr("&Group"), group);
   form->addRow(GroupMoveDialog::tr("&Reason"), reason);
+  FieldChecks checks(&asked);
+  checks.addNeeded(form, reason, reasonWanted());
   asked.column()->addLayout(form);
-  QPushButton* ok = asked.finish(GroupMoveDialog::tr("Move"));
-  const auto check = [=] { ok->setEnabled(group->count() > 0 && !reason->text().trimmed().isEmpty()); };
-  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
-  check();
+  checks.decide(asked.finish(GroupMoveDialog::tr("Move")), [group] { return group->count() > 0; });
   if (asked.exec() != QDialog::Accepted) {
     return std::nullopt;
   }

@@ -62,7 +62,8 @@ void RunDayPage::showStations() {
              : records ? tr("\u25CF records")
                        : tr("\u25CB free")},
             {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
-            {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
+            {records && !station.phaseLabel.empty() ? toQString(Text(station.phaseLabel))
+                                                    : QStringLiteral("\u2013")},
             {records ? clockTime(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
             timeCell(station.heartbeatUtc_us),
             {orDash(station.softwareVersion)},
