@@ -65,13 +65,13 @@ export class BoardPage {
     this.place.replaceChildren(
       h('p', {}, t('%1 recording now, %2 of %3 done, sheets missing: %4', figure(rows.filter((row) => row.station).length),
         figure(rows.filter((row) => row.done).length), figure(rows.length), figure(missing))),
-      h('section', { class: 'card wide-table' }, table(
+      h('section', { class: 'card wide-table', tabindex: '0' }, table(
         [t('Trainee'), t('Group'), t('Now at'), t('Time left'), t('Scoring due'), t('Sheets missing'), t('Deviations'), t('Planned')],
         rows.map((row) => h('tr', {}, h('th', { scope: 'row' }, row.trainee), h('td', {}, row.group || '\u2013'), h('td', {}, state(row)),
           h('td', {}, row.done || row.left_us === 0 ? '' : clockTime(row.left_us)), h('td', {}, row.occasion),
           h('td', { class: row.sheets_missing > 0 ? 'caution' : '' }, figure(row.sheets_missing)), h('td', {}, figure(row.deviations)),
           h('td', { class: row.overdue ? 'caution' : '' }, row.planned_utc_us === null ? '' : dayText(row.planned_utc_us)))))),
-      h('section', { class: 'card wide-table' }, h('h2', {}, t('Stations')), table(
+      h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Stations')), table(
         [t('Station'), t('Trainee'), t('Last seen')],
         stations.map((one) => h('tr', {}, h('th', { scope: 'row' }, one.station), h('td', {}, one.trainee || '\u2013'),
           h('td', { class: one.silent ? 'caution' : '' }, one.silent ? t('does not answer') : t('just now')))))));
@@ -81,7 +81,7 @@ export class BoardPage {
     const words = { submitted: t('submitted'), draft: t('draft'), open: t('open'), '': t('not asked') };
     this.place.replaceChildren(
       h('p', { class: 'quiet' }, t('● submitted, ◐ draft, ○ open. No marks are shown here.')),
-      h('section', { class: 'card wide-table' }, table([t('Trainee'), t('Occasion'), ...raters.map((rater) => rater.code)],
+      h('section', { class: 'card wide-table', tabindex: '0' }, table([t('Trainee'), t('Occasion'), ...raters.map((rater) => rater.code)],
         [...lines.map((line) => h('tr', {}, h('th', { scope: 'row' }, line.trainee), h('td', {}, line.occasion),
           line.cells.map((cell) => h('td', {}, h('span', { role: 'img', 'aria-label': words[cell] }, marks[cell]))))),
         h('tr', {}, h('th', { scope: 'row' }, t('Still open')), h('td', {}), raters.map((rater) => h('td', {}, figure(rater.open))))])));

@@ -58,7 +58,7 @@ export class DiscrepancyPage {
     };
     return h('section', { class: 'card stack' },
       h('div', { class: 'page-head' }, h('h2', {}, t('Case %1', one.label)), h('p', { class: 'quiet' }, this.#decision(one))),
-      h('div', { class: 'wide-table' }, h('table', {},
+      h('div', { class: 'wide-table', tabindex: '0' }, h('table', {},
         h('thead', {}, h('tr', {}, [t('Criterion'), t('You'), t('Mean of the others'), t('Lowest to highest')].map((head) => h('th', { scope: 'col' }, head)))),
         h('tbody', {}, one.rows.map((line) => h('tr', { class: line.apart ? 'differs' : '' },
           h('th', { scope: 'row' }, line.label || t('Overall')), h('td', {}, figure(line.own, 1)), h('td', {}, figure(line.mean, 1)),

@@ -47,7 +47,7 @@ export class OwnPage {
       h('p', {}, facts.join('  \u00b7  ')), trendChart(module));
   }
   #runs(runs) {
-    return h('section', { class: 'card wide-table' }, h('h2', {}, t('Your runs')),
+    return h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Your runs')),
       runs.length === 0 ? h('p', {}, t('Nothing was recorded yet.')) : h('table', {},
         h('thead', {}, h('tr', {}, [t('When'), t('Exercise'), t('Length'), t('Outcome')].map((head) => h('th', { scope: 'col' }, head)))),
         h('tbody', {}, runs.map((run) => h('tr', {},

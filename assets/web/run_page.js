@@ -49,7 +49,7 @@ export class RunPage {
   #twists() {
     const { twists, unfinished, untwisting } = this.run;
     if (untwisting) return h('p', {}, t('An untwisting: the traces show how the organ fared.'));
-    return h('section', { class: 'card wide-table' }, h('h2', {}, t('Twists')),
+    return h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Twists')),
       h('table', {},
         h('thead', {}, h('tr', {}, [t('From'), t('Asked for'), t('Let go at'), t('Held'), t('On target')].map((head) => h('th', { scope: 'col' }, head)))),
         h('tbody', {}, twists.map((twist) => h('tr', {},

@@ -43,7 +43,7 @@ export class SeverityPage {
   }
   #cases({ cases }) {
     if (cases.length === 0) return '';
-    return h('section', { class: 'card wide-table' }, h('table', {},
+    return h('section', { class: 'card wide-table', tabindex: '0' }, h('table', {},
       h('thead', {}, h('tr', {}, [t('Case'), t('You'), t('Panel'), t('Difference')].map((head) => h('th', { scope: 'col' }, head)))),
       h('tbody', {}, cases.map((one) => h('tr', {}, h('th', { scope: 'row' }, one.label), h('td', {}, figure(one.own, 1)),
         h('td', {}, figure(one.panel, 1)), h('td', {}, figure(one.own - one.panel, 1)))))));
