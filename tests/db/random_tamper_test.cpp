@@ -183,7 +183,7 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
     try {
       found = findingsIn(behind) != before;
     } catch (const Error&) {
-      found = true;  // the record is not even opened, and it is said why
+      found = true;                           // the record is not even opened, and it is said why
     } catch (const std::exception& broken) {  // verification must never fall over what it looks for
       missed.push_back(table.name + "." + column + ": " + broken.what());
       continue;
