@@ -117,7 +117,7 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
   ASSERT_EQ(rows.size(), 4);
   QScrollArea& scroll = *panel.findChild<QScrollArea*>();
   const int anchors = rows[2]->height() - rows[2]->scaleEnd();
-  for (int low = 890; low > 200 && scroll.verticalScrollBar()->maximum() < anchors / 2; low -= 4) {
+  for (int low = 890; low > 200 && scroll.verticalScrollBar()->maximum() < anchors / 2; low -= 8) {
     panel.resize(520, low);  // until half of what the third row says below its scale is out of sight
     QApplication::processEvents();
   }
@@ -129,8 +129,9 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
     EXPECT_EQ(scroll.verticalScrollBar()->value(), 0) << "row " << i;
     EXPECT_TRUE(panel.editor()->answer(rows[i]->code()).given());
   }
-  panel.handleKey(Qt::Key_Up, Qt::NoModifier);  // from the overall mark to the third row, by key
-  EXPECT_GT(scroll.verticalScrollBar()->value(), 0) << "its anchors come into sight";
+  panel.handleKey(Qt::Key_Up, Qt::NoModifier);
+  panel.handleKey(Qt::Key_Down, Qt::NoModifier);
+  EXPECT_GT(scroll.verticalScrollBar()->value(), 0) << "by the keys, what a row says comes into sight whole";
 }
 
 TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
