@@ -264,9 +264,9 @@ ReportTable standardTable(const CohortInputs& in) {
   }
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
-        "Able now: at every exercise that was tried, by the designs of the section Competence. Somebody "
-        "inadequate at one of them is held to be able in at most %1 %, somebody adequate at all of them is "
-        "not in at most %2 % of cases, false alarms among them, within the attempts named there.",
+        "Able now: at every exercise that was tried, by the designs of the section Competence. Whoever is "
+        "inadequate at one is held to be able in at most %1 %, whoever is adequate at all is not in at most "
+        "%2 % of cases, within the attempts named there.",
         formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
   }
   return table;

@@ -251,7 +251,7 @@ double proficientProbability(double pass, std::size_t attempts, std::size_t cons
     }
     states = std::move(next);
   }
-  return attempts == 0 ? 0.0 : states[end];
+  return attempts == 0 ? 0.0 : std::min(1.0, states[end]);  // not beyond it by rounding
 }
 
 }  // namespace torsio

@@ -15940,10 +15940,6 @@ audit trail %3</source>
         <translation>以下各组只有一名学员在两次评分时都有得分：%1。其差异仅取决于一个人；组内学员的变异取自其他组。</translation>
     </message>
     <message>
-        <source>Able now: at every exercise that was tried, by the designs of the section Competence. Somebody inadequate at one of them is held to be able in at most %1 %, somebody adequate at all of them is not in at most %2 % of cases, false alarms among them, within the attempts named there.</source>
-        <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项练习能力不足者被误判为胜任的概率至多为 %1 %；对所有练习能力均足够者未被判为胜任的概率（含误报警）至多为 %2 %。</translation>
-    </message>
-    <message>
         <source>False alarm</source>
         <translation>误报警</translation>
     </message>
@@ -17166,6 +17162,10 @@ audit trail %3</source>
     <message>
         <source>Give a lowest mark below the highest, and 1 to 1000 steps a point</source>
         <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
+    </message>
+    <message>
+        <source>Able now: at every exercise that was tried, by the designs of the section Competence. Whoever is inadequate at one is held to be able in at most %1 %, whoever is adequate at all is not in at most %2 % of cases, within the attempts named there.</source>
+        <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项能力不足者被误判为胜任的概率至多为 %1 %，对各项能力均足够者未被判为胜任的概率至多为 %2 %。</translation>
     </message>
 </context>
 <context>

@@ -296,7 +296,7 @@ TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
   EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is able at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
   EXPECT_THAT(table->notes[0].str(),
-              HasSubstr("able in at most 12.0 %, somebody adequate at all of them is not in at most 21.6 %"))
+              HasSubstr("able in at most 12.0 %, whoever is adequate at all is not in at most 21.6 %"))
       << "one of the two exercises is enough not to be able at both";
   in.competence.clear();
   EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());

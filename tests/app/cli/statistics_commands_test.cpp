@@ -632,6 +632,12 @@ TEST_F(StatisticsCommands, LearningNamesTheAttemptOfProficiency) {
   const json fair = answer(command + " --inadequate 0.5 --adequate 0.1")["subjects"][0];
   EXPECT_NEAR(fair["proficient_if_inadequate"].get<double>(), 94.0 / 128.0, 1e-15);
   EXPECT_GT(fair["proficient_if_adequate"].get<double>(), 0.99);
+  std::string thousand = "subject,attempt,value\n";
+  for (int t = 1; t <= 1000; ++t) {
+    addRow(thousand, {"P01", std::to_string(t), "50"});
+  }
+  const json certain = answer("learning --threshold 40 " + write("thousand.csv", thousand))["subjects"][0];
+  EXPECT_EQ(certain["proficient_if_inadequate"], 1.0);  // and not beyond it by rounding
   EXPECT_LT(answer(command + " --further 1 --inadequate 0.5")["subjects"][0]["proficient_if_inadequate"]
                 .get<double>(),
             94.0 / 128.0);
