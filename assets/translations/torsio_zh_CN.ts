@@ -15748,6 +15748,14 @@ audit trail %3</source>
         <source>the data set cannot be given its name: %1</source>
         <translation>无法为数据集命名：%1</translation>
     </message>
+    <message>
+        <source>a program that was ended left a change half done</source>
+        <translation>某个被中止的程序留下了未完成的更改</translation>
+    </message>
+    <message>
+        <source>Open it with Torsio once, which takes the change back</source>
+        <translation>请用 Torsio 打开一次，未完成的更改即会撤销</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
