@@ -26,6 +26,19 @@ constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // no
 constexpr int kGroups = 4;
 constexpr int kLettersInGroup = 5;
 
+/// What a killed program left half done is taken back first, which only somebody who writes can do.
+Connection openToLook(const std::string& locator, const Locator& place) {
+  try {
+    return openDatabase(locator, OpenMode::kReadOnly);
+  } catch (const Error&) {
+    if (place.engine != Engine::kSqlite || !hasJournal(place.file)) {
+      throw;
+    }
+  }
+  (void)openDatabase(locator, OpenMode::kReadWrite);
+  return openDatabase(locator, OpenMode::kReadOnly);
+}
+
 }  // namespace
 
 CentreSign centreSign(Connection& connection) {
@@ -52,7 +65,7 @@ RecordPlace lookAtRecord(const std::string& locator) {
     }
     return RecordPlace::kNothing;
   }
-  Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+  Connection connection = openToLook(locator, place);
   if (checkSchema(connection, embeddedMigrations()).version == 0) {
     return RecordPlace::kEmpty;
   }

@@ -17167,6 +17167,14 @@ audit trail %3</source>
         <source>Able now: at every exercise that was tried, by the designs of the section Competence. Whoever is inadequate at one is held to be able in at most %1 %, whoever is adequate at all is not in at most %2 % of cases, within the attempts named there.</source>
         <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项能力不足者被误判为胜任的概率至多为 %1 %，对各项能力均足够者未被判为胜任的概率至多为 %2 %。</translation>
     </message>
+    <message>
+        <source>a program that was ended left a change half done</source>
+        <translation>某个被中止的程序留下了未完成的更改</translation>
+    </message>
+    <message>
+        <source>Open it with Torsio once, which takes the change back</source>
+        <translation>请用 Torsio 打开一次，未完成的更改即会撤销</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

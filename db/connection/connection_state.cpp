@@ -136,6 +136,10 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
     if (error.fault() == DbFault::kBusy) {
       return;  // somebody is writing, so it can be written
     }
+    if (error.fault() == DbFault::kReadOnly && readOnly && hasJournal(locator.file)) {
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("a program that was ended left a change half done"),
+                  location, Text::tr("Open it with Torsio once, which takes the change back"));
+    }
     if (error.fault() == DbFault::kReadOnly) {
       refuseReadOnly(Text::tr("database file is read-only"), locator.file);
     }

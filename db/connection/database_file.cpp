@@ -67,4 +67,10 @@ void requireUsableFile(const fs::path& file, OpenMode mode) {
   }
 }
 
+bool hasJournal(const std::string& file) {
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(file + "-journal", failed);
+  return !failed && size > 0;
+}
+
 }  // namespace torsio

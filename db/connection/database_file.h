@@ -16,4 +16,7 @@ void requireUsableFile(const std::filesystem::path& file, OpenMode mode);
 /// Throws Error (kFileUnwritable) that says what to do.
 [[noreturn]] void refuseReadOnly(const Text& what, const std::filesystem::path& path);
 
+/// Whether a change was begun there (SQLite's rollback journal) that only somebody who may write takes back.
+[[nodiscard]] bool hasJournal(const std::string& file);
+
 }  // namespace torsio

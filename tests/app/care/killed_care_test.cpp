@@ -153,7 +153,7 @@ class KilledCare : public CutOffCare {
             .after =
                 [this] {
                   if (fs::exists(file("fresh.sqlite"))) {
-                    Connection fresh = openDatabase(file("fresh.sqlite"), OpenMode::kReadOnly);
+                    Connection fresh = openDatabase(file("fresh.sqlite"), OpenMode::kReadWrite);
                     EXPECT_EQ(checkSchema(fresh, embeddedMigrations()).version, 1);
                   }
                 }};

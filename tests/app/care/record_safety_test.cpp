@@ -214,6 +214,33 @@ struct NoRecord {
   ErrorCode code;
 };
 
+/// As if a program had been killed in the middle of a change that had not yet come to any page.
+void leaveHalfDone(const std::string& record) {
+  constexpr std::uintmax_t kPage_bytes = 4096;
+  const std::uintmax_t pages = fs::file_size(record) / kPage_bytes;
+  std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7\0\0\0\0\0\0\0\0", 16);  // no page to take back
+  for (const int shift : {24, 16, 8, 0}) {
+    journal += static_cast<char>(pages >> shift);
+  }
+  journal += std::string("\0\0\2\0\0\0\x10\0", 8);
+  journal.resize(512, '\0');
+  std::ofstream(record + "-journal", std::ios::binary) << journal;
+}
+
+TEST_F(RecordSafety, AChangeThatAKilledProgramLeftHalfDoneIsTakenBackAtTheNextStart) {
+  makeRecord("known.sqlite");
+  {
+    Connection connection = openDatabase(file("known.sqlite"), OpenMode::kReadWrite);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  }
+  leaveHalfDone(file("known.sqlite"));
+
+  EXPECT_EQ(lookAtRecord(file("known.sqlite")), RecordPlace::kCentre);
+
+  EXPECT_FALSE(fs::exists(file("known.sqlite-journal")));
+  EXPECT_EQ(runTorsio("db check --database " + file("known.sqlite"), folder_).code, 0);
+}
+
 TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
   makeRecord("sound.sqlite");
   {
@@ -262,6 +289,12 @@ TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
        ErrorCode::kFileUnreadable},
       {"a record of a newer version", [&](const std::string& path) { changed(path, newer); },
        ErrorCode::kNewerSchema},
+      {"a record with a change that a killed program left half done",
+       [&](const std::string& path) {
+         fs::copy_file(file("sound.sqlite"), path);
+         leaveHalfDone(path);
+       },
+       ErrorCode::kFileUnreadable},
       {"a record whose step of the schema is another one",
        [&](const std::string& path) {
          changed(path, "UPDATE schema_migration SET checksum = checksum || 'x'");
@@ -279,6 +312,7 @@ TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
       EXPECT_TRUE(run.err.starts_with("torsio: ")) << command << one.what << ": " << run.err;
       EXPECT_EQ(besides(""), before) << command << one.what;
     }
+    fs::remove(path + "-journal");
   }
 }
 
