@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the office on the first day, when nothing is in the record: the demonstration never shows them so.
+// The pages of the office on the first day, when nothing is in the record: the demonstration never shows them
+// so.
 #include <QStringList>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who scores whom, and evaluations of models, through the services.
+#include "app/study/scoring_plan.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,7 +15,6 @@
 #include "app/people/people_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/reassignment.h"
-#include "app/study/scoring_plan.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/campaign.h"
 #include "db/repository/rating/sheet_repository.h"
