@@ -27249,8 +27249,8 @@ T-02,master,17</translation>
         <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
     </message>
     <message>
-        <source>L&amp;earning records…</source>
-        <translation>学习记录(&amp;E)…</translation>
+        <source>Learning &amp;records…</source>
+        <translation>学习记录(&amp;R)…</translation>
     </message>
     <message>
         <source>Enter the name of your centre.</source>

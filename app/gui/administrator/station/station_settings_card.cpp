@@ -153,7 +153,7 @@ void StationSettingsCard::retranslate() {
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
   note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
-  learning_->setText(tr("L&earning records\u2026"));
+  learning_->setText(tr("Learning &records\u2026"));
   keep_->setText(tr("&Save"));
 }
 
