@@ -12,8 +12,7 @@ namespace torsio {
 
 namespace {
 
-// A sanitizer reserves more address space than any limit.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef TORSIO_UNLIMITED_MEMORY  // linked with a sanitizer
 constexpr bool kLimitsMemory = false;
 #else
 constexpr bool kLimitsMemory = true;
