@@ -118,8 +118,8 @@ TEST_F(HdapiLibraryBench, L4_OpensASecondSessionInOneProcessWithoutLoadingTwice)
   }
 
   EXPECT_EQ(fake.loads(), 1);
-  // No frame stays scheduled. A let-go of the last session may, which a busy machine had no time to run before
-  // the scheduler was stopped.
+  // No frame stays scheduled. A let-go of the last session may, which a busy machine had no time to run
+  // before the scheduler was stopped.
   EXPECT_LE(fake.callbacks(), 1);
   EXPECT_EQ(fake.errors_pending(), 0);
 }
