@@ -29,10 +29,10 @@ plain_commands() {
     }' >"$lint/units"
 }
 
-# command_of FOLDER: compiler and flags of the first unit with a source in FOLDER or below it, without input and output.
+# command_of FOLDER: compiler and flags of the first unit with a source in FOLDER, else below it, without input and output.
 command_of() {
   local unit
-  unit=$(grep -m 1 -F " $1/" "$lint/units" | cut -d ' ' -f 1)
+  unit=$({ grep -m 1 -E " $1/[^/ ]+( |\$)" "$lint/units" || grep -m 1 -F " $1/" "$lint/units"; } | cut -d ' ' -f 1)
   [ -n "$unit" ] || return 1
   sed -nE 's#^ *"command": "(.*)",?$#\1#p' "$lint/compile_commands.json" | grep -m 1 -F -- " -c $unit" |
     sed -E 's#^[^ ]*ccache ##; s# -o [^ ]* -c .*$##; s#\\"#"#g; s#\\\\#\\#g'
