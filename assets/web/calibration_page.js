@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Warm-up on reference runs: score first, then see what the panel has said.
 import { api, NoConnection, Refusal } from './api.js';
+import { playedKeys } from './case_keys.js';
 import { button, h, say } from './dom.js';
 import { figure, pointsText, scoreText } from './numbers.js';
 import { Player } from './player.js';
@@ -125,14 +126,6 @@ export class CalibrationPage {
     this.player?.pause();
   }
   key(event) {
-    if (!this.number || event.isComposing || event.defaultPrevented) return;
-    if ((event.ctrlKey || event.metaKey) && event.key === 'Enter') {
-      event.preventDefault();
-      this.go();
-      return;
-    }
-    if (event.ctrlKey || event.altKey || event.metaKey || ['INPUT', 'SELECT'].includes(event.target.tagName)) return;
-    if (event.target.closest('button, a') && event.key === ' ') return;
-    if (this.player.key(event) || this.view.key(event)) event.preventDefault();
+    if (this.number) playedKeys(this, event);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of a case page a key belongs to.
+// Which part of a page with a case or a recording a key belongs to.
 
 /// Gives a key to what it belongs to, and takes it from the browser then.
 export function pressKey(page, event) {
@@ -53,4 +53,18 @@ function plainKey(page, event) {
     default:
       return page.player.key(event) || page.view.key(event);
   }
+}
+
+/// The keys of a page with a player and rows to score, but no case: Ctrl+Enter goes on, the others play and score.
+/// `page`: go(), view, and a player once there is something to play.
+export function playedKeys(page, event) {
+  if (event.isComposing || event.defaultPrevented) return;
+  if ((event.ctrlKey || event.metaKey) && event.key === 'Enter') {
+    event.preventDefault();
+    page.go();
+    return;
+  }
+  if (event.ctrlKey || event.altKey || event.metaKey || ['INPUT', 'SELECT'].includes(event.target.tagName)) return;
+  if (event.target.closest('button, a') && event.key === ' ') return;
+  if (page.player?.key(event) || page.view.key(event)) event.preventDefault();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The evaluation of tissue models: nine marks for each, which goes by a letter; the order is the reader's own.
 import { api, NoConnection, Refusal } from './api.js';
+import { playedKeys } from './case_keys.js';
 import { button, h, say, show } from './dom.js';
 import { DraftKeeper } from './draft_keeper.js';
 import { Player } from './player.js';
@@ -184,14 +185,6 @@ export class EvaluationPage {
     else this.load().catch(() => {});
   }
   key(event) {
-    if (!this.model || event.isComposing || event.defaultPrevented) return;
-    if ((event.ctrlKey || event.metaKey) && event.key === 'Enter') {
-      event.preventDefault();
-      this.go();
-      return;
-    }
-    if (event.ctrlKey || event.altKey || event.metaKey || ['INPUT', 'SELECT'].includes(event.target.tagName)) return;
-    if (event.target.closest('button, a') && event.key === ' ') return;
-    if (this.player?.key(event) || this.view.key(event)) event.preventDefault();
+    if (this.model) playedKeys(this, event);
   }
 }
