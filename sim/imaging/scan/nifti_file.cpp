@@ -26,10 +26,16 @@ constexpr std::size_t kVoxelsAtOnce = 65'536;
   throw Error(ErrorCode::kFileUnreadable, what, where, Text::tr("Copy or export the file again"));
 }
 
+/// Null when it cannot be opened, or is a pipe or a device, which may never answer.
+gzFile opened(const fs::path& file) {
+  std::error_code failed;
+  return fs::is_regular_file(file, failed) ? gzopen(file.c_str(), "rb") : nullptr;
+}
+
 /// A file that is read from front to back, gzip or not.
 class ZippedFile {
  public:
-  explicit ZippedFile(const fs::path& file) : where_(file.string()), file_(gzopen(file.c_str(), "rb")) {
+  explicit ZippedFile(const fs::path& file) : where_(file.string()), file_(opened(file)) {
     if (file_ == nullptr) {
       refuseVoxels(Text::tr("N04 the file cannot be opened"), where_);
     }

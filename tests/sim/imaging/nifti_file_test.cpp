@@ -11,6 +11,10 @@
 #include <utility>
 #include <vector>
 
+#ifndef _WIN32
+#include <sys/stat.h>
+#endif
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -233,6 +237,18 @@ TEST(NiftiFile, NeverLetsADamagedFileThrough) {
   }
   EXPECT_GT(refused, 1000U);
 }
+
+#ifndef _WIN32
+TEST(NiftiFile, APipeIsRefusedAndNotWaitedFor) {
+  const auto pipe = niftiFile("pipe.nii");
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+
+  EXPECT_THROW((void)readNifti(pipe), Error);
+
+  std::filesystem::remove(pipe);
+}
+#endif
 
 }  // namespace
 }  // namespace torsio
