@@ -42,6 +42,8 @@ struct OrganMeasures {
   double branch = 0.0;              ///< share of the surface farther off its section than its radius
   double beyond = 0.0;              ///< share of the surface beyond ends that are not cut
   double widthRatio = 1.0;          ///< widest over narrowest, middle four fifths
+  double widestAt = 0.0;            ///< place of that section, as a share of the length from the fixed end
+  double narrowestAt = 0.0;         ///< likewise
   double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
   std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
   std::size_t crossingsAtRest = 0;

@@ -7,4 +7,10 @@ ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, co
   return {surfaceOfScan(request, progress), 0.0, 0.0};
 }
 
+ScanPreview previewApart(const ScanRequest& request, bool find, const ScanProgress& progress,
+                         const HelperLimits&) {
+  requireScanRequest(request);
+  return previewOfScan(request, find, progress);
+}
+
 }  // namespace torsio

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/short_number.h"
 #include "sim/base/text_list.h"
+#include "sim/imaging/surface/scan_table.h"
 
 namespace torsio {
 
@@ -166,9 +167,29 @@ std::size_t largestPiece(const WorkGrid& grid, const MaskPieces& pieces, ScanTis
   return fit[0];
 }
 
+/// Skin that reaches too many borders because it lies on a flat table: without the table. None otherwise.
+std::optional<VoxelMask> offTheTable(const WorkGrid& grid, const VoxelMask& within,
+                                     const ScanRequest& request, std::vector<ScanRemark>& remarks) {
+  if (request.tissue != ScanTissue::kSkin) {
+    return std::nullopt;
+  }
+  const std::optional<TablePlane> table = tableIn(grid, within);
+  if (!table) {
+    return std::nullopt;
+  }
+  VoxelMask body = within;
+  removeTable(grid, *table, body);
+  remarks.push_back(
+      {"D21", true,
+       Text::tr("the table was cut off at y = %1 mm; where the body lay on it, it is flat there",
+                shortNumber(table->at_mm)),
+       table->at_mm, Text::tr("Look at the mask over the slices")});
+  return body;
+}
+
 /// Cuts thin bridges and returns the organ's piece, with all of its border.
 VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanRequest& request,
-                      const std::string& where, std::vector<ScanRemark>& remarks) {
+                      const std::string& where, std::vector<ScanRemark>& remarks, bool onTable = true) {
   VoxelMask core = within.shrunk(1);
   if (core.voxels() == 0) {
     core = within;
@@ -177,10 +198,17 @@ VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanR
   const VoxelMask::Count low{grid.low()[0] + 1, grid.low()[1] + 1, grid.low()[2] + 1};
   const VoxelMask::Count high{grid.high()[0] - 1, grid.high()[1] - 1, grid.high()[2] - 1};
   const MaskPieces pieces(core, low, high);
+  const auto before = static_cast<std::ptrdiff_t>(remarks.size());
   const std::size_t chosen = request.seed_mm ? pieceAtSeed(grid, pieces, *request.seed_mm, where)
                                              : largestPiece(grid, pieces, request.tissue, where, remarks);
   const MaskPiece& piece = pieces.list()[chosen];
   if (bordersOf(piece) > kMostBorders) {
+    if (onTable) {
+      remarks.erase(remarks.begin() + before, remarks.end());  // of pieces that are told of anew
+      if (const auto body = offTheTable(grid, within, request, remarks)) {
+        return chosenPiece(grid, *body, request, where, remarks, false);
+      }
+    }
     refuseTissue(
         Text::tr("D16 the tissue reaches %1 of the 6 borders of the scan: it leaks, or the scan shows a part",
                  std::to_string(bordersOf(piece))),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio-scan MEMORY_MB PROCESSOR_S REQUEST...: reads a scan for Torsio within limits and leaves the surface
-// of the organ, or the refusal, in the file that it was given. Started by Torsio, never by hand.
+// torsio-scan MEMORY_MB PROCESSOR_S ANSWER REQUEST...: reads a scan for Torsio within limits and leaves the
+// surface of the organ, a preview (ScanAnswer says which), or the refusal, in the file that it was given.
+// Started by Torsio, never by hand.
 #include <array>
 #include <cstdlib>
 #include <exception>
@@ -22,9 +23,12 @@ void tellStep(ScanStep step, double fraction) {
   tellParent(news);
 }
 
-std::string answerTo(const ScanRequest& request, const std::string& memory_MB) {
+std::string answerTo(ScanAnswer wanted, const ScanRequest& request, const std::string& memory_MB) {
   const std::string where = request.source.string();
   try {
+    if (wanted != ScanAnswer::kSurface) {
+      return mailOf(previewOfScan(request, wanted == ScanAnswer::kOrgan, &tellStep));
+    }
     return mailOf(surfaceOfScan(request, &tellStep));
   } catch (const Error& error) {
     return mailOf(error);
@@ -42,12 +46,18 @@ std::string answerTo(const ScanRequest& request, const std::string& memory_MB) {
 }  // namespace torsio
 
 int main(int argc, char** argv) {
-  constexpr int kFirstWord = 3;
+  constexpr int kFirstWord = 4;
   if (argc < kFirstWord ||
       !torsio::bindHelper(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10))) {
     return EXIT_FAILURE;
   }
+  const long wanted = std::strtol(argv[3], nullptr, 10);
   const auto request =
       torsio::requestOfWords({argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)});
-  return request && torsio::leaveAnswer(torsio::answerTo(*request, argv[1])) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool known = wanted >= 0 && wanted <= static_cast<long>(torsio::ScanAnswer::kOrgan);
+  return known && request &&
+                 torsio::leaveAnswer(
+                     torsio::answerTo(static_cast<torsio::ScanAnswer>(wanted), *request, argv[1]))
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
 }
