@@ -17,6 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr std::uint32_t kScanMail = 0x5343414e;     // "SCAN"
+constexpr std::uint32_t kToolMail = 0x544f4f4c;     // "TOOL"
 constexpr std::uint32_t kPreviewMail = 0x534c4943;  // "SLIC"
 constexpr std::size_t kMostRemarks = 64;
 constexpr std::size_t kRequestWords = 9;
@@ -53,6 +54,15 @@ std::vector<double> numbersOf(const char* word, std::size_t wanted) {
     word = *end == ',' ? end + 1 : end;
   }
   return numbers;
+}
+
+std::string wordOf(const std::optional<Vec3>& v) {
+  return v ? wordOf(std::vector<double>{v->x, v->y, v->z}) : "-";
+}
+
+std::optional<Vec3> vectorOf(const char* word) {
+  const std::vector<double> numbers = numbersOf(word, 3);
+  return numbers.empty() ? std::nullopt : std::optional(Vec3{numbers[0], numbers[1], numbers[2]});
 }
 
 /// Takes the dabs of a word; false where it is none.
@@ -142,10 +152,6 @@ Vec3 unpackVector(TextUnpacker& facts) {
 }  // namespace
 
 std::vector<std::string> wordsOf(const ScanRequest& request) {
-  std::vector<double> seed;
-  if (request.seed_mm) {
-    seed = {request.seed_mm->x, request.seed_mm->y, request.seed_mm->z};
-  }
   std::vector<double> box;
   if (request.box_mm) {
     for (const Vec3& corner : *request.box_mm) {
@@ -157,7 +163,7 @@ std::vector<std::string> wordsOf(const ScanRequest& request) {
                                  std::to_string(request.label),
                                  std::to_string(request.series),
                                  request.resample ? "1" : "0",
-                                 wordOf(seed),
+                                 wordOf(request.seed_mm),
                                  wordOf(box),
                                  request.wall_mm ? hexadecimal(*request.wall_mm) : "-",
                                  request.fluid ? "1" : "0"};
@@ -187,9 +193,7 @@ std::optional<ScanRequest> requestOfWords(std::span<const char* const> words) {
   request.label = static_cast<int>(std::strtol(words[2], nullptr, 10));
   request.series = static_cast<int>(std::strtol(words[3], nullptr, 10));
   request.resample = std::string(words[4]) == "1";
-  if (const auto seed = numbersOf(words[5], 3); !seed.empty()) {
-    request.seed_mm = Vec3{seed[0], seed[1], seed[2]};
-  }
+  request.seed_mm = vectorOf(words[5]);
   if (const auto box = numbersOf(words[6], 6); !box.empty()) {
     request.box_mm = ScanBox{Vec3{box[0], box[1], box[2]}, Vec3{box[3], box[4], box[5]}};
   }
@@ -202,6 +206,32 @@ std::optional<ScanRequest> requestOfWords(std::span<const char* const> words) {
       return std::nullopt;
     }
   }
+  return request;
+}
+
+std::vector<std::string> wordsOf(const ToolRequest& request) {
+  return {request.source.string(),       hexadecimal(request.threshold_HU),
+          wordOf(request.seed_mm),       wordOf(request.tip_mm),
+          wordOf(request.shaft),         wordOf(request.jawAxis),
+          hexadecimal(request.pivot_mm), std::to_string(request.series),
+          request.resample ? "1" : "0"};
+}
+
+std::optional<ToolRequest> toolRequestOfWords(std::span<const char* const> words) {
+  constexpr std::size_t kToolWords = 9;
+  if (words.size() != kToolWords) {
+    return std::nullopt;
+  }
+  ToolRequest request;
+  request.source = words[0];
+  request.threshold_HU = std::strtod(words[1], nullptr);
+  request.seed_mm = vectorOf(words[2]);
+  request.tip_mm = vectorOf(words[3]);
+  request.shaft = vectorOf(words[4]);
+  request.jawAxis = vectorOf(words[5]);
+  request.pivot_mm = std::strtod(words[6], nullptr);
+  request.series = static_cast<int>(std::strtol(words[7], nullptr, 10));
+  request.resample = std::string(words[8]) == "1";
   return request;
 }
 
@@ -303,6 +333,54 @@ ScanPreview previewOfMail(std::span<const char> bytes, const std::string& where)
     preview.volume_ml = volume_ml;
   }
   return preview;
+}
+
+std::string mailOf(const ToolSurface& tool) {
+  std::string meshes;
+  TextPacker facts;
+  for (const TriangleMesh* const part : {&tool.shaft, &tool.upperJaw, &tool.lowerJaw}) {
+    const std::string mesh = mailOf(RawMesh{*part, {}});
+    facts.number(static_cast<double>(mesh.size()));
+    meshes += mesh;
+  }
+  for (const double number : {tool.length_mm, tool.pivot_mm, tool.shaftRadius_mm, tool.tipRadius_mm}) {
+    facts.number(number);
+  }
+  packVector(tool.tip_mm, facts);
+  for (const Vec3& axis : tool.axes) {
+    packVector(axis, facts);
+  }
+  packRemarks(tool.remarks, facts);
+  return mailHead(kToolMail, facts) + meshes;
+}
+
+ToolSurface toolOfMail(std::span<const char> bytes, const std::string& where) {
+  const OpenedMail mail = openedMail(bytes, kToolMail, where);
+  TextUnpacker facts(mail.facts);
+  ToolSurface tool;
+  std::array<std::size_t, 3> sizes{};
+  for (std::size_t& size : sizes) {
+    size = facts.count(mail.rest.size());
+  }
+  tool.length_mm = facts.number();
+  tool.pivot_mm = facts.number();
+  tool.shaftRadius_mm = facts.number();
+  tool.tipRadius_mm = facts.number();
+  tool.tip_mm = unpackVector(facts);
+  for (Vec3& axis : tool.axes) {
+    axis = unpackVector(facts);
+  }
+  unpackRemarks(facts, tool.remarks);
+  std::span<const char> rest = mail.rest;
+  const std::array<TriangleMesh*, 3> parts{&tool.shaft, &tool.upperJaw, &tool.lowerJaw};
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    if (sizes[n] > rest.size()) {
+      refuseAnswer(where);
+    }
+    *parts[n] = meshOfMail(rest.first(sizes[n]), where).mesh;
+    rest = rest.subspan(sizes[n]);
+  }
+  return tool;
 }
 
 }  // namespace torsio

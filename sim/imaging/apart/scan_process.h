@@ -4,6 +4,7 @@
 #include "sim/geometry/apart/helper_process.h"
 #include "sim/imaging/surface/scan_preview.h"
 #include "sim/imaging/surface/scan_surface.h"
+#include "sim/imaging/surface/tool_surface.h"
 
 namespace torsio {
 
@@ -24,6 +25,10 @@ struct ScanApart {
 /// answer. On Windows it is done in this process, and the costs are 0.
 [[nodiscard]] ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress = {},
                                   const HelperLimits& limits = kScanLimits);
+
+/// Does what toolOfScan() does in such a process; throws likewise.
+[[nodiscard]] ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress = {},
+                                    const HelperLimits& limits = kScanLimits);
 
 /// Does what previewOfScan() does in such a process; throws likewise.
 [[nodiscard]] ScanPreview previewApart(const ScanRequest& request, bool find,

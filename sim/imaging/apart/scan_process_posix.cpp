@@ -76,13 +76,12 @@ class ScanNews {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
-/// Lets the other process answer; returns what it cost.
-HelperEnd askedApart(ScanAnswer wanted, const ScanRequest& request, const ScanProgress& progress,
+/// Lets the other process answer a request, whose first word is the scan; returns what it cost.
+HelperEnd askedApart(ScanAnswer wanted, std::vector<std::string> request, const ScanProgress& progress,
                      const HelperLimits& limits, HelperAnswer& answer) {
-  requireScanRequest(request);
-  const std::string where = request.source.string();
+  const std::string where = request.front();
   std::error_code failed;
-  if (!std::filesystem::exists(request.source, failed)) {
+  if (!std::filesystem::exists(where, failed)) {
     throw Error(ErrorCode::kFileMissing, Text::tr("there is no such file"), where,
                 Text::tr("Check the path"));
   }
@@ -94,7 +93,7 @@ HelperEnd askedApart(ScanAnswer wanted, const ScanRequest& request, const ScanPr
   std::vector<std::string> words{program, std::to_string(limits.memory_MB),
                                  std::to_string(limits.processor_s),
                                  std::to_string(static_cast<int>(wanted))};
-  for (std::string& word : wordsOf(request)) {
+  for (std::string& word : request) {
     words.push_back(std::move(word));
   }
   ScanNews news(progress);
@@ -107,16 +106,25 @@ HelperEnd askedApart(ScanAnswer wanted, const ScanRequest& request, const ScanPr
 }  // namespace
 
 ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, const HelperLimits& limits) {
+  requireScanRequest(request);
   HelperAnswer answer;
-  const HelperEnd end = askedApart(ScanAnswer::kSurface, request, progress, limits, answer);
+  const HelperEnd end = askedApart(ScanAnswer::kSurface, wordsOf(request), progress, limits, answer);
   return {scanOfMail(answer.bytes(), request.source.string()), end.processor_s, end.peak_MB};
 }
 
 ScanPreview previewApart(const ScanRequest& request, bool find, const ScanProgress& progress,
                          const HelperLimits& limits) {
+  requireScanRequest(request);
   HelperAnswer answer;
-  askedApart(find ? ScanAnswer::kOrgan : ScanAnswer::kSlices, request, progress, limits, answer);
+  askedApart(find ? ScanAnswer::kOrgan : ScanAnswer::kSlices, wordsOf(request), progress, limits, answer);
   return previewOfMail(answer.bytes(), request.source.string());
+}
+
+ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress, const HelperLimits& limits) {
+  requireToolRequest(request);
+  HelperAnswer answer;
+  askedApart(ScanAnswer::kTool, wordsOf(request), progress, limits, answer);
+  return toolOfMail(answer.bytes(), request.source.string());
 }
 
 }  // namespace torsio

@@ -7,6 +7,10 @@ ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, co
   return {surfaceOfScan(request, progress), 0.0, 0.0};
 }
 
+ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress, const HelperLimits&) {
+  return toolOfScan(request, progress);
+}
+
 ScanPreview previewApart(const ScanRequest& request, bool find, const ScanProgress& progress,
                          const HelperLimits&) {
   requireScanRequest(request);

@@ -28,7 +28,7 @@ struct ScanPreview {
 [[nodiscard]] ScanPreview previewOfScan(const ScanRequest& request, bool find,
                                         const ScanProgress& progress = {});
 
-/// The same of a scan that was read already.
+/// Makes a preview of a scan that was read already.
 [[nodiscard]] ScanPreview previewOfScan(const ScanRead& scan, const ScanRequest& request, bool find,
                                         double mostVoxels = kPreviewVoxels,
                                         const ScanProgress& progress = {});

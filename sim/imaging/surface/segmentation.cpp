@@ -291,6 +291,23 @@ FoundPiece foundPiece(const WorkGrid& grid, const ScanRequest& request, const st
   return {std::move(piece), level};
 }
 
+FoundPiece densePiece(const WorkGrid& grid, double threshold_HU, const std::optional<Vec3>& seed_mm,
+                      const std::string& where, std::vector<ScanRemark>& remarks) {
+  constexpr double kUsualContrast_HU = 1000.0;
+  constexpr double kLeastContrast_HU = 200.0;
+  const TissueLevel first{threshold_HU, kUsualContrast_HU};
+  const MaskPieces pieces(withinLevel(grid, first), grid.low(), grid.high());
+  if (pieces.list().empty()) {
+    refuseTissue(Text::tr("D16 nothing in this scan is denser than %1 HU", shortNumber(threshold_HU)), where,
+                 Text::tr("Give a lower threshold, or another scan"));
+  }
+  const std::size_t chosen = seed_mm ? pieceAtSeed(grid, pieces, *seed_mm, where)
+                                     : largestPiece(grid, pieces, ScanTissue::kSkin, where, remarks);
+  VoxelMask piece = pieces.mask(chosen);
+  const double contrast = std::max(measuredLevel(grid, piece, first).contrast, kLeastContrast_HU);
+  return {std::move(piece), {threshold_HU, contrast}};
+}
+
 VoxelMask wholeOrgan(const WorkGrid& grid, const VoxelMask& piece, int closing) {
   VoxelMask organ = piece.closed(closing);
   fillLids(organ, grid.low(), grid.high());

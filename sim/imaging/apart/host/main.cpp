@@ -23,13 +23,22 @@ void tellStep(ScanStep step, double fraction) {
   tellParent(news);
 }
 
-std::string answerTo(ScanAnswer wanted, const ScanRequest& request, const std::string& memory_MB) {
-  const std::string where = request.source.string();
+/// What the request wants, or the refusal; empty where the words are no request.
+std::string answerTo(ScanAnswer wanted, std::span<const char* const> words, const std::string& memory_MB) {
+  const std::string where = words.empty() ? "" : words.front();
   try {
-    if (wanted != ScanAnswer::kSurface) {
-      return mailOf(previewOfScan(request, wanted == ScanAnswer::kOrgan, &tellStep));
+    if (wanted == ScanAnswer::kTool) {
+      const auto tool = toolRequestOfWords(words);
+      return tool ? mailOf(toolOfScan(*tool, &tellStep)) : "";
     }
-    return mailOf(surfaceOfScan(request, &tellStep));
+    const auto request = requestOfWords(words);
+    if (!request) {
+      return "";
+    }
+    if (wanted == ScanAnswer::kSurface) {
+      return mailOf(surfaceOfScan(*request, &tellStep));
+    }
+    return mailOf(previewOfScan(*request, wanted == ScanAnswer::kOrgan, &tellStep));
   } catch (const Error& error) {
     return mailOf(error);
   } catch (const std::bad_alloc&) {
@@ -52,12 +61,11 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   const long wanted = std::strtol(argv[3], nullptr, 10);
-  const auto request =
-      torsio::requestOfWords({argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)});
-  const bool known = wanted >= 0 && wanted <= static_cast<long>(torsio::ScanAnswer::kOrgan);
-  return known && request &&
-                 torsio::leaveAnswer(
-                     torsio::answerTo(static_cast<torsio::ScanAnswer>(wanted), *request, argv[1]))
-             ? EXIT_SUCCESS
-             : EXIT_FAILURE;
+  if (wanted < 0 || wanted > static_cast<long>(torsio::ScanAnswer::kTool)) {
+    return EXIT_FAILURE;
+  }
+  const std::string answer =
+      torsio::answerTo(static_cast<torsio::ScanAnswer>(wanted),
+                       {argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)}, argv[1]);
+  return !answer.empty() && torsio::leaveAnswer(answer) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
