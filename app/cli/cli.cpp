@@ -46,6 +46,7 @@ void buildProgram(CLI::App& program) {
   addEvaluate(program);
   addExport(program);
   addDataset(program);
+  addInstrument(program);
   addInvite(program);
   addLearning(program);
   addMetrics(program);

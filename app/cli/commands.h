@@ -24,6 +24,7 @@ void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addExport(CLI::App& program);
 void addDataset(CLI::App& program);
+void addInstrument(CLI::App& program);
 void addInvite(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);

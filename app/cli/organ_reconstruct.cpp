@@ -15,6 +15,7 @@
 #include "app/cli/organ_result.h"
 #include "app/cli/progress_line.h"
 #include "sim/base/error.h"
+#include "sim/imaging/surface/scan_steps.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/organ_reconstruction.h"
 
@@ -31,6 +32,7 @@ struct ReconstructArguments {
   std::vector<double> box;
   int series = 0;
   bool resample = false;
+  bool fluid = false;
   OrganResultOptions result;
 };
 
@@ -65,31 +67,9 @@ ScanRequest scanRequest(const ReconstructArguments& arguments) {
   }
   scan.series = arguments.series;
   scan.resample = arguments.resample;
+  scan.fluid = arguments.fluid;
   scan.wall_mm = arguments.result.wall_mm;
   return scan;
-}
-
-/// What is done, and where in the whole it begins and ends.
-struct StepShare {
-  Text words;
-  double from = 0.0;
-  double to = 1.0;
-};
-
-StepShare shareOf(ScanStep step) {
-  switch (step) {
-    case ScanStep::kReading:
-      return {Text::tr("Reading the scan"), 0.0, 0.3};
-    case ScanStep::kSegmenting:
-      return {Text::tr("Looking for the organ"), 0.3, 0.5};
-    case ScanStep::kDrawing:
-      return {Text::tr("Drawing its surface"), 0.5, 0.7};
-    case ScanStep::kThinning:
-      return {Text::tr("Smoothing and thinning"), 0.7, 0.9};
-    case ScanStep::kMeasuring:
-      break;
-  }
-  return {Text::tr("Measuring the wall"), 0.9, 1.0};
 }
 
 nlohmann::ordered_json reconstructJson(const OrganReconstruction& made, const std::string& out) {
@@ -124,8 +104,8 @@ void runReconstruct(const ReconstructArguments& arguments) {
   {
     ProgressLine line;
     made = reconstructOrgan(std::move(request), scan, [&line](ScanStep step, double fraction) {
-      const StepShare share = shareOf(step);
-      line.show({share.words, share.from + (share.to - share.from) * fraction, -1.0});
+      const ScanStepShare share = shareOf(step);
+      line.show({share.words, share.at(fraction), -1.0});
     });
   }
   finishOrgan(made.import, arguments.result, arguments.source, reconstructJson(made, arguments.result.out));
@@ -149,6 +129,8 @@ void addOrganReconstruct(CLI::App& organ) {
       ->expected(6);
   command->add_option("--series", arguments->series, "Which of several series, by its number in the list")
       ->check(CLI::Range(1, 100'000));
+  command->add_flag("--fluid", arguments->fluid,
+                    "With gas-lumen or wall: take the fluid below the gas with it, down to the wall");
   command->add_flag("--resample", arguments->resample, "Take slices at uneven distances");
   addOrganResultOptions(*command, arguments->result, "mm");
   command->callback([arguments] { runReconstruct(*arguments); });

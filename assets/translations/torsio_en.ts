@@ -351,6 +351,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::OrganFindings</name>
+    <message numerus="yes">
+        <source>Accepted with %n warning(s), which stay with the organ</source>
+        <translation>
+            <numerusform>Accepted with %n warning, which stays with the organ</numerusform>
+            <numerusform>Accepted with %n warnings, which stay with the organ</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::PeopleDialog</name>
     <message numerus="yes">
         <source>Take %n</source>

@@ -17175,6 +17175,150 @@ audit trail %3</source>
         <source>Open it with Torsio once, which takes the change back</source>
         <translation>请用 Torsio 打开一次，未完成的更改即会撤销</translation>
     </message>
+    <message>
+        <source>Drawing the organ</source>
+        <translation>正在绘制器官</translation>
+    </message>
+    <message>
+        <source>Judging the organ</source>
+        <translation>正在评判器官</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>正在读取网格</translation>
+    </message>
+    <message>
+        <source>the strokes of the brush are too many or too large</source>
+        <translation>画笔的笔画过多或过大</translation>
+    </message>
+    <message>
+        <source>Mend the mask with fewer strokes</source>
+        <translation>请用较少的笔画修补掩膜</translation>
+    </message>
+    <message>
+        <source>the mask was mended by hand: %1 ml added, %2 ml taken away</source>
+        <translation>掩膜经手工修补：增加 %1 ml，去除 %2 ml</translation>
+    </message>
+    <message>
+        <source>D16 the brush took all of the organ away</source>
+        <translation>D16 画笔擦去了整个器官</translation>
+    </message>
+    <message>
+        <source>Undo some of its strokes</source>
+        <translation>请撤销部分笔画</translation>
+    </message>
+    <message>
+        <source>Leave out --fluid and mend the mask with the brush, or give a label mask</source>
+        <translation>请不加 --fluid 并用画笔修补掩膜，或给出标签掩膜</translation>
+    </message>
+    <message>
+        <source>D16 the fluid below the gas (%1 HU) is as dense as the wall (%2 HU)</source>
+        <translation>D16 气体下方的液体（%1 HU）与壁（%2 HU）密度相同</translation>
+    </message>
+    <message>
+        <source>D16 no fluid was found below the level at which the gas ends</source>
+        <translation>D16 在气体终止的平面以下未找到液体</translation>
+    </message>
+    <message>
+        <source>D16 the fluid leaks: it reaches the borders of the scan</source>
+        <translation>D16 液体泄漏：到达扫描的边界</translation>
+    </message>
+    <message>
+        <source>D16 the gas ends at no flat level: no fluid stands below it</source>
+        <translation>D16 气体没有终止于平面：其下方没有液体</translation>
+    </message>
+    <message>
+        <source>D16 the fluid leaks: with the gas it fills %1 ml, a stomach holds at most %2 ml</source>
+        <translation>D16 液体泄漏：连同气体共 %1 ml，而胃最多容纳 %2 ml</translation>
+    </message>
+    <message>
+        <source>%1 ml of fluid (%2 HU) below the gas, towards %3, were joined to it</source>
+        <translation>气体下方（朝%3）的 %1 ml 液体（%2 HU）已并入</translation>
+    </message>
+    <message>
+        <source>Look at the mask over the slices</source>
+        <translation>请在切片上查看掩膜</translation>
+    </message>
+    <message>
+        <source>fluid stands below gas only</source>
+        <translation>只有气体下方才有液体</translation>
+    </message>
+    <message>
+        <source>Choose gas or the wall as the tissue, or leave the fluid out</source>
+        <translation>请选择气体或壁作为组织，或不包括液体</translation>
+    </message>
+    <message>
+        <source>the table was cut off at y = %1 mm; where the body lay on it, it is flat there</source>
+        <translation>检查床在 y = %1 mm 处切除；身体与床接触处因此是平的</translation>
+    </message>
+    <message>
+        <source>D16 nothing in this scan is denser than %1 HU</source>
+        <translation>D16 扫描中没有密度高于 %1 HU 的物体</translation>
+    </message>
+    <message>
+        <source>Give a lower threshold, or another scan</source>
+        <translation>请给出较低的阈值，或另一个扫描</translation>
+    </message>
+    <message>
+        <source>the jaws are taken to turn about their broad side, %1, %2, %3 in the scan</source>
+        <translation>假定钳口绕其宽边转动，在扫描中方向为 %1、%2、%3</translation>
+    </message>
+    <message>
+        <source>Give the axis of the hinge where it is another</source>
+        <translation>若铰链轴不同，请给出</translation>
+    </message>
+    <message>
+        <source>the jaws are %1 mm long; the force is computed with jaws of %2 mm</source>
+        <translation>钳口长 %1 mm；力按 %2 mm 的钳口计算</translation>
+    </message>
+    <message>
+        <source>Use the instrument for what is seen</source>
+        <translation>请仅将该器械用于显示</translation>
+    </message>
+    <message>
+        <source>what is said of the instrument is out of range</source>
+        <translation>关于器械的参数超出范围</translation>
+    </message>
+    <message>
+        <source>Give a threshold of -500 to 3000 HU, a hinge 3 to 100 mm behind the tip, and directions that are not zero</source>
+        <translation>请给出 -500 至 3000 HU 的阈值、距尖端 3 至 100 mm 的铰链，以及非零的方向</translation>
+    </message>
+    <message>
+        <source>D16 what is denser than %1 HU is %2 mm long: no instrument with jaws of %3 mm</source>
+        <translation>D16 密度高于 %1 HU 的物体长 %2 mm：不是钳口长 %3 mm 的器械</translation>
+    </message>
+    <message>
+        <source>Give another threshold, a seed in the instrument, or its hinge</source>
+        <translation>请给出另一个阈值、器械内的种子点或铰链位置</translation>
+    </message>
+    <message>
+        <source>D16 the instrument has no two jaws in front of its hinge</source>
+        <translation>D16 铰链之前没有两片钳口</translation>
+    </message>
+    <message>
+        <source>Give the hinge, its axis, and a point near the tip</source>
+        <translation>请给出铰链、其轴线和尖端附近的一点</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm; an instrument has %3 to %4 mm</source>
+        <translation>%1为 %2 mm；器械应为 %3 至 %4 mm</translation>
+    </message>
+    <message>
+        <source>Check threshold, tip and hinge of the instrument</source>
+        <translation>请检查阈值、尖端和铰链</translation>
+    </message>
+    <message>
+        <source>its length</source>
+        <translation>其长度</translation>
+    </message>
+    <message>
+        <source>the radius of its tip</source>
+        <translation>其尖端半径</translation>
+    </message>
+    <message>
+        <source>the reach of its grip</source>
+        <translation>其夹持范围</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -22992,6 +23136,399 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::OrganFindings</name>
+    <message>
+        <source>refused</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>for your information</source>
+        <translation>供参考</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>已接受</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted with %n warning(s), which stay with the organ</source>
+        <translation>
+            <numerusform>带 %n 条警告接受，警告随器官保存</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>axis %1 mm</source>
+        <translation>轴长 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 times as long as wide</source>
+        <translation>长为宽的 %1 倍</translation>
+    </message>
+    <message>
+        <source>at 60° det F falls to %1</source>
+        <translation>扭转 60° 时 det F 降至 %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>Where: %1</source>
+        <translation>位置：%1</translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation>测得：%1</translation>
+    </message>
+    <message>
+        <source>Nothing had to be mended, and nothing is to be told.</source>
+        <translation>无需修补，也无须提示。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrganMarks</name>
+    <message>
+        <source>held end</source>
+        <translation>固定端</translation>
+    </message>
+    <message>
+        <source>free end</source>
+        <translation>自由端</translation>
+    </message>
+    <message>
+        <source>widest</source>
+        <translation>最宽处</translation>
+    </message>
+    <message>
+        <source>narrowest</source>
+        <translation>最窄处</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrganPicture</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>There is no picture: no surface could be made of the file. The findings say why.</source>
+        <translation>没有图像：无法由该文件得到曲面。原因见各条发现。</translation>
+    </message>
+    <message>
+        <source>Trial &amp;twist</source>
+        <translation>试扭转(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Turns the free end about the organ&apos;s own axis, as it is judged</source>
+        <translation>使自由端绕器官自身轴线转动，与评判时相同</translation>
+    </message>
+    <message>
+        <source>Axis and landmarks</source>
+        <translation>轴线与标志点</translation>
+    </message>
+    <message>
+        <source>Sections and ridges</source>
+        <translation>截面与脊线</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上方</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrganSettings</name>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>文件的单位(&amp;U)</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>微米</translation>
+    </message>
+    <message>
+        <source>another</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>&amp;Millimetres in one unit</source>
+        <translation>每单位的毫米数(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Close holes and open ends</source>
+        <translation>封闭孔洞和开放的端部</translation>
+    </message>
+    <message>
+        <source>&amp;Anatomy</source>
+        <translation>解剖结构(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Not known: twists about its own axis</source>
+        <translation>未知：绕自身轴线扭转</translation>
+    </message>
+    <message>
+        <source>Thickness of its &amp;wall</source>
+        <translation>壁厚(&amp;W)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Ends of the organ</source>
+        <translation>器官的两端</translation>
+    </message>
+    <message>
+        <source>found from its shape</source>
+        <translation>由形状求得</translation>
+    </message>
+    <message>
+        <source>given, in millimetres: left, back, up</source>
+        <translation>给定（毫米：左、后、上）</translation>
+    </message>
+    <message>
+        <source>&amp;Held end</source>
+        <translation>固定端(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Free end</source>
+        <translation>自由端(&amp;F)</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>向左</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <translation>向后</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Held end</source>
+        <translation>固定端</translation>
+    </message>
+    <message>
+        <source>Free end</source>
+        <translation>自由端</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>点选</translation>
+    </message>
+    <message>
+        <source>Then click on the organ where this end lies</source>
+        <translation>随后在器官上点击该端所在处</translation>
+    </message>
+    <message>
+        <source>Click the held end</source>
+        <translation>点选固定端</translation>
+    </message>
+    <message>
+        <source>Click the free end</source>
+        <translation>点选自由端</translation>
+    </message>
+    <message>
+        <source>cut there: what lies beyond follows as a whole</source>
+        <translation>在此截断：以外的部分整体跟随</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrganWizard</name>
+    <message>
+        <source>Mesh of an organ</source>
+        <translation>器官的网格</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
+        <translation>网格 (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>NIfTI files (*.nii *.nii.gz *.hdr *.hdr.gz);;All files (*)</source>
+        <translation>NIfTI 文件 (*.nii *.nii.gz *.hdr *.hdr.gz);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Folder of DICOM files</source>
+        <translation>DICOM 文件夹</translation>
+    </message>
+    <message>
+        <source>Wait until the work that goes on has ended</source>
+        <translation>请等待当前的工作结束</translation>
+    </message>
+    <message>
+        <source>Judging the organ</source>
+        <translation>正在评判器官</translation>
+    </message>
+    <message>
+        <source>Reading the scan</source>
+        <translation>正在读取扫描</translation>
+    </message>
+    <message>
+        <source>Looking for the organ</source>
+        <translation>正在寻找器官</translation>
+    </message>
+    <message>
+        <source>Drawing the organ</source>
+        <translation>正在绘制器官</translation>
+    </message>
+    <message>
+        <source>organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>Save organ</source>
+        <translation>保存器官</translation>
+    </message>
+    <message>
+        <source>Organ files (*.organ)</source>
+        <translation>器官文件 (*.organ)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Bring an organ</source>
+        <translation>导入器官</translation>
+    </message>
+    <message>
+        <source>A mesh or a scan of your own becomes an organ that can be twisted, after it was judged.</source>
+        <translation>您自己的网格或扫描经评判后成为可以扭转的器官。</translation>
+    </message>
+    <message>
+        <source>Back to practice</source>
+        <translation>返回练习</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, mended where that is safe, and twisted on trial.</source>
+        <translation>单个器官的封闭曲面：obj、stl、ply、off、glb、gltf 或 dae。文件在独立进程中读取、检查，在安全处修补，并进行试扭转。</translation>
+    </message>
+    <message>
+        <source>Choose a mesh…</source>
+        <translation>选择网格…</translation>
+    </message>
+    <message>
+        <source>A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and mend what was found. Names of patients are neither shown nor kept.</source>
+        <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修补找到的结果。患者姓名既不显示也不保存。</translation>
+    </message>
+    <message>
+        <source>Take slices at uneven distances</source>
+        <translation>接受间距不均的切片</translation>
+    </message>
+    <message>
+        <source>NIfTI file…</source>
+        <translation>NIfTI 文件…</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>DICOM 文件夹…</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>所得结果</translation>
+    </message>
+    <message>
+        <source>Judgement</source>
+        <translation>评判</translation>
+    </message>
+    <message>
+        <source>What you know of it</source>
+        <translation>您所知的情况</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Judge again</source>
+        <translation>重新评判</translation>
+    </message>
+    <message>
+        <source>With what you know of it now</source>
+        <translation>按现在所知的情况</translation>
+    </message>
+    <message>
+        <source>Save organ…</source>
+        <translation>保存器官…</translation>
+    </message>
+    <message>
+        <source>Open in the simulator</source>
+        <translation>在模拟器中打开</translation>
+    </message>
+    <message>
+        <source>Saves the organ first, so that recordings made on it can be replayed</source>
+        <translation>先保存器官，以便在其上所作的记录能够重放</translation>
+    </message>
+    <message>
+        <source>&amp;Series, where a folder holds several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the one with the most slices</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::OwnRecordCard</name>
     <message>
         <source>You asked for %1 on %2; it waits for the centre.</source>
@@ -26054,6 +26591,153 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ScanPanel</name>
+    <message>
+        <source>%1 mm left, %2 back, %3 up: value %4</source>
+        <translation>左 %1 mm，后 %2，上 %3：值 %4</translation>
+    </message>
+    <message>
+        <source>The mask holds %1 ml</source>
+        <translation>掩膜体积 %1 ml</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+    <message>
+        <source>Wheel or arrow keys: other slices. Right drag: window of grey</source>
+        <translation>滚轮或方向键：切换切片。右键拖动：调整灰度窗</translation>
+    </message>
+    <message>
+        <source>What the organ is</source>
+        <translation>器官是什么</translation>
+    </message>
+    <message>
+        <source>&amp;Tissue</source>
+        <translation>组织(&amp;T)</translation>
+    </message>
+    <message>
+        <source>All within the skin</source>
+        <translation>皮肤以内的全部</translation>
+    </message>
+    <message>
+        <source>Gas in a hollow organ</source>
+        <translation>空腔器官内的气体</translation>
+    </message>
+    <message>
+        <source>Gas and the wall round it</source>
+        <translation>气体及其周围的壁</translation>
+    </message>
+    <message>
+        <source>A label of a mask</source>
+        <translation>掩膜的一个标签</translation>
+    </message>
+    <message>
+        <source>&amp;Number of the label</source>
+        <translation>标签编号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>What a click does</source>
+        <translation>点击的作用</translation>
+    </message>
+    <message>
+        <source>Look there</source>
+        <translation>查看该处</translation>
+    </message>
+    <message>
+        <source>Seed: the organ lies there</source>
+        <translation>种子：器官在该处</translation>
+    </message>
+    <message>
+        <source>Box: drag round the organ</source>
+        <translation>框：围绕器官拖动</translation>
+    </message>
+    <message>
+        <source>Brush: add to the mask</source>
+        <translation>画笔：加入掩膜</translation>
+    </message>
+    <message>
+        <source>Brush: erase from the mask</source>
+        <translation>画笔：从掩膜擦除</translation>
+    </message>
+    <message>
+        <source>&amp;Radius of the brush</source>
+        <translation>画笔半径(&amp;R)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Undo stroke</source>
+        <translation>撤销笔画</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Forgets seed, box and all strokes of the brush</source>
+        <translation>清除种子、框和画笔的全部笔画</translation>
+    </message>
+    <message>
+        <source>Window of grey</source>
+        <translation>灰度窗</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>预设(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>软组织</translation>
+    </message>
+    <message>
+        <source>Gas and lung</source>
+        <translation>气体与肺</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>全部数值</translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation>窗位(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>窗宽(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Another file</source>
+        <translation>另一个文件</translation>
+    </message>
+    <message>
+        <source>Find the organ</source>
+        <translation>寻找器官</translation>
+    </message>
+    <message>
+        <source>Make its surface</source>
+        <translation>生成曲面</translation>
+    </message>
+    <message>
+        <source>with the fluid below the gas</source>
+        <translation>连同气体下方的液体</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SceneCanvas</name>
     <message>
         <source>unknown</source>
@@ -27085,6 +27769,41 @@ Leave it empty to remove it.</source>
     <message>
         <source>Organs and meshes (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
         <translation>器官和网格 (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Bring an organ…</source>
+        <translation>导入器官…</translation>
+    </message>
+    <message>
+        <source>Make an organ of a mesh or a scan of your own: look at it, judge it, keep it</source>
+        <translation>用您自己的网格或扫描制作器官：查看、评判、保存</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SliceView</name>
+    <message>
+        <source>front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>头</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>足</translation>
     </message>
 </context>
 <context>

@@ -75,8 +75,14 @@ void measureSections(const SectionLattice& lattice, OrganMeasures& measures) {
       continue;
     }
     aspects.push_back(moments.aspect);
-    narrowest_m = narrowest_m == 0.0 ? width_m : std::min(narrowest_m, width_m);
-    widestInside_m = std::max(widestInside_m, width_m);
+    if (narrowest_m == 0.0 || width_m < narrowest_m) {
+      narrowest_m = width_m;
+      measures.narrowestAt = share;
+    }
+    if (width_m > widestInside_m) {
+      widestInside_m = width_m;
+      measures.widestAt = share;
+    }
   }
   measures.elongation = measures.widest_m > 0.0 ? measures.length_m / measures.widest_m : 0.0;
   measures.widthRatio = narrowest_m > 0.0 ? widestInside_m / narrowest_m : 1.0;

@@ -35,13 +35,15 @@ struct OrganLimits {
 /// Measures of an organ as the lattice sees it.
 struct OrganMeasures {
   double length_m = 0.0;
-  double widest_m = 0.0;            ///< diameter of the round section of the same area
-  double elongation = 0.0;          ///< length over widest
-  double flatness = 1.0;            ///< long over short side, median over the sections
-  double overlap = 0.0;             ///< share of the places on the sections that run into the next one
-  double branch = 0.0;              ///< share of the surface farther off its section than its radius
-  double beyond = 0.0;              ///< share of the surface beyond ends that are not cut
-  double widthRatio = 1.0;          ///< widest over narrowest, middle four fifths
+  double widest_m = 0.0;    ///< diameter of the round section of the same area
+  double elongation = 0.0;  ///< length over widest
+  double flatness = 1.0;    ///< long over short side, median over the sections
+  double overlap = 0.0;     ///< share of the places on the sections that run into the next one
+  double branch = 0.0;      ///< share of the surface farther off its section than its radius
+  double beyond = 0.0;      ///< share of the surface beyond ends that are not cut
+  double widthRatio = 1.0;  ///< widest over narrowest, middle four fifths
+  double widestAt = 0.0;    ///< place of the widest of those sections, share of the length from the fixed end
+  double narrowestAt = 0.0;         ///< place of the narrowest of them
   double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
   std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
   std::size_t crossingsAtRest = 0;

@@ -13,6 +13,7 @@
 #include "sim/scene/organ_file.h"
 #include "sim/scene/organ_import.h"
 #include "sim/scene/organ_judgement.h"
+#include "sim/scene/organ_scene.h"
 #include "sim/scene/pattern_axes.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
@@ -202,41 +203,14 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
                          .patches = &collision.patches()});
 }
 
-}  // namespace
-
-std::vector<std::string> sceneIds(const fs::path& assets) {
-  std::vector<std::string> ids;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(assets / "scenes", failed)) {
-    if (entry.path().extension() == ".json" && entry.path().stem() != "materials") {
-      ids.push_back(entry.path().stem().string());
-    }
-  }
-  if (failed) {
-    throw Error(ErrorCode::kFileMissing, Text::tr("no scenes here"), (assets / "scenes").string(),
-                Text::tr("Check the assets folder."));
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
+/// The scene whose patterns suit an organ of the user's, with that organ.
+SceneDescription describedOwn(const SceneRequest& request, const UsersOrgan& own) {
+  SceneDescription description = describeOwn(request, own);
+  replaceOrgan(description, request, own);
+  return description;
 }
 
-std::vector<std::string> patternIds(const fs::path& assets, const std::string& id) {
-  return idsOf(readSceneFile(assets, id));
-}
-
-Scene loadScene(const SceneRequest& request) {
-  SceneDescription description;
-  UsersOrgan own;
-  if (request.organFile) {
-    own = loadUsersOrgan(request);
-    description = describeOwn(request, own);
-    replaceOrgan(description, request, own);
-  } else {
-    description = describe(request);
-    MeshImportOptions import;
-    import.scale_m = description.organUnit_m;
-    own.file.mesh = importMesh(description.organ, import, &own.repairs);
-  }
+Scene builtScene(const SceneRequest& request, SceneDescription description, UsersOrgan own) {
   applyWishes(description, request);
   TriangleMesh mesh = std::move(own.file.mesh);
   const SectionLattice lattice(mesh, description.lattice);
@@ -291,6 +265,50 @@ Scene loadScene(const SceneRequest& request) {
                std::move(hollow),
                description.organWarnings,
                own.file.wall_m};
+}
+
+}  // namespace
+
+std::vector<std::string> sceneIds(const fs::path& assets) {
+  std::vector<std::string> ids;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(assets / "scenes", failed)) {
+    if (entry.path().extension() == ".json" && entry.path().stem() != "materials") {
+      ids.push_back(entry.path().stem().string());
+    }
+  }
+  if (failed) {
+    throw Error(ErrorCode::kFileMissing, Text::tr("no scenes here"), (assets / "scenes").string(),
+                Text::tr("Check the assets folder."));
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::vector<std::string> patternIds(const fs::path& assets, const std::string& id) {
+  return idsOf(readSceneFile(assets, id));
+}
+
+Scene loadScene(const SceneRequest& request) {
+  UsersOrgan own;
+  if (request.organFile) {
+    own = loadUsersOrgan(request);
+    SceneDescription theirs = describedOwn(request, own);
+    return builtScene(request, std::move(theirs), std::move(own));
+  }
+  SceneDescription description = describe(request);
+  MeshImportOptions import;
+  import.scale_m = description.organUnit_m;
+  own.file.mesh = importMesh(description.organ, import, &own.repairs);
+  return builtScene(request, std::move(description), std::move(own));
+}
+
+Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ) {
+  UsersOrgan own;
+  own.file = std::move(organ);
+  own.anatomyKnown = true;
+  SceneDescription description = describedOwn(request, own);
+  return builtScene(request, std::move(description), std::move(own));
 }
 
 }  // namespace torsio

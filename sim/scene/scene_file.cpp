@@ -251,19 +251,23 @@ std::vector<PatternDescription> readPatterns(JsonFields& scene) {
 }
 
 /// What the collision needs; the rest of the file is for views.
+
+}  // namespace
+
 Instrument readInstrument(const fs::path& assets, const std::string& id) {
   const fs::path file = assets / "instruments" / (id + ".json");
   const nlohmann::json json = readJson(file);
   JsonFields fields(json, file.string());
   Instrument instrument;
   instrument.id = fields.text("id");
-  instrument.tipRadius_m = fields.number("tip_radius_mm", 0.5, 20.0) * kMillimetre;
-  instrument.shaftLength_m = fields.number("shaft_length_mm", 30.0, 600.0) * kMillimetre;
-  instrument.gripReach_m = fields.number("grip_reach_mm", 0.5, 30.0) * kMillimetre;
+  instrument.tipRadius_m =
+      fields.number("tip_radius_mm", kInstrumentTip_mm.least, kInstrumentTip_mm.most) * kMillimetre;
+  instrument.shaftLength_m =
+      fields.number("shaft_length_mm", kInstrumentLength_mm.least, kInstrumentLength_mm.most) * kMillimetre;
+  instrument.gripReach_m =
+      fields.number("grip_reach_mm", kInstrumentReach_mm.least, kInstrumentReach_mm.most) * kMillimetre;
   return instrument;
 }
-
-}  // namespace
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;

@@ -47,6 +47,18 @@ struct SceneDescription {
 /// field, unknown material or instrument, number out of range.
 [[nodiscard]] SceneDescription readSceneFile(const std::filesystem::path& assets, const std::string& id);
 
+/// Least and most of a measure of an instrument, millimetres.
+struct InstrumentRange {
+  double least = 0.0;
+  double most = 0.0;
+};
+inline constexpr InstrumentRange kInstrumentTip_mm{0.5, 20.0};
+inline constexpr InstrumentRange kInstrumentLength_mm{30.0, 600.0};
+inline constexpr InstrumentRange kInstrumentReach_mm{0.5, 30.0};
+
+/// Reads assets/instruments/<id>.json, as far as the collision needs it. Throws as readSceneFile().
+[[nodiscard]] Instrument readInstrument(const std::filesystem::path& assets, const std::string& id);
+
 /// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as
 /// readSceneFile.
 [[nodiscard]] std::vector<Material> readMaterials(const std::filesystem::path& assets);

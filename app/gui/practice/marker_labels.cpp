@@ -7,7 +7,7 @@
 #include <QEvent>
 #include <QPainter>
 
-#include "app/gui/practice/view_turn.h"
+#include "app/gui/scene/view_turn.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 

@@ -22,7 +22,7 @@
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/practice/view_turn.h"
+#include "app/gui/scene/view_turn.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"

@@ -4,9 +4,12 @@
 #include <cstdint>
 
 #include <QCoreApplication>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/organ/organ_wizard.h"
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/widgets/child.h"
@@ -39,7 +42,9 @@ void holdAtTarget(SimulatorWindow& simulator) {
 }  // namespace
 
 PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidget* parent)
-    : Page(context, parent), own_(std::make_shared<std::set<std::string>>()) {
+    : Page(context, parent),
+      own_(std::make_shared<std::set<std::string>>()),
+      pages_(new QStackedWidget(this)) {
   WindowSetup setup;
   setup.assets = shell().assets();
   setup.theme = shell().themeKind();
@@ -53,12 +58,39 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   }
   simulator_ = new SimulatorWindow(setup);
   simulator_->setObjectName(QStringLiteral("simulator"));
-  simulator_->setParent(this, Qt::Widget);
+  simulator_->setParent(pages_, Qt::Widget);
+  pages_->addWidget(simulator_);
+  connect(simulator_, &SimulatorWindow::organWanted, this, [this] { bringOrgan().begin(); });
   connect(simulator_, &SimulatorWindow::comparisonWanted, this,
           [this](const SceneRequest& organ) { shell().open(PageId::kCompare, QVariant::fromValue(organ)); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(simulator_);
+  column->addWidget(pages_);
+}
+
+OrganWizard& PracticePage::bringOrgan() {
+  if (wizard_ == nullptr) {
+    wizard_ = new OrganWizard(shell(), pages_);
+    pages_->addWidget(wizard_);
+    connect(wizard_, &OrganWizard::closed, this, &PracticePage::showSimulator);
+    connect(wizard_, &OrganWizard::opened, this, [this](const QString& file) {
+      SceneRequest request;
+      request.assets = shell().assets();
+      request.organFile = toPath(file);
+      showSimulator();
+      simulator_->controller().load(request);
+    });
+    wizard_->retranslate();
+    wizard_->setTheme(theme(shell().themeKind()));
+  }
+  simulator_->pause();
+  pages_->setCurrentWidget(wizard_);
+  return *wizard_;
+}
+
+void PracticePage::showSimulator() {
+  pages_->setCurrentWidget(simulator_);
+  simulator_->resume();
 }
 
 PracticePage::~PracticePage() = default;
@@ -87,7 +119,9 @@ TrialRecording PracticePage::recording() {
 }
 
 void PracticePage::enter(const QVariant& argument) {
-  simulator_->resume();
+  if (pages_->currentWidget() == simulator_ || !argument.isNull()) {
+    showSimulator();
+  }
   if (simulator_->controller().scene() != nullptr && argument.isNull()) {
     return;
   }
@@ -112,10 +146,16 @@ std::vector<std::pair<QString, QString>> PracticePage::keys() const {
 
 void PracticePage::retranslate() {
   simulator_->retranslate();
+  if (wizard_ != nullptr) {
+    wizard_->retranslate();
+  }
 }
 
 void PracticePage::applyTheme(const Theme& theme) {
   simulator_->applyColours(theme.kind);
+  if (wizard_ != nullptr) {
+    wizard_->setTheme(theme);
+  }
 }
 
 std::vector<ScreenEntry> practiceScreens() {

@@ -12,9 +12,11 @@
 namespace torsio {
 class TrialStore;
 }
+class QStackedWidget;
 
 namespace torsio::gui {
 
+class OrganWizard;
 class StationDesk;
 
 /// Free practice on any organ: the simulator without a curriculum round it. Nobody's trial and never scored.
@@ -33,17 +35,23 @@ class PracticePage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
+  /// Shows the way to an organ of one's own in place of the simulator; made when it is first asked for.
+  OrganWizard& bringOrgan();
 
  private:
+  void showSimulator();
   [[nodiscard]] TrialRecording recording();
 
   std::shared_ptr<TrialStore> store_;
   std::shared_ptr<std::set<std::string>> own_;  // ids of the trials of this sign-in
+  QStackedWidget* pages_;
   SimulatorWindow* simulator_ = nullptr;
+  OrganWizard* wizard_ = nullptr;
 };
 
 /// For everybody who may practise.
 [[nodiscard]] PageEntry practicePage(std::shared_ptr<StationDesk> desk);
 [[nodiscard]] std::vector<ScreenEntry> practiceScreens();
+[[nodiscard]] std::vector<ScreenEntry> organScreens();
 
 }  // namespace torsio::gui

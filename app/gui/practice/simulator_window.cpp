@@ -412,6 +412,7 @@ void SimulatorWindow::showMode() {
   actions_.release->setEnabled(recording || practice);
   actions_.restart->setEnabled(practice);
   actions_.open->setEnabled(!recording);
+  actions_.bring->setEnabled(!recording);
   actions_.compare->setEnabled(practice && controller_->scene() != nullptr);
   recordingTime_->setVisible(recording);
   replayBar_->setVisible(mode == Mode::kReplay);

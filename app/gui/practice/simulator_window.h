@@ -73,6 +73,8 @@ class SimulatorWindow : public QMainWindow {
  Q_SIGNALS:
   /// The organ that is shown is to be compared by other models too.
   void comparisonWanted(const torsio::SceneRequest& organ);
+  /// Somebody wants to bring an organ of their own. Only of a window that is a part of another.
+  void organWanted();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -80,6 +82,7 @@ class SimulatorWindow : public QMainWindow {
  private:
   struct Actions {
     QAction* open = nullptr;
+    QAction* bring = nullptr;
     QAction* picture = nullptr;
     QAction* strip = nullptr;
     QAction* record = nullptr;

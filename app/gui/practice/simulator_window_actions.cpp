@@ -29,6 +29,8 @@ void SimulatorWindow::name(QAction* action, const QString& text, const QString& 
 void SimulatorWindow::nameActions() {
   const Actions& a = actions_;
   name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
+  name(a.bring, tr("Bring an organ\u2026"),
+       tr("Make an organ of a mesh or a scan of your own: look at it, judge it, keep it"));
   name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
   name(a.strip, tr("Film strip\u2026"),
        tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
@@ -73,6 +75,7 @@ void SimulatorWindow::nameActions() {
 void SimulatorWindow::createActions() {
   Actions& a = actions_;
   a.open = addKeyed(QKeySequence::Open);
+  a.bring = addKeyed(QKeySequence());
   a.picture = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
   a.strip = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_F);
   a.record = addKeyed(Qt::CTRL | Qt::Key_R);
@@ -96,6 +99,7 @@ void SimulatorWindow::createActions() {
   }
 
   connect(a.open, &QAction::triggered, this, &SimulatorWindow::chooseOrganFile);
+  connect(a.bring, &QAction::triggered, this, &SimulatorWindow::organWanted);
   connect(a.picture, &QAction::triggered, this, &SimulatorWindow::choosePicture);
   connect(a.strip, &QAction::triggered, this, &SimulatorWindow::chooseFilmStrip);
   connect(a.record, &QAction::triggered, this, &SimulatorWindow::toggleRecording);
@@ -215,7 +219,7 @@ void SimulatorWindow::createToolBar() {
   menus_.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menus_.more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menus_.more);
-  menu->addActions({a.restart, a.open, a.compare, a.strip});
+  menu->addActions({a.restart, a.open, a.bring, a.compare, a.strip});
   menu->addSeparator();
   menu->addActions({a.wireframe, a.markers});
   menu->addMenu(menus_.quality);

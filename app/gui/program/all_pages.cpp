@@ -33,7 +33,7 @@ std::vector<PageGroup> allPages() {
 std::vector<ScreenEntry> allScreens() {
   std::vector<ScreenEntry> screens = stationScreens();
   for (const std::vector<ScreenEntry>& more :
-       {practiceScreens(), compareScreens(), reviewScreens(), administratorScreens()}) {
+       {practiceScreens(), organScreens(), compareScreens(), reviewScreens(), administratorScreens()}) {
     screens.insert(screens.end(), more.begin(), more.end());
   }
   return screens;

@@ -61,7 +61,8 @@ struct HelperEnd {
 
 /// Runs a helper, whose first word is its path, to its end or to that of its time. It has no files but its
 /// answer, the pipe of news and the standard three, which lead nowhere. `news`, if any, is called with the
-/// bytes that it writes there, from this thread. Limits of memory and processor it takes on itself
+/// bytes that it writes there, from this thread, and every few milliseconds with none; when it throws, the
+/// helper is ended. Limits of memory and processor it takes on itself
 /// (helper_host.h).
 [[nodiscard]] HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& answer,
                                   const HelperLimits& limits,

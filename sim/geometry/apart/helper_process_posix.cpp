@@ -93,6 +93,24 @@ std::optional<pid_t> started(const std::vector<std::string>& words, int answer, 
   return failed == 0 ? std::optional(process) : std::nullopt;
 }
 
+/// Ends a process unless it is let go: nobody waits for its answer any more.
+class Leash {
+ public:
+  explicit Leash(pid_t process) : process_(process) {}
+  ~Leash() {
+    if (process_ > 0) {
+      kill(process_, SIGKILL);
+      (void)waitpid(process_, nullptr, 0);
+    }
+  }
+  Leash(const Leash&) = delete;
+  Leash& operator=(const Leash&) = delete;
+  void letGo() noexcept { process_ = 0; }
+
+ private:
+  pid_t process_;
+};
+
 double secondsOf(const timeval& time) {
   constexpr double kMicrosecond_s = 1e-6;
   return static_cast<double>(time.tv_sec) + kMicrosecond_s * static_cast<double>(time.tv_usec);
@@ -146,9 +164,11 @@ HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& a
   int status = 0;
   rusage used{};
   bool late = false;
+  Leash leash(*process);
   while (wait4(*process, &status, WNOHANG, &used) == 0) {
     if (news) {
       pipe.hand(news);
+      news({});
     }
     if (std::chrono::steady_clock::now() > until) {
       late = true;
@@ -158,6 +178,7 @@ HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& a
     }
     std::this_thread::sleep_for(kLookEvery);
   }
+  leash.letGo();
   constexpr double kKilobyte_MB = 1024e-6;
   end.processor_s = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
   end.peak_MB = kKilobyte_MB * static_cast<double>(used.ru_maxrss);

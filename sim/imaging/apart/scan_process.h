@@ -2,7 +2,9 @@
 #pragma once
 
 #include "sim/geometry/apart/helper_process.h"
+#include "sim/imaging/surface/scan_preview.h"
 #include "sim/imaging/surface/scan_surface.h"
+#include "sim/imaging/surface/tool_surface.h"
 
 namespace torsio {
 
@@ -18,9 +20,19 @@ struct ScanApart {
 
 /// Does what surfaceOfScan() does in a process of its own (`torsio-scan`, beside the running program, or the
 /// one that TORSIO_SCAN_PROGRAM names): a scan that takes the reader down, hangs it or asks for all memory
-/// ends that process only. `progress` is called from this thread. Throws as surfaceOfScan(); D04 where the
-/// process ended without an answer. On Windows it is done in this process, and the costs are 0.
+/// ends that process only. `progress` is called from this thread, also while nothing changes;
+/// when it throws, the process is ended. Throws as surfaceOfScan(); D04 where the process ended without an
+/// answer. On Windows it is done in this process, and the costs are 0.
 [[nodiscard]] ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress = {},
                                   const HelperLimits& limits = kScanLimits);
+
+/// Does what toolOfScan() does in such a process; throws likewise.
+[[nodiscard]] ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress = {},
+                                    const HelperLimits& limits = kScanLimits);
+
+/// Does what previewOfScan() does in such a process; throws likewise.
+[[nodiscard]] ScanPreview previewApart(const ScanRequest& request, bool find,
+                                       const ScanProgress& progress = {},
+                                       const HelperLimits& limits = kScanLimits);
 
 }  // namespace torsio

@@ -7,4 +7,14 @@ ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress, co
   return {surfaceOfScan(request, progress), 0.0, 0.0};
 }
 
+ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress, const HelperLimits&) {
+  return toolOfScan(request, progress);
+}
+
+ScanPreview previewApart(const ScanRequest& request, bool find, const ScanProgress& progress,
+                         const HelperLimits&) {
+  requireScanRequest(request);
+  return previewOfScan(request, find, progress);
+}
+
 }  // namespace torsio

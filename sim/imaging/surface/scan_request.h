@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -24,6 +26,19 @@ enum class ScanTissue {
   kLabel,     ///< a number of a label mask
 };
 
+/// A ball that is added to an organ's voxels by hand, or erased from them.
+struct BrushDab {
+  Vec3 centre_mm;  ///< LPS
+  double radius_mm = 0.0;
+  bool adds = true;
+  friend bool operator==(const BrushDab&, const BrushDab&) = default;
+};
+
+/// Most dabs of a request, and their radii.
+inline constexpr std::size_t kMostDabs = 20'000;
+inline constexpr double kLeastDab_mm = 0.25;
+inline constexpr double kMostDab_mm = 100.0;
+
 /// What is to be made of a scan.
 struct ScanRequest {
   std::filesystem::path source;  ///< a NIfTI file, or a folder of DICOM files
@@ -34,6 +49,8 @@ struct ScanRequest {
   std::optional<double> wall_mm;  ///< its thickness, where it is known
   int series = 0;                 ///< which of several series, from 1; 0: the one with the most slices
   bool resample = false;          ///< take slices at uneven distances
+  bool fluid = false;             ///< of a lumen: with the fluid that stands below the gas
+  std::vector<BrushDab> brush{};  ///< mends the organ's voxels, in this order
 };
 
 /// Checks a request before anything is read. Throws Error{kBadParameter}.
@@ -43,6 +60,18 @@ inline void requireScanRequest(const ScanRequest& request) {
     throw Error(ErrorCode::kBadParameter,
                 Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
                 Text::tr("Name a label of the mask: --tissue label N"));
+  }
+  if (request.fluid && request.tissue != ScanTissue::kGasLumen && request.tissue != ScanTissue::kWall) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("fluid stands below gas only"), "",
+                Text::tr("Choose gas or the wall as the tissue, or leave the fluid out"));
+  }
+  const auto wrong = [](const BrushDab& dab) {
+    return !(dab.radius_mm >= kLeastDab_mm && dab.radius_mm <= kMostDab_mm) ||
+           !std::isfinite(dab.centre_mm.x + dab.centre_mm.y + dab.centre_mm.z);
+  };
+  if (request.brush.size() > kMostDabs || std::any_of(request.brush.begin(), request.brush.end(), wrong)) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the strokes of the brush are too many or too large"), "",
+                Text::tr("Mend the mask with fewer strokes"));
   }
 }
 

@@ -18,7 +18,10 @@
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/scan/dicom_series.h"
 #include "sim/imaging/scan/nifti_file.h"
+#include "sim/imaging/surface/fluid_level.h"
+#include "sim/imaging/surface/mask_brush.h"
 #include "sim/imaging/surface/mask_surface.h"
+#include "sim/imaging/surface/organ_voxels.h"
 #include "sim/imaging/surface/segmentation.h"
 #include "sim/imaging/surface/wall_thickness.h"
 
@@ -198,44 +201,122 @@ std::string tissueName(const ScanRequest& request) {
   return ", label " + std::to_string(request.label);
 }
 
+/// The name of what was read, which says nothing of the patient.
+std::string kindOf(const ScanRequest& request, const ScanSurface& surface) {
+  const bool dicom = std::filesystem::is_directory(request.source);
+  return (dicom ? "CT, " + std::to_string(surface.count[2]) + " slices" : std::string("NIfTI")) +
+         tissueName(request);
+}
+
+/// A scan on its way to a surface.
+struct ScanWork {
+  const ScanRead& scan;
+  const ScanRequest& request;
+  const ScanProgress& progress;
+  ScanSurface& result;
+};
+
+/// Says that somebody mended the mask.
+void tellBrush(const WorkGrid& grid, const BrushWork& work, std::vector<ScanRemark>& remarks) {
+  const auto millilitres = [&grid](std::size_t voxels) {
+    return 0.001 * std::abs(grid.volume.voxel_mm3()) * static_cast<double>(voxels);
+  };
+  remarks.push_back({"D19", false,
+                     Text::tr("the mask was mended by hand: %1 ml added, %2 ml taken away",
+                              shortNumber(millilitres(work.added)), shortNumber(millilitres(work.erased))),
+                     millilitres(work.added + work.erased), ""});
+}
+
+/// The tissue of the request as the threshold shows it and the brush mended it.
+VoxelMask mended(const ScanWork& work, const WorkGrid& grid, VoxelMask mask, VoxelMask& tissue) {
+  if (!work.request.brush.empty()) {
+    tellBrush(grid, brushOver(grid, work.request.brush, mask, tissue), work.result.remarks);
+    if (mask.voxels() == 0) {
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("D16 the brush took all of the organ away"), "",
+                  Text::tr("Undo some of its strokes"));
+    }
+  }
+  return mask;
+}
+
+/// Draws a lumen, whose voxels are `start`, and takes its wall with it.
+OrganShares wallRound(const ScanWork& work, const WorkGrid& grid, const FoundPiece& found,
+                      const VoxelMask& start) {
+  const auto lumen = [&](const VoxelMask& organ) { return organShares(grid, organ, found); };
+  DrawnOrgan organ = drawn(grid, start, work.progress, kSoftBlur, lumen, work.result.remarks);
+  const VoxelMask whole = organ.organ;
+  const TriangleMesh mesh = finished(std::move(organ), grid.step_mm, work.progress, work.result.rawTriangles);
+  tell(work.progress, ScanStep::kMeasuring, 0.0);
+  work.result.wall = wallThickness(work.scan.volume, mesh, found.level.level);
+  tellWall(work.result.wall, work.result.remarks);
+  return wallShares(grid, whole, wallReach_mm(work.request, work.result));
+}
+
+/// What of a scan the organ is, before its surface is drawn.
+struct OrganTissue {
+  FoundPiece found;
+  VoxelMask start;                   ///< its voxels, gaps and holes not closed yet
+  std::optional<OrganShares> outer;  ///< of an organ with its wall
+};
+
+OrganTissue tissueOf(const ScanWork& work, const WorkGrid& grid, const std::string& where) {
+  FoundPiece found = foundPiece(grid, work.request, where, work.result.remarks);
+  std::optional<OrganShares> outer;
+  VoxelMask start = found.piece;
+  if (work.request.fluid) {
+    start.add(fluidBelow(grid, found.piece, where, work.result.remarks));
+  }
+  VoxelMask walled(grid.volume.count);
+  if (work.request.tissue == ScanTissue::kWall) {
+    outer = wallRound(work, grid, found, start);
+    start = maskOf(*outer, grid.volume.count);
+    walled = start;
+  }
+  start = mended(work, grid, std::move(start), outer ? walled : found.piece);
+  return {std::move(found), std::move(start), std::move(outer)};
+}
+
+/// Checks a scan for a request and samples the part that is looked at.
+WorkGrid beginWork(const ScanWork& work, const std::string& where) {
+  const ScanVolume& volume = work.scan.volume;
+  requireScanRequest(work.request);
+  work.result.remarks = work.scan.remarks;
+  work.result.count = volume.count;
+  work.result.voxel_mm = {norm(volume.step_mm[0]), norm(volume.step_mm[1]), norm(volume.step_mm[2])};
+  tell(work.progress, ScanStep::kSegmenting, 0.0);
+  if (work.request.tissue == ScanTissue::kLabel) {
+    requireLabel(volume, work.request.label, where);
+  } else {
+    requireHounsfield(volume, where);
+  }
+  WorkGrid grid = gridFor(volume, work.request, where);
+  work.result.step_mm = grid.step_mm;
+  return grid;
+}
+
 }  // namespace
 
 ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::string& where,
                           const ScanProgress& progress) {
-  requireScanRequest(request);
   ScanSurface result;
-  result.remarks = std::move(scan.remarks);
-  result.count = scan.volume.count;
-  result.voxel_mm = {norm(scan.volume.step_mm[0]), norm(scan.volume.step_mm[1]),
-                     norm(scan.volume.step_mm[2])};
-  tell(progress, ScanStep::kSegmenting, 0.0);
+  const ScanWork work{scan, request, progress, result};
+  const WorkGrid grid = beginWork(work, where);
+  const OrganTissue tissue = tissueOf(work, grid, where);
   const bool label = request.tissue == ScanTissue::kLabel;
-  if (label) {
-    requireLabel(scan.volume, request.label, where);
-  } else {
-    requireHounsfield(scan.volume, where);
-  }
-  const WorkGrid grid = gridFor(scan.volume, request, where);
-  result.step_mm = grid.step_mm;
-  const FoundPiece found = foundPiece(grid, request, where, result.remarks);
-  const auto lumen = [&](const VoxelMask& organ) { return organShares(grid, organ, found); };
-  DrawnOrgan organ = drawn(grid, found.piece, progress, label ? kHardBlur : kSoftBlur, lumen, result.remarks);
-  VoxelMask whole = organ.organ;
+  const auto shares = [&](const VoxelMask& organ) {
+    return tissue.outer ? agreeing(*tissue.outer, organ) : organShares(grid, organ, tissue.found);
+  };
+  DrawnOrgan organ =
+      drawn(grid, tissue.start, progress, label ? kHardBlur : kSoftBlur, shares, result.remarks);
+  const VoxelMask whole = organ.organ;
   result.mesh = finished(std::move(organ), grid.step_mm, progress, result.rawTriangles);
   if (!label) {
-    result.level_HU = found.level.level;
+    result.level_HU = tissue.found.level.level;
   }
-  if (request.tissue == ScanTissue::kGasLumen || request.tissue == ScanTissue::kWall) {
+  if (request.tissue == ScanTissue::kGasLumen) {
     tell(progress, ScanStep::kMeasuring, 0.0);
-    result.wall = wallThickness(scan.volume, result.mesh, found.level.level);
+    result.wall = wallThickness(scan.volume, result.mesh, tissue.found.level.level);
     tellWall(result.wall, result.remarks);
-  }
-  if (request.tissue == ScanTissue::kWall) {
-    const OrganShares shares = wallShares(grid, whole, wallReach_mm(request, result));
-    const auto outer = [&shares](const VoxelMask& closed) { return agreeing(shares, closed); };
-    organ = drawn(grid, maskOf(shares, grid.volume.count), progress, kSoftBlur, outer, result.remarks);
-    whole = organ.organ;
-    result.mesh = finished(std::move(organ), grid.step_mm, progress, result.rawTriangles);
   }
   if (const auto cut = cutOff(grid, whole)) {
     result.remarks.push_back(*cut);
@@ -243,26 +324,41 @@ ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::
   return result;
 }
 
+OrganVoxels organVoxels(const ScanRead& scan, const ScanRequest& request, const std::string& where,
+                        const ScanProgress& progress) {
+  ScanSurface result;
+  const ScanWork work{scan, request, progress, result};
+  WorkGrid grid = beginWork(work, where);
+  const OrganTissue tissue = tissueOf(work, grid, where);
+  VoxelMask organ = wholeOrgan(grid, tissue.start, 1);
+  if (const auto cut = cutOff(grid, organ)) {
+    result.remarks.push_back(*cut);
+  }
+  return {std::move(grid), std::move(organ), std::move(result.remarks)};
+}
+
+ScanRead readScan(const ScanRequest& request) {
+  const std::string where = request.source.string();
+  if (std::filesystem::is_directory(request.source)) {
+    return readDicomSeries({request.source, request.series, request.resample});
+  }
+  if (!isNiftiFile(request.source)) {
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("N01 this is no scan that is read"), where,
+                Text::tr("Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)"));
+  }
+  return readNifti(request.source);
+}
+
 ScanSurface surfaceOfScan(const ScanRequest& request, const ScanProgress& progress) {
   tell(progress, ScanStep::kReading, 0.0);
   requireScanRequest(request);
   const std::string where = request.source.string();
-  if (!std::filesystem::is_directory(request.source)) {
-    if (!isNiftiFile(request.source)) {
-      throw Error(ErrorCode::kFileUnreadable, Text::tr("N01 this is no scan that is read"), where,
-                  Text::tr("Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)"));
-    }
-    ScanSurface surface = surfaceOfScan(readNifti(request.source), request, where, progress);
-    surface.kind = "NIfTI" + tissueName(request);
-    return surface;
-  }
-  if (request.tissue == ScanTissue::kLabel) {
+  if (request.tissue == ScanTissue::kLabel && std::filesystem::is_directory(request.source)) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("N07 a CT has no labels"), where,
                 Text::tr("Give the label mask, a NIfTI file"));
   }
-  const DicomRequest dicom{request.source, request.series, request.resample};
-  ScanSurface surface = surfaceOfScan(readDicomSeries(dicom), request, where, progress);
-  surface.kind = "CT, " + std::to_string(surface.count[2]) + " slices" + tissueName(request);
+  ScanSurface surface = surfaceOfScan(readScan(request), request, where, progress);
+  surface.kind = kindOf(request, surface);
   return surface;
 }
 

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/short_number.h"
 #include "sim/base/text_list.h"
+#include "sim/imaging/surface/scan_table.h"
 
 namespace torsio {
 
@@ -166,9 +167,29 @@ std::size_t largestPiece(const WorkGrid& grid, const MaskPieces& pieces, ScanTis
   return fit[0];
 }
 
+/// Skin that reaches too many borders because it lies on a flat table: without the table. None otherwise.
+std::optional<VoxelMask> offTheTable(const WorkGrid& grid, const VoxelMask& within,
+                                     const ScanRequest& request, std::vector<ScanRemark>& remarks) {
+  if (request.tissue != ScanTissue::kSkin) {
+    return std::nullopt;
+  }
+  const std::optional<TablePlane> table = tableIn(grid, within);
+  if (!table) {
+    return std::nullopt;
+  }
+  VoxelMask body = within;
+  removeTable(grid, *table, body);
+  remarks.push_back(
+      {"D21", true,
+       Text::tr("the table was cut off at y = %1 mm; where the body lay on it, it is flat there",
+                shortNumber(table->at_mm)),
+       table->at_mm, Text::tr("Look at the mask over the slices")});
+  return body;
+}
+
 /// Cuts thin bridges and returns the organ's piece, with all of its border.
 VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanRequest& request,
-                      const std::string& where, std::vector<ScanRemark>& remarks) {
+                      const std::string& where, std::vector<ScanRemark>& remarks, bool onTable = true) {
   VoxelMask core = within.shrunk(1);
   if (core.voxels() == 0) {
     core = within;
@@ -177,10 +198,17 @@ VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanR
   const VoxelMask::Count low{grid.low()[0] + 1, grid.low()[1] + 1, grid.low()[2] + 1};
   const VoxelMask::Count high{grid.high()[0] - 1, grid.high()[1] - 1, grid.high()[2] - 1};
   const MaskPieces pieces(core, low, high);
+  const auto before = static_cast<std::ptrdiff_t>(remarks.size());
   const std::size_t chosen = request.seed_mm ? pieceAtSeed(grid, pieces, *request.seed_mm, where)
                                              : largestPiece(grid, pieces, request.tissue, where, remarks);
   const MaskPiece& piece = pieces.list()[chosen];
   if (bordersOf(piece) > kMostBorders) {
+    if (onTable) {
+      remarks.erase(remarks.begin() + before, remarks.end());  // of pieces that are told of anew
+      if (const auto body = offTheTable(grid, within, request, remarks)) {
+        return chosenPiece(grid, *body, request, where, remarks, false);
+      }
+    }
     refuseTissue(
         Text::tr("D16 the tissue reaches %1 of the 6 borders of the scan: it leaks, or the scan shows a part",
                  std::to_string(bordersOf(piece))),
@@ -261,6 +289,23 @@ FoundPiece foundPiece(const WorkGrid& grid, const ScanRequest& request, const st
   }
   VoxelMask piece = chosenPiece(grid, withinLevel(grid, level), request, where, remarks);
   return {std::move(piece), level};
+}
+
+FoundPiece densePiece(const WorkGrid& grid, double threshold_HU, const std::optional<Vec3>& seed_mm,
+                      const std::string& where, std::vector<ScanRemark>& remarks) {
+  constexpr double kUsualContrast_HU = 1000.0;
+  constexpr double kLeastContrast_HU = 200.0;
+  const TissueLevel first{threshold_HU, kUsualContrast_HU};
+  const MaskPieces pieces(withinLevel(grid, first), grid.low(), grid.high());
+  if (pieces.list().empty()) {
+    refuseTissue(Text::tr("D16 nothing in this scan is denser than %1 HU", shortNumber(threshold_HU)), where,
+                 Text::tr("Give a lower threshold, or another scan"));
+  }
+  const std::size_t chosen = seed_mm ? pieceAtSeed(grid, pieces, *seed_mm, where)
+                                     : largestPiece(grid, pieces, ScanTissue::kSkin, where, remarks);
+  VoxelMask piece = pieces.mask(chosen);
+  const double contrast = std::max(measuredLevel(grid, piece, first).contrast, kLeastContrast_HU);
+  return {std::move(piece), {threshold_HU, contrast}};
 }
 
 VoxelMask wholeOrgan(const WorkGrid& grid, const VoxelMask& piece, int closing) {

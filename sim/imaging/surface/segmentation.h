@@ -40,6 +40,12 @@ struct FoundPiece {
 [[nodiscard]] FoundPiece foundPiece(const WorkGrid& grid, const ScanRequest& request,
                                     const std::string& where, std::vector<ScanRemark>& remarks);
 
+/// Finds what is denser than a threshold, the piece of the seed or the largest, nothing cut or closed: an
+/// instrument. Throws as foundPiece().
+[[nodiscard]] FoundPiece densePiece(const WorkGrid& grid, double threshold_HU,
+                                    const std::optional<Vec3>& seed_mm, const std::string& where,
+                                    std::vector<ScanRemark>& remarks);
+
 /// The voxels of the scan, without the margin.
 [[nodiscard]] VoxelMask scannedVoxels(const WorkGrid& grid);
 

@@ -128,6 +128,7 @@ TEST(ScanApart, CarriesARequestInWords) {
   request.seed_mm = Vec3{-1.25, 1.0 / 3.0, 1e-9};
   request.box_mm = ScanBox{Vec3{-1, -2, -3}, Vec3{1, 2, 3}};
   request.wall_mm = 4.1;
+  request.fluid = true;
   const std::vector<std::string> words = wordsOf(request);
   std::vector<const char*> bare;
   for (const std::string& word : words) {
@@ -143,6 +144,7 @@ TEST(ScanApart, CarriesARequestInWords) {
   EXPECT_EQ(read->seed_mm, request.seed_mm);
   EXPECT_EQ(read->box_mm, request.box_mm);
   EXPECT_EQ(read->wall_mm, request.wall_mm);
+  EXPECT_TRUE(read->fluid);
   bare.pop_back();
   EXPECT_FALSE(requestOfWords(bare).has_value());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio-scan MEMORY_MB PROCESSOR_S REQUEST...: reads a scan for Torsio within limits and leaves the surface
-// of the organ, or the refusal, in the file that it was given. Started by Torsio, never by hand.
+// torsio-scan MEMORY_MB PROCESSOR_S ANSWER REQUEST...: reads a scan for Torsio within limits and leaves the
+// surface of the organ, a preview (ScanAnswer says which), or the refusal, in the file that it was given.
+// Started by Torsio, never by hand.
 #include <array>
 #include <cstdlib>
 #include <exception>
@@ -22,10 +23,22 @@ void tellStep(ScanStep step, double fraction) {
   tellParent(news);
 }
 
-std::string answerTo(const ScanRequest& request, const std::string& memory_MB) {
-  const std::string where = request.source.string();
+/// What the request wants, or the refusal; empty where the words are no request.
+std::string answerTo(ScanAnswer wanted, std::span<const char* const> words, const std::string& memory_MB) {
+  const std::string where = words.empty() ? "" : words.front();
   try {
-    return mailOf(surfaceOfScan(request, &tellStep));
+    if (wanted == ScanAnswer::kTool) {
+      const auto tool = toolRequestOfWords(words);
+      return tool ? mailOf(toolOfScan(*tool, &tellStep)) : "";
+    }
+    const auto request = requestOfWords(words);
+    if (!request) {
+      return "";
+    }
+    if (wanted == ScanAnswer::kSurface) {
+      return mailOf(surfaceOfScan(*request, &tellStep));
+    }
+    return mailOf(previewOfScan(*request, wanted == ScanAnswer::kOrgan, &tellStep));
   } catch (const Error& error) {
     return mailOf(error);
   } catch (const std::bad_alloc&) {
@@ -42,12 +55,17 @@ std::string answerTo(const ScanRequest& request, const std::string& memory_MB) {
 }  // namespace torsio
 
 int main(int argc, char** argv) {
-  constexpr int kFirstWord = 3;
+  constexpr int kFirstWord = 4;
   if (argc < kFirstWord ||
       !torsio::bindHelper(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10))) {
     return EXIT_FAILURE;
   }
-  const auto request =
-      torsio::requestOfWords({argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)});
-  return request && torsio::leaveAnswer(torsio::answerTo(*request, argv[1])) ? EXIT_SUCCESS : EXIT_FAILURE;
+  const long wanted = std::strtol(argv[3], nullptr, 10);
+  if (wanted < 0 || wanted > static_cast<long>(torsio::ScanAnswer::kTool)) {
+    return EXIT_FAILURE;
+  }
+  const std::string answer =
+      torsio::answerTo(static_cast<torsio::ScanAnswer>(wanted),
+                       {argv + kFirstWord, static_cast<std::size_t>(argc - kFirstWord)}, argv[1]);
+  return !answer.empty() && torsio::leaveAnswer(answer) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/practice/view_turn.h"
+#include "app/gui/scene/view_turn.h"
 
 #include <cmath>
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/organ/organ_findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString weightName(FindingWeight weight) {
+  switch (weight) {
+    case FindingWeight::kRefusal:
+      return OrganFindings::tr("refused");
+    case FindingWeight::kWarning:
+      return OrganFindings::tr("warning");
+    case FindingWeight::kNote:
+      break;
+  }
+  return OrganFindings::tr("for your information");
+}
+
+/// What was found, without its code, with which refusals of the reader begin.
+QString wordsOf(const OrganFinding& finding) {
+  QString sentence = toQString(finding.what);
+  const QString code = toQString(finding.code);
+  if (sentence.startsWith(code)) {
+    sentence = sentence.mid(code.size()).trimmed();
+  }
+  if (!sentence.isEmpty()) {
+    sentence[0] = sentence[0].toUpper();
+  }
+  return sentence;
+}
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+}  // namespace
+
+OrganFindings::OrganFindings(QWidget* parent)
+    : QWidget(parent), verdict_(new QLabel(this)), measures_(sentence(this)), lines_(new QVBoxLayout) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  verdict_->setWordWrap(true);
+  QFont large = verdict_->font();
+  large.setPointSizeF(kTitleText_pt);
+  large.setBold(true);
+  verdict_->setFont(large);
+  column->addWidget(verdict_);
+  column->addWidget(measures_);
+  lines_->setSpacing(kSpace / 2);
+  column->addLayout(lines_);
+}
+
+void OrganFindings::show(const OrganImport& import) {
+  import_ = import;
+  import_->organ.mesh.vertices_m.clear();  // only its measures are told
+  import_->organ.mesh.vertices_m.shrink_to_fit();
+  fill();
+}
+
+void OrganFindings::retranslate() {
+  fill();
+}
+
+void OrganFindings::fillVerdict(const OrganImport& import) {
+  const auto warnings = static_cast<int>(import.organ.warnings.size());
+  setLook(verdict_, "good", import.accepted && warnings == 0);
+  setLook(verdict_, "caution", !import.accepted || warnings > 0);
+  verdict_->setText(!import.accepted ? tr("Refused")
+                    : warnings == 0
+                        ? tr("Accepted")
+                        : tr("Accepted with %n warning(s), which stay with the organ", nullptr, warnings));
+  QStringList measures;
+  if (const std::size_t triangles = import.organ.mesh.triangles.size(); triangles > 0) {
+    measures << tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(triangles)));
+  }
+  if (import.volume_ml) {
+    measures << tr("%1 ml").arg(number(*import.volume_ml, 0));
+  }
+  if (const OrganMeasures& m = import.measures; m.length_m > 0.0) {
+    measures << tr("axis %1 mm").arg(number(1000.0 * m.length_m, 0))
+             << tr("%1 times as long as wide").arg(number(m.elongation, 1))
+             << tr("at 60\u00b0 det F falls to %1").arg(number(m.leastDeterminant60, 2));
+  }
+  measures_->setText(measures.join(QStringLiteral(" \u00b7 ")));
+  measures_->setVisible(!measures.isEmpty());
+}
+
+QLabel* OrganFindings::addLine(const QString& text, bool quiet) {
+  QLabel* line = sentence(this, quiet);
+  line->setText(text);
+  line->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  lines_->addWidget(line);
+  shown_.push_back(line);
+  return line;
+}
+
+void OrganFindings::addFinding(const OrganFinding& finding) {
+  QLabel* head = addLine(tr("%1 \u00b7 %2").arg(toQString(finding.code), weightName(finding.weight)), false);
+  setLook(head, "caution", finding.weight != FindingWeight::kNote);
+  QFont bold = head->font();
+  bold.setBold(true);
+  head->setFont(bold);
+  addLine(tr("%1.").arg(wordsOf(finding)), false);
+  QStringList place;
+  if (!finding.where.empty()) {
+    place << tr("Where: %1").arg(toQString(finding.where));
+  }
+  if (finding.value && std::isfinite(*finding.value)) {
+    place << tr("Measured: %1").arg(QLocale().toString(*finding.value, 'g', 4));
+  }
+  if (!place.isEmpty()) {
+    addLine(place.join(QStringLiteral(" \u00b7 ")), true);
+  }
+  if (!finding.remedy.empty()) {
+    QString remedy = toQString(finding.remedy);
+    if (!remedy.endsWith(QLatin1Char('.')) && !remedy.endsWith(QChar(0x3002))) {
+      remedy = tr("%1.").arg(remedy);
+    }
+    addLine(remedy, true);
+  }
+}
+
+void OrganFindings::fill() {
+  for (QWidget* line : shown_) {
+    lines_->removeWidget(line);
+    delete line;
+  }
+  shown_.clear();
+  if (!import_) {
+    verdict_->clear();
+    measures_->hide();
+    return;
+  }
+  fillVerdict(*import_);
+  for (const OrganFinding& finding : import_->findings) {
+    addFinding(finding);
+  }
+  if (import_->findings.empty()) {
+    addLine(tr("Nothing had to be mended, and nothing is to be told."), true);
+  }
+}
+
+}  // namespace torsio::gui

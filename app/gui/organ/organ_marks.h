@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "app/gui/organ/organ_trial.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+class SceneView;
+
+/// The axis of an organ and its landmarks with their names, drawn over its view. Follows the camera; takes no
+/// mouse.
+class OrganMarks : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Lies over the whole of `view`, its parent.
+  explicit OrganMarks(SceneView& view);
+
+  void setAxis(std::vector<Vec3> axis_m, std::vector<OrganLandmark> landmarks);
+  void setTheme(const Theme& theme);
+  /// Names a landmark in the language of the window.
+  [[nodiscard]] static QString nameOf(OrganLandmark::Kind kind);
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] QPointF pixelOf(const Vec3& place_m) const;
+  void drawName(QPainter& painter, const QPointF& at, const QString& name) const;
+
+  SceneView& view_;
+  std::vector<Vec3> axis_m_;
+  std::vector<OrganLandmark> landmarks_;
+  Theme theme_;
+};
+
+}  // namespace torsio::gui

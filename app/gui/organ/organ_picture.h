@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QWidget>
+
+#include "app/gui/organ/organ_trial.h"
+#include "app/gui/scene/orbit_camera.h"
+#include "app/gui/widgets/theme.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace torsio::gui {
+
+class OrganMarks;
+class SceneView;
+
+/// An organ that is judged: its axis, sections, ridges and landmarks, and a trial twist by hand. A click on
+/// it names a place. GUI thread.
+class OrganPicture : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OrganPicture(QWidget* parent = nullptr);
+
+  void setTrial(const OrganTrial& trial);
+  /// Twists the organ about its own axis, the free end gripped.
+  void twist(double angle_deg);
+  /// Tells what is seen at a pixel of the view; false when that is no organ.
+  bool pickAt(const QPointF& pixel);
+  [[nodiscard]] SceneView& view() const noexcept { return *view_; }
+
+  void retranslate();
+  void setTheme(const Theme& theme);
+
+ Q_SIGNALS:
+  /// A place on the surface at rest was clicked, metres.
+  void picked(const torsio::Vec3& place_m);
+
+ private:
+  QWidget* createBar();
+  void look(ViewPreset preset);
+  void showTwist(int angle_deg);
+  void showAxis();
+  [[nodiscard]] OrganState state() const;
+
+  OrganTrial trial_;
+  SceneView* view_;
+  OrganMarks* marks_;
+  QLabel* none_;
+  QLabel* twistLabel_ = nullptr;
+  QSlider* twist_ = nullptr;
+  QLabel* angle_ = nullptr;
+  QCheckBox* axis_ = nullptr;
+  QCheckBox* lattice_ = nullptr;
+  QCheckBox* mesh_ = nullptr;
+  QPushButton* front_ = nullptr;
+  QPushButton* side_ = nullptr;
+  QPushButton* top_ = nullptr;
+};
+
+}  // namespace torsio::gui

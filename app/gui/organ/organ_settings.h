@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include <QWidget>
+
+#include "sim/base/vec3.h"
+#include "sim/scene/organ_import.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+
+namespace torsio::gui {
+
+/// What somebody says about an organ that is brought: unit of the file, anatomy, wall, ends. GUI thread.
+class OrganSettings : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OrganSettings(const std::filesystem::path& assets, QWidget* parent = nullptr);
+
+  /// A scan says its unit itself, and its surface has no holes.
+  void setScan(bool scan);
+  /// Puts what is said into a request; the file is the caller's.
+  void apply(OrganImportRequest& request) const;
+  /// Takes a place that was clicked for the end that waits for one; else does nothing.
+  void takePlace(const Vec3& place_m);
+  /// Everything as for another file.
+  void reset();
+
+  void retranslate();
+
+ Q_SIGNALS:
+  /// Something is said otherwise than before.
+  void changed();
+
+ private:
+  struct End {
+    QLabel* label = nullptr;
+    std::array<QDoubleSpinBox*, 3> place_mm{};
+    QPushButton* pick = nullptr;
+    QCheckBox* cut = nullptr;
+  };
+
+  QWidget* createEnds();
+  void createEnd(End& end);
+  void enableEnds();
+  [[nodiscard]] static Vec3 placeOf_m(const End& end);
+
+  std::filesystem::path assets_;
+  QWidget* ofMesh_;  // unit and holes
+  QLabel* unitLabel_;
+  QComboBox* unit_;
+  QLabel* scaleLabel_;
+  QDoubleSpinBox* scale_;
+  QCheckBox* closeHoles_;
+  QLabel* anatomyLabel_;
+  QComboBox* anatomy_;
+  QLabel* wallLabel_;
+  QDoubleSpinBox* wall_;
+  QLabel* endsLabel_;
+  QRadioButton* found_ = nullptr;
+  QRadioButton* given_ = nullptr;
+  End fixed_;
+  End free_;
+};
+
+}  // namespace torsio::gui

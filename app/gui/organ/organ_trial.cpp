@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/organ/organ_trial.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_thinning.h"
+#include "sim/imaging/apart/scan_process.h"
+#include "sim/imaging/surface/scan_steps.h"
+#include "sim/scene/organ_judgement.h"
+#include "sim/scene/organ_scene.h"
+#include "sim/scene/tissue_look.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kAxisPoints = 96;
+
+/// The organ as it is judged: twisted about its own axis, whatever its anatomy is. Null where it has none.
+std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMesh shown,
+                                          const std::filesystem::path& assets) {
+  if (import.measures.length_m == 0.0) {
+    return nullptr;
+  }
+  OrganFile organ = import.organ;
+  organ.mesh = std::move(shown);
+  organ.anatomy.clear();
+  SceneRequest request;
+  request.assets = assets;
+  request.organFile = import.organ.source;
+  request.noRod = true;
+  try {
+    return std::make_shared<const Scene>(sceneOfOrgan(request, std::move(organ)));
+  } catch (const Error&) {
+    return nullptr;  // the findings say why
+  }
+}
+
+void findAxis(OrganTrial& trial) {
+  const SectionLattice& lattice = trial.scene->lattice();
+  const double length_m = lattice.length_m();
+  for (int i = 0; i <= kAxisPoints; ++i) {
+    trial.axis_m.push_back(lattice.frameAt(length_m * i / kAxisPoints).centre_m);
+  }
+  const OrganMeasures& measures = trial.import.measures;
+  const auto mark = [&](OrganLandmark::Kind kind, double share) {
+    trial.landmarks.push_back({kind, lattice.frameAt(share * length_m).centre_m});
+  };
+  mark(OrganLandmark::Kind::kFixedEnd, 0.0);
+  mark(OrganLandmark::Kind::kFreeEnd, 1.0);
+  if (measures.widthRatio > 1.0) {
+    mark(OrganLandmark::Kind::kWidest, measures.widestAt);
+    mark(OrganLandmark::Kind::kNarrowest, measures.narrowestAt);
+  }
+}
+
+/// Passes on what the reader of scans tells, as a part of the whole.
+ScanProgress passedOn(const ProgressCallback& progress, double whole) {
+  return [&progress, whole](ScanStep step, double fraction) {
+    const ScanStepShare share = shareOf(step);
+    tellProgress(progress, share.words, whole * share.at(fraction));
+  };
+}
+
+/// A surface without an axis: it stands still.
+ViewScene stillView(const TriangleMesh& mesh, const std::string& anatomy) {
+  ViewScene view;
+  view.look = tissueLook(anatomy);
+  view.surface = OrganSurface(mesh);
+  view.deform = [rest = mesh.vertices_m](const OrganState&, std::span<Vec3> out_m) {
+    std::copy(rest.begin(), rest.end(), out_m.begin());
+  };
+  return view;
+}
+
+}  // namespace
+
+OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
+  OrganTrial trial;
+  trial.import = std::move(import);
+  const TriangleMesh& whole = trial.import.organ.mesh;
+  if (whole.triangles.empty()) {
+    return trial;
+  }
+  TriangleMesh shown = whole.triangles.size() > kJudgedTriangles ? thinned(whole, kJudgedTriangles) : whole;
+  trial.scene = ownAxisScene(trial.import, shown, assets);
+  if (trial.scene == nullptr) {
+    trial.view = stillView(shown, trial.import.organ.anatomy);
+    trial.shown = std::make_shared<const TriangleMesh>(std::move(shown));
+    return trial;
+  }
+  trial.view = makeViewScene(trial.scene, trial.import.organ.anatomy);
+  trial.view.surroundings = Surroundings::kDrape;  // it does not lie where the patient's own does
+  trial.shown = std::shared_ptr<const TriangleMesh>(trial.scene, &trial.scene->mesh);
+  findAxis(trial);
+  return trial;
+}
+
+ScanPreview previewOf(const ScanRequest& scan, bool find, const ProgressCallback& progress) {
+  return previewApart(scan, find, passedOn(progress, 1.0));
+}
+
+OrganTrial trialOfScan(const OrganImportRequest& request, const ScanRequest& scan, ScanSurface& surface,
+                       const ProgressCallback& progress) {
+  OrganReconstruction made = reconstructOrgan(request, scan, passedOn(progress, 0.8));
+  surface = std::move(made.scan);
+  tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
+  return trialOf(std::move(made.import), request.assets);
+}
+
+OrganTrial trialOfSurface(const OrganImportRequest& request, const ScanRequest& scan,
+                          const ScanSurface& surface, const ProgressCallback& progress) {
+  tellProgress(progress, Text::tr("Judging the organ"), 0.0);
+  OrganImport import = judgedSurface(request, scan, surface);
+  tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
+  return trialOf(std::move(import), request.assets);
+}
+
+OrganTrial trialOfMesh(const OrganImportRequest& request, const ProgressCallback& progress) {
+  tellProgress(progress, Text::tr("Reading the mesh"), 0.0);
+  OrganImport import = importOrgan(request, [&] {
+    RawMesh read = readMeshApart(request.file, request.scale_m, request.reading);
+    tellProgress(progress, Text::tr("Judging the organ"), 0.2);
+    return read;
+  });
+  tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
+  return trialOf(std::move(import), request.assets);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/organ/organ_wizard.h"
+
+#include <memory>
+#include <utility>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/organ/organ_findings.h"
+#include "app/gui/organ/organ_picture.h"
+#include "app/gui/organ/organ_settings.h"
+#include "app/gui/organ/scan_panel.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "sim/scene/organ_file.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kSourcePage = 0;
+constexpr int kSlicesPage = 1;
+constexpr int kJudgingPage = 2;
+constexpr int kPanelWidth = 400;
+constexpr int kCardWidth = 620;
+constexpr int kMostSeries = 100'000;
+constexpr double kMillimetres = 1000.0;  // in a metre
+
+}  // namespace
+
+OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
+    : QWidget(parent),
+      shell_(shell),
+      heading_(new PageHeading(this)),
+      pages_(new QStackedWidget(this)),
+      close_(new QPushButton(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  heading_->addAction(close_);
+  column->addWidget(heading_);
+  column->addWidget(pages_, 1);
+  pages_->addWidget(createSourcePage());
+  scan_ = new ScanPanel(pages_);
+  pages_->addWidget(scan_);
+  pages_->addWidget(createJudgingPage());
+  connect(close_, &QPushButton::clicked, this, &OrganWizard::closed);
+  connect(mesh_, &QPushButton::clicked, this, &OrganWizard::chooseMesh);
+  connect(scanFile_, &QPushButton::clicked, this, &OrganWizard::chooseScanFile);
+  connect(scanFolder_, &QPushButton::clicked, this, &OrganWizard::chooseScanFolder);
+  connect(scan_, &ScanPanel::findWanted, this, &OrganWizard::findOrgan);
+  connect(scan_, &ScanPanel::surfaceWanted, this, &OrganWizard::makeSurface);
+  connect(scan_, &ScanPanel::backWanted, this, &OrganWizard::begin);
+  connect(back_, &QPushButton::clicked, this, &OrganWizard::goBack);
+  connect(again_, &QPushButton::clicked, this, &OrganWizard::judgeAgain);
+  connect(save_, &QPushButton::clicked, this, &OrganWizard::chooseFile);
+  connect(open_, &QPushButton::clicked, this, &OrganWizard::openSaved);
+  connect(settings_, &OrganSettings::changed, this, &OrganWizard::noteChange);
+  connect(picture_, &OrganPicture::picked, settings_, &OrganSettings::takePlace);
+  showButtons();
+}
+
+QWidget* OrganWizard::createSourcePage() {
+  auto* page = new QWidget(pages_);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2 * kSpace);
+  meshCard_ = new Card(QString(), page);
+  meshCard_->setMaximumWidth(kCardWidth);
+  meshText_ = sentence(meshCard_);
+  meshCard_->content()->addWidget(meshText_);
+  mesh_ = primaryButton(meshCard_);
+  meshCard_->content()->addWidget(mesh_, 0, Qt::AlignLeft);
+  column->addWidget(meshCard_);
+  scanCard_ = new Card(QString(), page);
+  scanCard_->setMaximumWidth(kCardWidth);
+  scanText_ = sentence(scanCard_);
+  scanCard_->content()->addWidget(scanText_);
+  series_ = new QSpinBox(scanCard_);
+  series_->setRange(0, kMostSeries);
+  seriesLabel_ = addField(scanCard_->content(), series_);
+  resample_ = new QCheckBox(scanCard_);
+  scanCard_->content()->addWidget(resample_);
+  auto* scans = new QHBoxLayout;
+  scanFile_ = primaryButton(scanCard_);
+  scanFolder_ = primaryButton(scanCard_);
+  scans->addWidget(scanFile_);
+  scans->addWidget(scanFolder_);
+  scans->addStretch(1);
+  scanCard_->content()->addLayout(scans);
+  column->addWidget(scanCard_);
+  column->addStretch(1);
+  return page;
+}
+
+QWidget* OrganWizard::createJudgingPage() {
+  auto* page = new QWidget(pages_);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2 * kSpace);
+  pictureCard_ = new Card(QString(), page);
+  picture_ = new OrganPicture(pictureCard_);
+  pictureCard_->content()->addWidget(picture_, 1);
+  row->addWidget(pictureCard_, 1);
+
+  auto* side = new QVBoxLayout;
+  side->setSpacing(kSpace);
+  auto* scroll = new QScrollArea(page);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(kPanelWidth);
+  auto* panel = new QWidget;
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(0, 0, kSpace, 0);
+  column->setSpacing(2 * kSpace);
+  findingsCard_ = new Card(QString(), panel);
+  findings_ = new OrganFindings(findingsCard_);
+  findingsCard_->content()->addWidget(findings_);
+  column->addWidget(findingsCard_);
+  settingsCard_ = new Card(QString(), panel);
+  settings_ = new OrganSettings(shell_.assets(), settingsCard_);
+  settingsCard_->content()->addWidget(settings_);
+  column->addWidget(settingsCard_);
+  column->addStretch(1);
+  scroll->setWidget(panel);
+  side->addWidget(scroll, 1);
+  back_ = new QPushButton(page);
+  again_ = new QPushButton(page);
+  save_ = new QPushButton(page);
+  open_ = primaryButton(page);
+  for (const auto& [left, right] : {std::pair{back_, again_}, {save_, open_}}) {
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(left, 1);
+    buttons->addWidget(right, 1);
+    side->addLayout(buttons);
+  }
+  row->addLayout(side);
+  return page;
+}
+
+const std::filesystem::path& OrganWizard::assets() const {
+  return shell_.assets();
+}
+
+void OrganWizard::begin() {
+  trial_.reset();
+  saved_.reset();
+  changed_ = false;
+  picture_->setTrial({});
+  settings_->reset();
+  pages_->setCurrentIndex(kSourcePage);
+  showButtons();
+}
+
+void OrganWizard::goBack() {
+  if (!ofScan_) {
+    begin();
+    return;
+  }
+  trial_.reset();
+  pages_->setCurrentIndex(kSlicesPage);
+}
+
+void OrganWizard::chooseMesh() {
+  const QString file = askFileToOpen(
+      this, tr("Mesh of an organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+  if (!file.isEmpty()) {
+    judgeMesh(toPath(file));
+  }
+}
+
+void OrganWizard::chooseScanFile() {
+  const QString file =
+      askFileToOpen(this, tr("Scan"), tr("NIfTI files (*.nii *.nii.gz *.hdr *.hdr.gz);;All files (*)"));
+  if (!file.isEmpty()) {
+    openScan(toPath(file));
+  }
+}
+
+void OrganWizard::chooseScanFolder() {
+  const QString folder = askFolder(this, tr("Folder of DICOM files"));
+  if (!folder.isEmpty()) {
+    openScan(toPath(folder));
+  }
+}
+
+bool OrganWizard::mayWork() {
+  if (shell_.working()) {
+    shell_.notify(tr("Wait until the work that goes on has ended"));
+    return false;
+  }
+  return true;
+}
+
+OrganImportRequest OrganWizard::request() const {
+  OrganImportRequest request;
+  request.assets = shell_.assets();
+  request.file = source_;
+  settings_->apply(request);
+  return request;
+}
+
+void OrganWizard::judgeMesh(const std::filesystem::path& file) {
+  if (!mayWork()) {
+    return;
+  }
+  source_ = file;
+  ofScan_ = false;
+  settings_->setScan(false);
+  const auto trial = std::make_shared<OrganTrial>();
+  shell_.run(
+      tr("Judging the organ"),
+      [trial, request = request()](SessionContext&, const ProgressCallback& progress) {
+        *trial = trialOfMesh(request, progress);
+      },
+      [this, trial] { adopt(std::move(*trial)); });
+}
+
+ScanRequest OrganWizard::ofSource(ScanRequest scan) const {
+  scan.source = source_;
+  scan.series = series_->value();
+  scan.resample = resample_->isChecked();
+  return scan;
+}
+
+void OrganWizard::openScan(const std::filesystem::path& source) {
+  if (!mayWork()) {
+    return;
+  }
+  source_ = source;
+  ofScan_ = true;
+  settings_->setScan(true);
+  const ScanRequest scan = ofSource({});
+  const auto preview = std::make_shared<ScanPreview>();
+  shell_.run(
+      tr("Reading the scan"),
+      [preview, scan](SessionContext&, const ProgressCallback& progress) {
+        *preview = previewOf(scan, false, progress);
+      },
+      [this, preview] { showScan(source_, std::move(*preview)); });
+}
+
+void OrganWizard::showScan(const std::filesystem::path& source, ScanPreview preview) {
+  scan_->setScan(source, std::move(preview));
+  pages_->setCurrentIndex(kSlicesPage);
+}
+
+void OrganWizard::findOrgan() {
+  if (!mayWork()) {
+    return;
+  }
+  const ScanRequest scan = ofSource(scan_->request(false));
+  const auto preview = std::make_shared<ScanPreview>();
+  shell_.run(
+      tr("Looking for the organ"),
+      [preview, scan](SessionContext&, const ProgressCallback& progress) {
+        *preview = previewOf(scan, true, progress);
+      },
+      [this, preview] { scan_->setFound(std::move(*preview)); });
+}
+
+void OrganWizard::makeSurface() {
+  if (!mayWork()) {
+    return;
+  }
+  const OrganImportRequest asked = request();
+  drawn_ = ofSource(scan_->request(true));
+  if (asked.wall_m) {
+    drawn_.wall_mm = kMillimetres * *asked.wall_m;
+  }
+  const auto trial = std::make_shared<OrganTrial>();
+  const auto surface = std::make_shared<ScanSurface>();
+  shell_.run(
+      tr("Drawing the organ"),
+      [trial, surface, asked, scan = drawn_](SessionContext&, const ProgressCallback& progress) {
+        *trial = trialOfScan(asked, scan, *surface, progress);
+      },
+      [this, trial, surface] {
+        surface_ = std::move(*surface);
+        adopt(std::move(*trial));
+      });
+}
+
+void OrganWizard::judgeAgain() {
+  if (!ofScan_) {
+    judgeMesh(source_);
+    return;
+  }
+  const OrganImportRequest asked = request();
+  const std::optional<double> wall_mm =
+      asked.wall_m ? std::optional(kMillimetres * *asked.wall_m) : std::nullopt;
+  if (surface_.mesh.triangles.empty() || wall_mm != drawn_.wall_mm) {
+    makeSurface();  // another wall is another surface
+    return;
+  }
+  if (!mayWork()) {
+    return;
+  }
+  const auto trial = std::make_shared<OrganTrial>();
+  shell_.run(
+      tr("Judging the organ"),
+      [trial, asked, scan = drawn_, surface = surface_](SessionContext&, const ProgressCallback& progress) {
+        *trial = trialOfSurface(asked, scan, surface, progress);
+      },
+      [this, trial] { adopt(std::move(*trial)); });
+}
+
+void OrganWizard::adopt(OrganTrial trial) {
+  trial_ = std::move(trial);
+  saved_.reset();
+  changed_ = false;
+  picture_->setTrial(*trial_);
+  findings_->show(trial_->import);
+  pages_->setCurrentIndex(kJudgingPage);
+  showButtons();
+}
+
+void OrganWizard::noteChange() {
+  changed_ = true;
+  showButtons();
+}
+
+void OrganWizard::showButtons() {
+  const bool accepted = trial_ && trial_->import.accepted && !changed_;
+  again_->setEnabled(trial_ && changed_);
+  save_->setEnabled(accepted);
+  open_->setEnabled(accepted);
+}
+
+void OrganWizard::save(const std::filesystem::path& file) {
+  writeOrganFile(file, trial_->import.organ);
+  saved_ = file;
+}
+
+bool OrganWizard::chooseFile() {
+  // A scan's file may be called after its patient.
+  const QString name = (ofScan_ ? tr("organ") : toQString(source_.stem())) + QStringLiteral(".organ");
+  QString file = askFileToSave(this, tr("Save organ"), name, tr("Organ files (*.organ)"));
+  if (file.isEmpty()) {
+    return false;
+  }
+  if (!isOrganFile(toPath(file))) {
+    file += QStringLiteral(".organ");
+  }
+  return attempt(shell_, [&] {
+    save(toPath(file));
+    shell_.notify(tr("Saved %1").arg(file));
+  });
+}
+
+void OrganWizard::openSaved() {
+  if (saved_ || chooseFile()) {
+    Q_EMIT opened(toQString(*saved_));
+  }
+}
+
+void OrganWizard::retranslate() {
+  heading_->setTexts(
+      tr("Bring an organ"),
+      tr("A mesh or a scan of your own becomes an organ that can be twisted, after it was judged."));
+  close_->setText(tr("Back to practice"));
+  meshCard_->setTitle(tr("Mesh"));
+  meshText_->setText(
+      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, "
+         "mended where that is safe, and twisted on trial."));
+  mesh_->setText(tr("Choose a mesh\u2026"));
+  scanCard_->setTitle(tr("Scan"));
+  scanText_->setText(
+      tr("A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and "
+         "mend what was found. Names of patients are neither shown nor kept."));
+  nameField(seriesLabel_, tr("&Series, where a folder holds several"));
+  series_->setSpecialValueText(tr("the one with the most slices"));
+  resample_->setText(tr("Take slices at uneven distances"));
+  scanFile_->setText(tr("NIfTI file\u2026"));
+  scanFolder_->setText(tr("DICOM folder\u2026"));
+  scan_->retranslate();
+  pictureCard_->setTitle(tr("What was found"));
+  findingsCard_->setTitle(tr("Judgement"));
+  settingsCard_->setTitle(tr("What you know of it"));
+  back_->setText(tr("Back"));
+  again_->setText(tr("Judge again"));
+  again_->setToolTip(tr("With what you know of it now"));
+  save_->setText(tr("Save organ\u2026"));
+  open_->setText(tr("Open in the simulator"));
+  open_->setToolTip(tr("Saves the organ first, so that recordings made on it can be replayed"));
+  picture_->retranslate();
+  findings_->retranslate();
+  settings_->retranslate();
+}
+
+void OrganWizard::setTheme(const Theme& theme) {
+  picture_->setTheme(theme);
+  scan_->setTheme(theme);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/imaging/surface/scan_surface.h"
+
+namespace torsio {
+
+/// What is known of an instrument in a scan. Millimetres, LPS.
+struct ToolRequest {
+  std::filesystem::path source;  ///< a NIfTI file, or a folder of DICOM files
+  double threshold_HU = 500.0;   ///< denser: the tool
+  std::optional<Vec3> seed_mm;   ///< a point in it; none: the largest piece
+  std::optional<Vec3> tip_mm;    ///< near its tip; none: the narrower end
+  std::optional<Vec3> shaft;     ///< direction from the tip to the hand; none: found
+  std::optional<Vec3> jawAxis;   ///< that the jaws turn about; none: across the broad side of the jaws
+  double pivot_mm = 20.0;        ///< from the tip to the hinge of the jaws
+  int series = 0;
+  bool resample = false;
+};
+
+/// An instrument as a scan shows it, in its own frame: tip at the origin, shaft along +z, jaws opening about
+/// x, the upper one at y > 0. Metres, closed surfaces.
+struct ToolSurface {
+  TriangleMesh shaft;
+  TriangleMesh upperJaw;
+  TriangleMesh lowerJaw;
+  double length_mm = 0.0;       ///< from the tip to the end
+  double pivot_mm = 0.0;        ///< from the tip to the hinge
+  double shaftRadius_mm = 0.0;  ///< of the round section with the area of the shaft's
+  double tipRadius_mm = 0.0;    ///< of the round section with the area of the front half of the closed jaws
+  Vec3 tip_mm;                  ///< in the scan
+  std::array<Vec3, 3> axes;     ///< of the frame, in the scan
+  std::vector<ScanRemark> remarks;
+};
+
+/// Throws Error{kBadParameter} for a request out of range.
+void requireToolRequest(const ToolRequest& request);
+
+/// Finds the instrument in a scan: what is denser than the threshold, cut into shaft and jaws at the hinge
+/// and between the jaws. Throws as surfaceOfScan(); D16 also for a tool that is shorter than twice its jaws.
+[[nodiscard]] ToolSurface toolOfScan(const ScanRead& scan, const ToolRequest& request,
+                                     const std::string& where, const ScanProgress& progress = {});
+
+/// Reads the scan first.
+[[nodiscard]] ToolSurface toolOfScan(const ToolRequest& request, const ScanProgress& progress = {});
+
+}  // namespace torsio

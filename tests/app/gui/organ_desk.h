@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/organ/organ_wizard.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio::gui::testing {
+
+inline std::filesystem::path wizardFile(const std::string& name) {
+  return std::filesystem::path(::testing::TempDir()) / ("wizard-" + std::to_string(getpid()) + "-" + name);
+}
+
+/// All that can be read on the wizard.
+inline std::string readable(const OrganWizard& wizard) {
+  QString all;
+  for (const QLabel* label : wizard.findChildren<QLabel*>()) {
+    if (label->isVisibleTo(&wizard)) {
+      all += label->text() + QLatin1Char('\n');
+    }
+  }
+  return all.toStdString();
+}
+
+inline QPushButton& wizardButton(const OrganWizard& wizard, const QString& text) {
+  for (QPushButton* one : wizard.findChildren<QPushButton*>()) {
+    if (one->text() == text) {
+      return *one;
+    }
+  }
+  ADD_FAILURE() << "no button " << text.toStdString();
+  return *wizard.findChild<QPushButton*>();
+}
+
+/// A desk with the wizard on it; what is reported as failed is kept.
+class OrganDesk {
+ public:
+  OrganDesk() : shell_(centre_.session(), centre_.assets(), ThemeKind::kLight), wizard(shell_) {
+    QObject::connect(
+        &shell_, &ShellContext::failed,
+        [this](const QString& happened, const QString&, const QString&) { failures << happened; });
+    wizard.resize(1366, 768);
+    wizard.retranslate();
+    wizard.begin();
+  }
+  void judge(const std::filesystem::path& file) {
+    wizard.judgeMesh(file);
+    settle();
+  }
+  void again() {
+    wizardButton(wizard, QStringLiteral("Judge again")).click();
+    settle();
+  }
+  void openScan(const std::filesystem::path& source) {
+    wizard.openScan(source);
+    settle();
+  }
+  void find() {
+    wizard.findOrgan();
+    settle();
+  }
+  void makeSurface() {
+    wizard.makeSurface();
+    settle();
+  }
+
+ private:
+  /// Waits for what goes on in the background.
+  void settle() {
+    shell_.waitForJobs();
+    QApplication::processEvents();
+  }
+  torsio::testing::StudyCentre centre_;
+  ShellContext shell_;
+
+ public:
+  OrganWizard wizard;
+  QStringList failures;
+};
+
+}  // namespace torsio::gui::testing
