@@ -13,6 +13,7 @@ torsio_packages=(
   libeigen3-dev libfcl-dev libassimp-dev zlib1g-dev libboost-dev
   libdcmtk-dev # CT series: plain, deflated, RLE, JPEG lossless, JPEG-LS
   libsdl2-dev libspnav-dev
+  libopenigtlink-dev # trackers on the real arm, and Slicer
   libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
   qt6-websockets-dev libgtest-dev libgmock-dev libbenchmark-dev

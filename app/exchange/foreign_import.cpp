@@ -24,7 +24,7 @@ class PoseRecorder {
  public:
   void take(const ForeignPose& pose, const std::string& file, std::size_t line) {
     Sample sample;
-    sample.tick = static_cast<std::int64_t>(count_++);
+    sample.tick = pose.place;
     sample.device = quantize({.time_us = pose.time_us, .pose = pose.pose, .grip = pose.grip}, {});
     if (sample.device.status != kDeviceOk) {
       refuse(Text::tr("the place is more than 200 m away"), file + ", line " + std::to_string(line),
@@ -39,7 +39,6 @@ class PoseRecorder {
     pack();
     return std::move(chunks_);
   }
-  [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
  private:
   void pack() {
@@ -51,7 +50,6 @@ class PoseRecorder {
 
   std::vector<Sample> samples_;
   std::vector<TrialChunk> chunks_;
-  std::size_t count_ = 0;
 };
 
 std::string layoutTitle(ForeignLayout layout) {

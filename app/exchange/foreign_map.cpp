@@ -230,6 +230,19 @@ void readColumns(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   }
 }
 
+/// Whether a line without a pose is a gap is not guessed.
+void readGaps(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
+  if (!map.has("gaps")) {
+    return;
+  }
+  const bool tables = layout == ForeignLayout::kRosma || layout == ForeignLayout::kCsv;
+  if (!tables || map.text("gaps") != "leave out") {
+    map.refuseAt("gaps", Text::tr("only \"leave out\" is known here, and only of tables"),
+                 Text::tr("Take it out: lines without a pose are refused then"));
+  }
+  out.leavesGaps = true;
+}
+
 template <typename List>
 void requireKnown(const List& list, const std::string& name, const MapPart& part, const char* key) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
@@ -379,7 +392,8 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   out.contentHash = digest.hex();
   const MapPart map(json, out.name);
   map.allow({"cohort", "description", "source", "frame", "unit", "rotation", "rotation_columns", "position",
-             "rate_Hz", "time", "instrument", "grip", "groups", "people", "raters", "recordings", "marks"});
+             "rate_Hz", "time", "gaps", "instrument", "grip", "groups", "people", "raters", "recordings",
+             "marks"});
   out.cohort = map.text("cohort");
   out.description = map.textOr("description", "");
   out.source = map.text("source");
@@ -389,6 +403,7 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   out.rotation = rotationOf(map);
   readTimes(map, layout, out);
   readColumns(map, layout, out);
+  readGaps(map, layout, out);
   readPeople(map, out);
   const fs::path folder = file.parent_path();
   readRecordings(map, folder, out);

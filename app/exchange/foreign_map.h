@@ -85,6 +85,7 @@ struct ForeignMap {
   std::array<std::string, 3> position{};
   std::vector<std::string> rotationColumns{};
   std::optional<ForeignGrip> grip{};
+  bool leavesGaps = false;  ///< lines without a pose are left out; else they are refused
   std::vector<ForeignGroup> groups{};
   std::vector<ForeignPerson> people{};
   std::vector<ForeignRater> raters{};

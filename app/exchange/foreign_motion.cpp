@@ -14,6 +14,7 @@
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/refusal.h"
+#include "sim/base/rotation_matrix.h"
 
 namespace torsio {
 
@@ -80,8 +81,6 @@ class HashedLines {
   Digest digest_;
 };
 
-constexpr double kRotationSlack = 0.02;  // of lengths and angles, as rounded files have them
-
 /// Says where in the file, when it is asked.
 using Where = std::function<std::string()>;
 
@@ -90,36 +89,12 @@ using Where = std::function<std::string()>;
          Text::tr("Look at the line, and at the form of rotation that the map names"));
 }
 
-/// Of the matrix whose rows are m[0..2], m[3..5], m[6..8] (Shepperd's method).
-Quat quaternionOf(const std::array<double, 9>& m) {
-  const double trace = m[0] + m[4] + m[8];
-  Quat q;
-  if (trace > 0.0) {
-    q = {1.0 + trace, m[7] - m[5], m[2] - m[6], m[3] - m[1]};
-  } else if (m[0] >= m[4] && m[0] >= m[8]) {
-    q = {m[7] - m[5], 1.0 + m[0] - m[4] - m[8], m[1] + m[3], m[2] + m[6]};
-  } else if (m[4] >= m[8]) {
-    q = {m[2] - m[6], m[1] + m[3], 1.0 - m[0] + m[4] - m[8], m[5] + m[7]};
-  } else {
-    q = {m[3] - m[1], m[2] + m[6], m[5] + m[7], 1.0 - m[0] - m[4] + m[8]};
-  }
-  return normalized(q);
-}
-
 Quat matrixRotation(const std::array<double, 9>& m, const Where& where) {
-  const std::array<Vec3, 3> rows = {{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}}};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vec3& next = rows[(i + 1) % rows.size()];
-    const bool sound =
-        std::abs(norm(rows[i]) - 1.0) <= kRotationSlack && std::abs(dot(rows[i], next)) <= kRotationSlack;
-    if (!sound) {
-      refuseRotation(where);
-    }
-  }
-  if (dot(cross(rows[0], rows[1]), rows[2]) < 0.0) {  // a mirror
+  const std::optional<Quat> rotation = rotationFromRows(m);
+  if (!rotation) {
     refuseRotation(where);
   }
-  return quaternionOf(m);
+  return *rotation;
 }
 
 Quat rotationIn(RotationForm form, const std::vector<double>& numbers, const Where& where) {
@@ -163,6 +138,8 @@ class PoseClock {
     ++count_;
     return now_us;
   }
+  /// A line that stands for a pose that is missing.
+  void pass() { count_ += rate_Hz_ ? 1 : 0; }
   [[nodiscard]] std::int64_t period_us() const {
     if (rate_Hz_) {
       return std::llround(1e6 / *rate_Hz_);
@@ -187,12 +164,18 @@ ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const
   PoseClock clock(map.rate_Hz);
   ForeignRow row;
   std::string_view line;
+  std::int64_t poses = 0;
   const Where where = [&] { return recording.name + ", line " + std::to_string(lines.number()); };
   while (lines.next(line)) {
     if (!rows->read(line, lines.number(), row)) {
       continue;
     }
+    if (row.gap) {
+      clock.pass();
+      continue;
+    }
     ForeignPose pose;
+    pose.place = clock.count();
     pose.time_us = clock.timeOf(row, where);
     pose.pose.position_m = map.metresPerUnit * row.position;
     pose.pose.orientation = rotationIn(map.rotation, row.rotation, where);
@@ -201,12 +184,13 @@ ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const
       pose.grip = std::clamp(closed, 0.0, 1.0);
     }
     take(pose, lines.number());
+    ++poses;
   }
-  if (clock.count() < 2) {
+  if (poses < 2) {
     refuse(Text::tr("the recording has fewer than two lines"), recording.name,
            Text::tr("Look at the instrument and the columns that the map names"));
   }
-  return {clock.count(), clock.period_us(), lines.hash()};
+  return {poses, clock.period_us(), lines.hash()};
 }
 
 }  // namespace torsio

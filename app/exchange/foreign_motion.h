@@ -13,6 +13,7 @@ namespace torsio {
 /// One line of a foreign recording, understood.
 struct ForeignPose {
   std::int64_t time_us = 0;  ///< since the first line, rising
+  std::int64_t place = 0;    ///< 0, 1, 2 ...; lines of gaps leave their numbers out
   Pose pose;                 ///< metres and unit quaternion, in the frame of the file
   double grip = 0.0;         ///< 0 open .. 1 closed; 0 where the map says nothing of the jaw
 };

@@ -135,6 +135,10 @@ class TableRows : public RowReaderBase {
       refuseLine(number, Text::tr("the line has %1 values and the header %2", cells_.size(), header_.size()),
                  Text::tr("Give every line as many values as there are columns"));
     }
+    row.gap = map().leavesGaps && lacksPose();
+    if (row.gap) {
+      return true;
+    }
     row.position = {at(position_[0], number), at(position_[1], number), at(position_[2], number)};
     row.rotation.clear();
     for (const std::size_t column : rotation_) {
@@ -177,6 +181,13 @@ class TableRows : public RowReaderBase {
                  Text::tr("Look at the names in the map and in the first line"));
     }
     return static_cast<std::size_t>(std::find(header_.begin(), header_.end(), wanted) - header_.begin());
+  }
+  [[nodiscard]] bool lacksPose() const {
+    const auto empty = [this](std::size_t column) {
+      return cells_[column].empty() || lowerCase(std::string(cells_[column])) == "nan";
+    };
+    return std::any_of(position_.begin(), position_.end(), empty) ||
+           std::any_of(rotation_.begin(), rotation_.end(), empty);
   }
   [[nodiscard]] double at(std::size_t column, std::size_t line) const {
     return number(cells_[column], line, header_[column]);

@@ -19,6 +19,7 @@ struct ForeignRow {
   Vec3 position;
   std::vector<double> rotation{};  ///< numbersOf() the form, in the order of the file
   double grip = 0.0;
+  bool gap = false;  ///< the line stands for a pose that is missing; nothing else is filled in
 };
 
 /// Reads the lines of one file in their order. One a file and layout.

@@ -2,8 +2,11 @@
 #include "assessment/attempt/foreign_measures.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/attempt/recorded_twists.h"
@@ -39,15 +42,20 @@ TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sam
   return trace;
 }
 
-bool hasLongGap(const TrialHeader& header, std::span<const std::int64_t> times_us) {
+/// Stretches without a long gap, [first, last).
+std::vector<std::pair<std::size_t, std::size_t>> stretches(const TrialHeader& header,
+                                                           std::span<const std::int64_t> times_us) {
   const double longest_us =
       std::max(1e6 * kLargestGap_s, kSamplesInGap * static_cast<double>(header.tickPeriod_us));
-  for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
-    if (static_cast<double>(times_us[i + 1] - times_us[i]) > longest_us) {
-      return true;
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= times_us.size(); ++i) {
+    if (i == times_us.size() || static_cast<double>(times_us[i] - times_us[i - 1]) > longest_us) {
+      found.emplace_back(first, i);
+      first = i;
     }
   }
-  return false;
+  return found;
 }
 
 }  // namespace
@@ -61,20 +69,41 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
     return Result::undefined(Text::tr("fewer than 20 samples a second were recorded"));
   }
   const SampleTimes times = sampleTimes(header, samples);
-  if (hasLongGap(header, times.us)) {
-    return Result::undefined(Text::tr("samples are missing"));
+  const std::int64_t whole_us = times.us.back() - times.us.front();
+  std::optional<TrialMetrics> metrics;
+  std::int64_t seen_us = 0;
+  double path_m = 0.0;
+  double idle_s = 0.0;
+  for (const auto& [first, last] : stretches(header, times.us)) {
+    const std::int64_t span_us = times.us[last - 1] - times.us[first];
+    seen_us += span_us;
+    if (span_us < kGridStep_us) {
+      continue;
+    }
+    metrics = measureTrial(
+        evenTrace(std::span(times.us).subspan(first, last - first), samples.subspan(first, last - first)),
+        {});
+    path_m += *metrics->at("tip.path");
+    idle_s += *metrics->at("tip.idle");
   }
-  const TrialTrace trace = evenTrace(times.us, samples);
-  if (trace.times_us.size() < 2) {
+  if (!metrics) {
     return Result::undefined(Text::tr("there are fewer than two samples"));
   }
-  TrialMetrics metrics = measureTrial(trace, {});
-  for (MetricValue& metric : metrics.values) {
+  if (static_cast<double>(seen_us) < kLeastSeen * static_cast<double>(whole_us)) {
+    return Result::undefined(Text::tr("the instrument was seen for %1 % of the time only",
+                                      std::to_string(100 * seen_us / whole_us)));
+  }
+  metrics->set("time.total", static_cast<double>(whole_us) / kMicrosecondsPerSecond);
+  metrics->set("tip.path", path_m);
+  metrics->set("tip.idle", idle_s);
+  metrics->lostSamples =
+      static_cast<std::size_t>(samples.back().tick - samples.front().tick + 1) - samples.size();
+  for (MetricValue& metric : metrics->values) {
     if (!metric.value) {
       metric.value = Outcome<double>::undefined(Text::tr("not applicable: foreign recording"));
     }
   }
-  return metrics;
+  return *metrics;
 }
 
 AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample> samples) {

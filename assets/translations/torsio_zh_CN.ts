@@ -15108,10 +15108,6 @@ audit trail %3</source>
         <translation>每秒录制不足 20 个采样</translation>
     </message>
     <message>
-        <source>samples are missing</source>
-        <translation>缺少采样</translation>
-    </message>
-    <message>
         <source>not applicable: foreign recording</source>
         <translation>不适用：外来录制</translation>
     </message>
@@ -17318,6 +17314,78 @@ audit trail %3</source>
     <message>
         <source>the reach of its grip</source>
         <translation>其夹持范围</translation>
+    </message>
+    <message>
+        <source>only &quot;leave out&quot; is known here, and only of tables</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it out: lines without a pose are refused then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what came is no OpenIGTLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at address and port, and at what runs there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a message of %1 bytes was announced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody can be waited for at this address and port: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>address or port is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter both; %1 is the usual port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody answers at this address and port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no computer of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody answered in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tracker ended the connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tracker says: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing has come for half a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument was seen for %1 % of the time only</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -114,6 +114,36 @@ TEST(ForeignMotion, TurnsTheOtherWayWhenTheOtherFormIsNamed) {
   EXPECT_NEAR(columns.back().pose.orientation.z * columns.back().pose.orientation.w, -0.5, 1e-12);
 }
 
+/// The numbers of each arm of ROSMA are "nan" or nothing until its topic speaks.
+TEST(ForeignMotion, LeavesOutLinesWithoutAPoseWhereTheMapSaysSo) {
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "rosma");
+  for (const auto& entry : fs::directory_iterator(own.path())) {
+    if (entry.path().extension() != ".txt" && entry.path().extension() != ".csv") {
+      continue;
+    }
+    std::string text = readFile(entry.path());
+    const auto columns = std::count(text.begin(), text.begin() + static_cast<long>(text.find('\n')), ',');
+    std::string empty;
+    for (long i = 0; i < columns; ++i) {
+      empty += i % 2 == 0 ? "nan, " : ", ";
+    }
+    spoilLine(text, 2, empty);
+    spoilLine(text, 100, empty + "NaN");
+    writeFileAtomically(entry.path(), text);
+  }
+  EXPECT_THROW(posesOf(map, ForeignLayout::kRosma), Error);
+
+  writeFileAtomically(map, replacedOnce(readFile(map), "\"frame\"", "\"gaps\": \"leave out\", \"frame\""));
+  const std::vector<ForeignPose> poses = posesOf(map, ForeignLayout::kRosma);
+
+  ASSERT_EQ(poses.size(), kForeignLines - 2);
+  EXPECT_EQ(poses.front().place, 1);
+  EXPECT_EQ(poses.front().time_us, 20'000);
+  EXPECT_EQ(poses[97].place, 99);  // the 98th pose is missing
+  EXPECT_NEAR(norm(poses[97].pose.position_m - testing::foreignPose(99).position_m), 0.0, 1e-12);
+}
+
 TEST(ForeignImport, LandsAsACohortWithRecordingsAndMarks) {
   StudyCentre centre;
   const OwnFolder own;
@@ -374,9 +404,13 @@ TEST(ForeignMeasures, AreUndefinedWhereTheyCannotBeHonest) {
   }
   EXPECT_TRUE(measureForeign(header, samples));
   for (std::size_t i = 50; i < samples.size(); ++i) {
-    samples[i].device.time_us += 100'000;
+    samples[i].device.time_us += 70'000;
   }
-  EXPECT_EQ(measureForeign(header, samples).reason(), "samples are missing");
+  EXPECT_NEAR(*measureForeign(header, samples)->at("time.total"), 2.05, 1e-9);
+  for (std::size_t i = 50; i < samples.size(); ++i) {
+    samples[i].device.time_us += 30'000;
+  }
+  EXPECT_EQ(measureForeign(header, samples).reason(), "the instrument was seen for 94 % of the time only");
   EXPECT_EQ(foreignAttempt(header, samples).values.size(), 1U);
   EXPECT_NEAR(foreignAttempt(header, samples).values.at("time.total"), 2.1, 1e-9);
   header.tickPeriod_us = 66'667;
