@@ -14,16 +14,12 @@
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "db/connection/connection.h"
-#include "db/connection/locator.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
 namespace torsio::cli {
 
 namespace {
-
-constexpr std::size_t kWorkersOfAFile = 4;  // they wait for each other when they write
-constexpr std::size_t kWorkersOfAServer = 8;
 
 struct ServeArguments {
   DatabaseOption database;
@@ -72,13 +68,9 @@ void serve(const ServeArguments& arguments) {
     tls = {readFile(arguments.certificate), readFile(arguments.key)};
   }
   const std::string locator = arguments.database.locator();
-  const bool file = parseLocator(locator).engine == Engine::kSqlite;
   (void)openDatabase(locator, OpenMode::kReadWrite);  // no new centre is founded here
   const sigset_t signals = endingSignals();
-  web::WebDesk desk({.locator = locator,
-                     .assets = assetsFolder(),
-                     .publicUrl = arguments.publicUrl,
-                     .workers = file ? kWorkersOfAFile : kWorkersOfAServer});
+  web::WebDesk desk({.locator = locator, .assets = assetsFolder(), .publicUrl = arguments.publicUrl});
   const web::HttpServer server(address, tls, {},
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
                                  desk.handle(std::move(request), std::move(reply));

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "app/review/case_sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "sim/base/error.h"
@@ -46,26 +46,25 @@ WatchLog creditedLog(WatchLog log, const std::vector<PlayedStretch>& played, std
   return log;
 }
 
-WatchLog reportViewing(SessionContext& session, const AssignmentId& assignmentId,
-                       const std::vector<PlayedStretch>& played, std::int64_t passed_us) {
-  const BlindedCase shown = blindedCase(session, assignmentId);
-  const Text where = Text::tr("case %1", shown.label);
+OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmentId,
+                          const std::vector<PlayedStretch>& played, std::int64_t passed_us) {
   const ViewingRules rules = viewingRules(session);
+  Transaction transaction(session.connection());
+  OpenedSheet opened = openSheet(session, assignmentId);
+  const Text where = Text::tr("case %1", opened.shown.label);
   for (const PlayedStretch& stretch : played) {
     requirePlayable(stretch, rules, where);
   }
-  Transaction transaction(session.connection());
-  const OpenedSheet opened = openSheet(session, assignmentId);
-  if (shown.live || opened.state == SheetState::kSubmitted) {
+  if (opened.shown.live || opened.state == SheetState::kSubmitted) {
     throw Error(ErrorCode::kBadData,
-                shown.live ? Text::tr("this case is scored live and has no recording")
-                           : Text::tr("the sheet was submitted already"),
+                opened.shown.live ? Text::tr("this case is scored live and has no recording")
+                                  : Text::tr("the sheet was submitted already"),
                 where, Text::tr("Read the queue again"));
   }
-  WatchLog log = creditedLog(opened.watched, played, passed_us);
-  DeskRepository(session.connection()).saveDraftViewing(assignmentId, log.stored());
+  opened.watched = creditedLog(std::move(opened.watched), played, passed_us);
+  DeskRepository(session.connection()).saveDraftViewing(assignmentId, opened.watched.stored());
   transaction.commit();
-  return log;
+  return opened;
 }
 
 }  // namespace torsio

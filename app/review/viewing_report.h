@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
+#include "app/review/case_sheet.h"
 #include "app/review/watch_log.h"
 #include "sim/base/ids.h"
 
@@ -26,10 +27,11 @@ inline constexpr std::int64_t kLongestPause_us = 60'000'000;
 [[nodiscard]] WatchLog creditedLog(WatchLog log, const std::vector<PlayedStretch>& played,
                                    std::int64_t passed_us);
 
-/// Adds what a player elsewhere reports to what was watched of a case, and stores it with the draft.
-/// kMarkSubmit, own recorded case that is not submitted. Throws Error{kBadParameter} for a stretch that runs
-/// backwards and for a speed that the centre does not allow, {kBadData} for a case that is live or submitted.
-[[nodiscard]] WatchLog reportViewing(SessionContext& session, const AssignmentId& assignmentId,
-                                     const std::vector<PlayedStretch>& played, std::int64_t passed_us);
+/// Adds what a player elsewhere reports to what was watched of a case, and stores it with the draft. Returns
+/// the sheet as it is now. kMarkSubmit, own recorded case that is not submitted. Throws Error{kBadParameter}
+/// for a stretch that runs backwards and for a speed that the centre does not allow, {kBadData} for a case
+/// that is live or submitted.
+[[nodiscard]] OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmentId,
+                                        const std::vector<PlayedStretch>& played, std::int64_t passed_us);
 
 }  // namespace torsio

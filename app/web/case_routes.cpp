@@ -111,14 +111,13 @@ HttpResponse answerViewing(Call& call) {
   const auto passed = same ? call.now - call.session->reported : SteadyTime::duration::zero();
   call.session->played = id;
   call.session->reported = call.now;
-  const WatchLog watched =
+  const OpenedSheet opened =
       reportViewing(call.context, id, playedOf(call.body),
                     std::chrono::duration_cast<std::chrono::microseconds>(passed).count());
-  const OpenedSheet opened = openSheet(call.context, id);
-  return jsonAnswer({{"watched", watchedJson(watched)},
-                     {"share", watched.share()},
-                     {"worked_us", watched.worked_us()},
-                     {"check", checkJson(checkOf(call.context, opened, opened.sheet, watched))}});
+  return jsonAnswer({{"watched", watchedJson(opened.watched)},
+                     {"share", opened.watched.share()},
+                     {"worked_us", opened.watched.worked_us()},
+                     {"check", checkJson(checkOf(call.context, opened, opened.sheet, opened.watched))}});
 }
 
 HttpResponse answerSubmit(Call& call) {

@@ -10,6 +10,7 @@
 #include "app/access/settings_service.h"
 #include "app/access/signing.h"
 #include "db/connection/db_error.h"
+#include "db/connection/locator.h"
 #include "sim/base/error.h"
 #include "sim/base/time_units.h"
 
@@ -21,7 +22,16 @@ constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
 constexpr std::size_t kSignInTries = 10;
 constexpr std::chrono::seconds kIdleSlack{60};  // a page that is used says so every half a minute
 constexpr int kMostHashers = 4;                 // one at work, the others wait a second or two
+constexpr std::size_t kWorkersOfAFile = 4;      // they wait for each other when they write
+constexpr std::size_t kWorkersOfAServer = 8;
 constexpr std::size_t kHeavyThreads = 2;  // pictures are made one at a time; the other one answers trainees
+
+std::size_t workersFor(const DeskSettings& settings) {
+  if (settings.workers > 0) {
+    return settings.workers;
+  }
+  return parseLocator(settings.locator).engine == Engine::kSqlite ? kWorkersOfAFile : kWorkersOfAServer;
+}
 
 std::vector<Route> allRoutes() {
   std::vector<Route> routes;
@@ -125,7 +135,7 @@ WebDesk::WebDesk(const DeskSettings& settings)
       sessions_({}),
       signInTries_(kSignInTries, std::chrono::minutes(1)),
       pictures_(kPictures_bytes),
-      workers_(settings.locator, settings.workers, settings.passwordCost),
+      workers_(settings.locator, workersFor(settings), settings.passwordCost),
       heavy_(settings.locator, kHeavyThreads, settings.passwordCost) {
   for (const std::string& language : reportLanguages()) {
     languages_.emplace(language, wordingIn(language));
@@ -224,10 +234,12 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
         wording);
   }
   const SteadyTime now = std::chrono::steady_clock::now();
-  // The page locks itself then; this is for one that is asleep, closed, or not ours.
-  sessions_.setIdle(
-      std::chrono::seconds(centreIdleLimits(context.connectionWithoutRight()).lock_us / kSecond_us) +
-      kIdleSlack);
+  if (sessions_.idleIsOld(now)) {
+    // The page locks itself then; this is for one that is asleep, closed, or not ours.
+    sessions_.setIdle(
+        std::chrono::seconds(centreIdleLimits(context.connectionWithoutRight()).lock_us / kSecond_us) +
+        kIdleSlack);
+  }
   const std::shared_ptr<WebSession> session =
       route.access == RouteAccess::kOpen ? nullptr : sessions_.find(request.cookie(kCookie), now);
   if (route.access == RouteAccess::kSignedIn && session == nullptr) {

@@ -25,7 +25,7 @@ struct DeskSettings {
   std::filesystem::path assets{};
   /// "https://desk.example.org": as browsers see it, behind a proxy; empty: as the request says.
   std::string publicUrl{};
-  std::size_t workers = 4;
+  std::size_t workers = 0;                              ///< 0: as many as the engine of the record can use
   PasswordCost passwordCost = PasswordCost::kModerate;  ///< of what is hashed here; tests use a cheap one
 };
 

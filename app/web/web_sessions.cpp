@@ -91,6 +91,16 @@ std::string browserName(const std::string& userAgent) {
   return browser + (browser.empty() || system.empty() ? "" : ", ") + system;
 }
 
+bool WebSessions::idleIsOld(SteadyTime now) {
+  constexpr std::chrono::seconds kFresh{10};
+  const std::lock_guard lock(mutex_);
+  if (idleRead_ && now - *idleRead_ < kFresh) {
+    return false;
+  }
+  idleRead_ = now;
+  return true;
+}
+
 void WebSessions::setIdle(std::chrono::seconds idle) {
   const std::lock_guard lock(mutex_);
   limits_.idle = idle;

@@ -75,6 +75,8 @@ class WebSessions {
   };
   explicit WebSessions(Limits limits) : limits_(limits) {}
 
+  /// Whether the centre's idle time should be read again: true once in ten seconds.
+  [[nodiscard]] bool idleIsOld(SteadyTime now);
   /// How long a session lasts without a request from now on.
   void setIdle(std::chrono::seconds idle);
   /// Returns what the browser's cookie will hold; nothing else can find the session.
@@ -98,6 +100,7 @@ class WebSessions {
   [[nodiscard]] bool isOver(const Held& held, SteadyTime now) const;
 
   Limits limits_;
+  std::optional<SteadyTime> idleRead_;
   std::mutex mutex_;
   std::map<std::string, Held> held_;
 };

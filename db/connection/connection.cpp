@@ -54,16 +54,29 @@ class Statement::Query {
  public:
   enum class Start { kPrepare, kRun };
   Query(std::shared_ptr<ConnectionState> connection, std::string_view sql, Start start)
-      : state(std::move(connection)), text(sql), query(state->query()) {
+      : state(std::move(connection)), text(sql) {
+    if (std::optional<QSqlQuery> kept = start == Start::kPrepare ? state->takeKept(sql) : std::nullopt) {
+      query = std::move(*kept);
+      return;
+    }
+    query = state->query();
     const QString statement = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
     if (!(start == Start::kPrepare ? query.prepare(statement) : query.exec(statement))) {
       state->fail(text, query.lastError());
+    }
+  }
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
+  ~Query() {
+    if (worthKeeping) {
+      state->keep(std::move(text), std::move(query));
     }
   }
 
   std::shared_ptr<ConnectionState> state;
   std::string text;
   QSqlQuery query;
+  bool worthKeeping = false;  // prepared, and its last run was without fault
   std::int64_t affectedRows = 0;
   int columns = -1;                               // of the rows; below 0: not asked for yet
   std::shared_ptr<const ChangeWatch::Plan> plan;  // null: nobody watches what it changes
@@ -101,11 +114,13 @@ void Statement::execute() {
 void Statement::run() {
   TORSIO_EXPECTS(!query_->state->broken);
   query_->columns = -1;
+  query_->worthKeeping = false;
   if (!query_->query.exec()) {
     const QSqlError error = query_->query.lastError();
     query_->query.finish();
     query_->state->fail(query_->text, error);
   }
+  query_->worthKeeping = true;
   query_->affectedRows = query_->query.numRowsAffected();
   if (query_->plan) {
     ChangeWatch::Rows returned;
@@ -271,6 +286,9 @@ std::int64_t Connection::execute(std::string_view sql, std::initializer_list<Val
 
 void Connection::executeVerbatim(std::string_view sql) {
   state_->run(sql);
+  if (sql.rfind("SELECT", 0) != 0) {
+    state_->forgetKept();
+  }
 }
 
 Engine Connection::engine() const noexcept {

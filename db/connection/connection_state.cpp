@@ -49,6 +49,9 @@ QString serverOptions(const Locator& locator, int busyTimeout_ms) {
   return options.join(QLatin1Char(';'));
 }
 
+constexpr std::size_t kMostKept = 64;
+constexpr int kMostRowsKept = 32;  // a query holds the rows of its last run
+
 /// Unique while the connection lives.
 std::string connectionName(const void* state) {
   return "torsio-" + std::to_string(reinterpret_cast<std::uintptr_t>(state));
@@ -98,6 +101,7 @@ ConnectionState::~ConnectionState() {
 }
 
 void ConnectionState::close() noexcept {
+  forgetKept();
   database_->close();
   database_.reset();
   QSqlDatabase::removeDatabase(QString::fromStdString(name_));
@@ -190,6 +194,33 @@ QSqlQuery ConnectionState::query() const {
     query.setForwardOnly(true);
   }
   return query;
+}
+
+std::optional<QSqlQuery> ConnectionState::takeKept(std::string_view sql) {
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [sql](const Kept& kept) { return kept.sql == sql; });
+  if (found == kept_.end()) {
+    return std::nullopt;
+  }
+  TORSIO_EXPECTS(std::this_thread::get_id() == thread_);
+  TORSIO_EXPECTS(!broken);
+  std::optional<QSqlQuery> query(std::move(found->query));
+  kept_.erase(found);
+  return query;
+}
+
+void ConnectionState::keep(std::string sql, QSqlQuery query) {
+  // SQLite prepares in this process. What selects "*" would have other columns once a table has another one.
+  if (engine == Engine::kSqlite || query.size() > kMostRowsKept ||
+      sql.find("SELECT *") != std::string::npos ||
+      std::any_of(kept_.begin(), kept_.end(), [&sql](const Kept& kept) { return kept.sql == sql; })) {
+    return;
+  }
+  query.finish();
+  kept_.push_front({std::move(sql), std::move(query)});
+  if (kept_.size() > kMostKept) {
+    kept_.pop_back();
+  }
 }
 
 void ConnectionState::run(std::string_view sql) {

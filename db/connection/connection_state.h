@@ -2,16 +2,19 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+
+#include <QSqlQuery>
 
 #include "db/connection/connection.h"
 
 class QSqlDatabase;
 class QSqlError;
-class QSqlQuery;
 
 namespace torsio {
 
@@ -25,6 +28,13 @@ class ConnectionState {
 
   /// A query of this database; our own bug when called from another thread than the opening one.
   [[nodiscard]] QSqlQuery query() const;
+  /// A prepared query that keep() was given for the same text: preparing and forgetting one on a server are
+  /// two more ways to it and back.
+  [[nodiscard]] std::optional<QSqlQuery> takeKept(std::string_view sql);
+  /// Keeps a prepared query that ran without fault, if it is worth it; the oldest of many are given up.
+  void keep(std::string sql, QSqlQuery query);
+  /// After a change of tables.
+  void forgetKept() noexcept { kept_.clear(); }
   /// Runs one statement just as it is, and forgets its rows.
   void run(std::string_view sql);
   /// Throws the DbError for `error`, and remembers that the open transaction is lost.
@@ -52,6 +62,11 @@ class ConnectionState {
 
   std::string name_;
   std::unique_ptr<QSqlDatabase> database_;
+  struct Kept {
+    std::string sql;
+    QSqlQuery query;
+  };
+  std::list<Kept> kept_;  // the one used last first
   std::thread::id thread_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two hundred raters at once at the review desk in a browser: how long an answer takes, what a saved sheet
-// costs of the processor, how much memory the server holds. `torsio_bench_web [RATERS [SECONDS]]`. Server and
+// costs of the processor, how much memory the server holds. `torsio_bench_web [RATERS [SECONDS [DATABASE]]]`.
+// DATABASE: an empty one of PostgreSQL that the record is copied to and served from; else SQLite. Server and
 // raters share this process, and its memory is that of both.
 #include <algorithm>
 #include <atomic>
@@ -20,8 +21,11 @@
 
 #include "app/access/browser_sessions.h"
 #include "app/base/assets.h"
+#include "app/base/build_info.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/system/record_copy.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/served_desk.h"
 #include "tests/app/web/web_client.h"
@@ -103,7 +107,12 @@ int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 200;
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 20;
   torsio::testing::ReviewCentre centre({.raters = count, .trainees = 2, .trial_s = 0.5});
-  web::WebDesk desk({.locator = centre.locator(), .assets = assetsFolder(), .workers = 4});
+  const std::string locator = argc > 3 ? argv[3] : centre.locator();
+  if (argc > 3) {
+    Connection to = openRecord(locator, OpenMode::kCreate, {.softwareVersion = softwareVersion()});
+    (void)copyRecord(centre.connection(), to);
+  }
+  web::WebDesk desk({.locator = locator, .assets = assetsFolder()});
   const web::HttpServer server({"127.0.0.1", 0}, {}, {.connectionsAnAddress = 1000},
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
                                  desk.handle(std::move(request), std::move(reply));

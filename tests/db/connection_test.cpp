@@ -133,6 +133,60 @@ TEST_F(ConnectionTest, ErrorNamesTheOperationButNoValues) {
   }
 }
 
+/// How many statements about `what` a server holds prepared for this connection.
+std::int64_t preparedAbout(Connection& connection, const std::string& what) {
+  Statement row = connection.selectVerbatim(
+      "SELECT count(*) FROM pg_prepared_statements WHERE statement LIKE '%" + what + "%'");
+  return row.step() ? row.int64(0) : -1;
+}
+
+TEST_F(ConnectionTest, PreparesAStatementOnAServerOnceAndNotForEver) {
+  if (!onPostgresql()) {
+    GTEST_SKIP() << "SQLite prepares in this process";
+  }
+  Connection connection = openWithTable();
+  for (const char* id : {"a", "b"}) {
+    connection.execute("INSERT INTO thing (id, whole) VALUES (?, ?)", {id, 7});
+  }
+  EXPECT_EQ(preparedAbout(connection, "INSERT INTO thing"), 1);
+  EXPECT_EQ(connection.execute("UPDATE thing SET whole = ? WHERE id = ?", {Value(), "a"}), 1);
+
+  const char* const kLook = "SELECT id, whole FROM thing WHERE id <> ? ORDER BY id";
+  {
+    Statement one = connection.prepare(kLook);
+    Statement other = connection.prepare(kLook);  // while the first one is at work
+    one.execute({"b"});
+    other.execute({"a"});
+    ASSERT_TRUE(one.step() && other.step());
+    EXPECT_EQ(one.text(0), "a");
+    EXPECT_TRUE(one.isNull(1));
+    EXPECT_EQ(other.text(0), "b");
+  }
+  EXPECT_EQ(preparedAbout(connection, "SELECT id, whole FROM thing"), 1);
+
+  connection.executeVerbatim("ALTER TABLE thing ALTER COLUMN whole TYPE DOUBLE PRECISION");
+  Statement row = connection.prepare(kLook);
+  row.execute({"a"});
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.real(1), 7.0);
+  for (int i = 0; i < 200; ++i) {
+    Statement many = connection.prepare("SELECT " + std::to_string(i) + " FROM thing");
+    many.execute();
+  }
+  EXPECT_LT(preparedAbout(connection, "FROM thing"), 100);
+}
+
+TEST_F(ConnectionTest, AStatementThatFailedIsPreparedAnew) {
+  Connection connection = openWithTable();
+  connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+  for (int i = 0; i < 2; ++i) {
+    Transaction change(connection);
+    EXPECT_EQ(faultFrom([&] { connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"}); }),
+              DbFault::kUnique);
+  }
+  EXPECT_EQ(connection.execute("INSERT INTO thing (id) VALUES (?)", {"b"}), 1);
+}
+
 TEST_F(ConnectionTest, CountsTheRowsThatChanged) {
   Connection connection = openWithTable();
   connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});

@@ -78,7 +78,7 @@ TEST(ReportViewing, IsAddedToTheDraftAndFoundAgain) {
   const AssignmentId id = centre.cases(0).front();
 
   (void)reportViewing(*physician, id, {{0, 1'000'000, 1.0}}, 1'000'000);
-  const WatchLog log = reportViewing(*physician, id, {{1'000'000, 2'000'000, 1.0}}, 1'000'000);
+  const WatchLog log = reportViewing(*physician, id, {{1'000'000, 2'000'000, 1.0}}, 1'000'000).watched;
 
   EXPECT_GT(log.share(), 0.99);
   EXPECT_NEAR(openSheet(*physician, id).watched.share(), log.share(), 0.01);
