@@ -122,6 +122,21 @@ mixed <- function() {
   m <- lm(cbind(before, middle, after) ~ group, w, contrasts = list(group = "contr.sum"))
   summary(car::Anova(m, idata = time, idesign = ~time, type = 3), multivariate = FALSE)
 }
+# A model of four occasions; with "fewest" as many degrees of freedom as contrasts.
+four <- function(name) {
+  w <- reshape(rows(name), idvar = c("subject", "group"), timevar = "occasion", direction = "wide")
+  lm(as.matrix(w[, 3:6]) ~ group, w, contrasts = list(group = "contr.sum"))
+}
+mixed_four <- function(name) summary(car::Anova(four(name), idata = data.frame(time = factor(1:4)), idesign = ~time, type = 3), multivariate = FALSE)
+# Anderson (2003), section 10.7.4, p contrasts. stats::mauchly.test has 3 (p + 1) for his 3 p in the second term: from four
+# occasions on its error falls with the square of the degrees of freedom, Anderson's with the cube.
+mauchly_four <- function(name) {
+  m <- four(name); n <- m$df.residual; p <- 3; w <- log(mauchly.test(m, X = ~1)$statistic)
+  rho <- 1 - (2 * p^2 + p + 2) / (6 * p * n); f <- p * (p + 1) / 2 - 1
+  second <- (p + 2) * (p - 1) * (p - 2) * (2 * p^3 + 6 * p^2 + 3 * p + 2) / (288 * (n * p * rho)^2)
+  first <- pchisq(-n * rho * w, f, lower.tail = FALSE)
+  first + second * (pchisq(-n * rho * w, f + 4, lower.tail = FALSE) - first)
+}
 # Box's epsilon, and Huynh & Feldt's as corrected by Lecoutre (1991).
 epsilon <- function(corrected = FALSE) {
   w <- before_after(); s <- Reduce("+", lapply(split(w[, c("before", "middle", "after")], w$group), function(g) (nrow(g) - 1) * cov(g)))
