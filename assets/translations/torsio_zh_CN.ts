@@ -22255,6 +22255,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
         <translation>实物手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
+    <message>
+        <source>Case %1 is called to %2: if you are there, choose it at the left.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::LockPanel</name>

@@ -193,16 +193,23 @@ void LivePage::followCall() {
     called_->hide();
     return;
   }
-  const bool untouched =
-      sheet_->editor() == nullptr || (opened_.state != SheetState::kDraft && !tick_.isActive());
-  if (untouched && called->shown.assignmentId != followed_) {
+  const auto shown = std::find_if(lines_.begin(), lines_.end(), [this](const QueueLine& line) {
+    return line.shown.assignmentId == opened_.shown.assignmentId;
+  });
+  // Whoever this sheet is about still stands at the arm: the call that came later is for another room.
+  const bool otherRoom = sheet_->editor() != nullptr && shown != lines_.end() && shown->call &&
+                         shown->call->open && shown->state != SheetState::kSubmitted;
+  const bool begun = sheet_->editor() != nullptr && (opened_.state == SheetState::kDraft || tick_.isActive());
+  if (!begun && !otherRoom && called->shown.assignmentId != followed_) {
     followed_ = called->shown.assignmentId;
     return static_cast<void>(attempt(shell(), [&] { openLine(AssignmentId(followed_)); }));
   }
   called_->setText(
-      tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the case "
-         "at the left and come back later.")
-          .arg(toQString(called->shown.label)));
+      otherRoom ? tr("Case %1 is called to %2: if you are there, choose it at the left.")
+                      .arg(toQString(called->shown.label), toQString(called->call->room))
+                : tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the case "
+                     "at the left and come back later.")
+                      .arg(toQString(called->shown.label)));
   called_->show();
 }
 

@@ -92,15 +92,10 @@ void SheetPanel::setTheme(const Theme& theme) {
 void SheetPanel::retranslate() {
   nameField(commentLabel_, tr("Co&mment for the trainee"));
   comment_->setPlaceholderText(tr("What would help most next time?"));
-  const std::string row = current_;
   const bool focused = isAncestorOf(QApplication::focusWidget());
   build();
-  if (editor_ == nullptr) {
-    return;
-  }
-  setCurrentRow(row);  // the keyboard wandered on with the rows that went
-  if (focused) {
-    takeFocus();
+  if (editor_ != nullptr && focused) {
+    takeFocus();  // the keyboard wandered on with the rows that went
   }
 }
 
@@ -128,7 +123,9 @@ void SheetPanel::setReadOnly(bool readOnly) {
 
 void SheetPanel::build() {
   for (ScoreRow* row : rows_) {
-    row->disconnect(this);  // the keyboard wanders on when a row goes; that is nobody's choice
+    row->disconnect(this);  // the keyboard wanders on through all of them as they go: nobody's choice
+  }
+  for (ScoreRow* row : rows_) {
     row->hide();
     row->deleteLater();
   }

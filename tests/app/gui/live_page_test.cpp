@@ -2,6 +2,8 @@
 // The live sheet follows the call of the office.
 #include "app/gui/physician/live_page.h"
 
+#include <algorithm>
+
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
@@ -9,8 +11,10 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
+#include "app/review/sheet_editor.h"
 #include "app/study/cohort_service.h"
 #include "app/study/live_call.h"
+#include "assessment/rating/sheet_check.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
 #include "tests/app/support/review_centre.h"
@@ -42,6 +46,13 @@ class LivePageFollows : public ::testing::Test {
     return QStringLiteral("Case %1").arg(
         toQString(openSheet(desk_.session(), centre_.cases(0, true).at(trainee)).shown.label));
   }
+  /// The case's name also stands among the lines at the left.
+  [[nodiscard]] bool shows(const LivePage& page, std::size_t trainee) {
+    const QString wanted = label(trainee);
+    const QList<QLabel*> labels = page.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* one) { return one->isVisible() && one->text() == wanted; });
+  }
   void scoreAll() {
     for (const Qt::Key key : {Qt::Key_6, Qt::Key_Down, Qt::Key_7, Qt::Key_Down, Qt::Key_5}) {
       desk_.press(key);
@@ -66,6 +77,37 @@ TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalledWhileThePageIsOpen) {
   ASSERT_NE(editorOf(page), nullptr);
   scoreAll();
   EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(1)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, BeginsTheNextSheetAtItsFirstRow) {
+  end(call(0, "room 1"));
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(shows(page, 0)) << "looked at, and not begun";
+
+  call(1, "room 1");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shows(page, 1); }, kPatience_ms));
+  desk_.press(Qt::Key_6);
+
+  ASSERT_NE(editorOf(page), nullptr);
+  EXPECT_TRUE(editorOf(page)->answer(editorOf(page)->order().front()).score_steps.has_value());
+  EXPECT_FALSE(editorOf(page)->answer(kOverallRow).score_steps.has_value());
+}
+
+TEST_F(LivePageFollows, StaysWithTheRoomThatItWatches) {
+  const LiveCallId first = call(0, "room 1");
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(shows(page, 0));
+
+  call(1, "room 2");
+
+  auto& hint = child<QLabel>(page, "called");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hint.isVisible(); }, kPatience_ms));
+  EXPECT_TRUE(shows(page, 0)) << "nobody marked it yet, but the trainee is still there";
+  EXPECT_TRUE(hint.text().contains(label(1))) << hint.text().toStdString();
+  EXPECT_TRUE(hint.text().contains(QStringLiteral("room 2"))) << hint.text().toStdString();
+  end(first);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shows(page, 1) && !hint.isVisible(); }, kPatience_ms))
+      << "when the trainee has left, the sheet follows";
 }
 
 TEST_F(LivePageFollows, NeverTakesABegunSheetAway) {
