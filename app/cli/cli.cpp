@@ -2,6 +2,8 @@
 #include "app/cli/cli.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -26,6 +28,26 @@ std::string oneLine(std::string text) {
   }
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+/// What is wrong with the value of an option in numbers; empty: nothing, or no number at all, which the
+/// parser says by itself.
+std::string noFiniteNumber(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() || std::isfinite(value) ? "" : text + " is no finite number";
+}
+
+/// Ranges let NaN pass: it is neither below one end nor above the other.
+void refuseNoNumbers(CLI::App& command) {
+  for (CLI::Option* option : command.get_options({})) {
+    if (option->get_type_name().starts_with("FLOAT")) {
+      option->check(noFiniteNumber);
+    }
+  }
+  for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) {
+    refuseNoNumbers(*below);
+  }
 }
 
 void buildProgram(CLI::App& program) {
@@ -62,6 +84,7 @@ void buildProgram(CLI::App& program) {
   addStandardSetting(program);
   addTwist(program);
   addXapi(program);
+  refuseNoNumbers(program);
 }
 
 /// The option parser would only say that a command is missing.

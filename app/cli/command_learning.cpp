@@ -340,7 +340,7 @@ void addLearning(CLI::App& program) {
   command->add_option("--sigma", arguments->sigma, "Values: standard deviation in control")
       ->check(CLI::PositiveNumber);
   command->add_option("--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addProficiency(*command, *arguments);
   command->callback([arguments, command] {

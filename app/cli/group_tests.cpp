@@ -184,8 +184,9 @@ class Comparison {
     std::vector<double> out;
     for (const std::vector<double>& group : groups_) {
       const double mean = group.empty() ? 0.0 : meanOf(group);
+      const bool varies = !group.empty() && squaresBeyondRounding(group) > 0.0;
       for (const double score : group) {
-        out.push_back(score - mean);
+        out.push_back(varies ? score - mean : 0.0);
       }
     }
     return out;

@@ -262,6 +262,10 @@ class Builder {
     QValueAxis* axis = axes_.addNumbers();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
+      if (series.faint) {
+        through(series, axis);
+        continue;
+      }
       auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
       dots->setColor(paled(seriesColour(lookOf(s), look_), kCloud, look_));
       for (std::size_t i = 0; i < series.y.size(); ++i) {
@@ -271,6 +275,17 @@ class Builder {
       }
       add(dots, axis, values_, true);
     }
+  }
+
+  /// A thin line through the points of a series that says what others are held against.
+  void through(const FigureSeries& series, QAbstractAxis* axis) {
+    auto* line = new QLineSeries;
+    line->setName(say_(series.name));
+    line->setPen(QPen(look_.ink, 1.2, Qt::DashLine));
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      line->append(series.x[i], series.y[i].value_or(0.0));
+    }
+    add(line, axis, values_, true);
   }
 
   void forest() {

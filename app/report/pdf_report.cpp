@@ -29,8 +29,9 @@ namespace {
 
 constexpr int kResolution_dpi = 600;
 constexpr double kChartHeight_mm = 61.0;
-constexpr double kRowHeight_mm = 7.0;  // of a heat map or forest
-constexpr double kFrame_mm = 24.0;     // axis, labels and legend round the rows
+constexpr double kCloudHeight_mm = 92.0;  // flat, a cloud hides its shape
+constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
+constexpr double kFrame_mm = 24.0;        // axis, labels and legend round the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr int kTableDecimals = 4;
 constexpr std::size_t kLongestTwin = 40;  // rows; longer ones would bury the report
@@ -49,7 +50,7 @@ double heightOf(const ReportFigure& figure) {
                            : figure.kind == FigureKind::kForest ? figure.categories.size()
                                                                 : 0;
   if (rows == 0) {
-    return kChartHeight_mm;
+    return figure.kind == FigureKind::kScatter ? kCloudHeight_mm : kChartHeight_mm;
   }
   return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/recording/competence.h"
 #include "app/study/run_day.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
@@ -74,6 +75,16 @@ void decideStates(std::vector<ModuleStep>& steps) {
       step.state = StepState::kLocked;
     } else if (step.attemptsLeft && *step.attemptsLeft == 0) {
       step.state = StepState::kUsedUp;
+    }
+  }
+}
+
+/// "Mastered" says nothing by itself of how often that is wrong.
+void judgeMastered(SessionContext& session, const std::string& code, std::vector<ModuleStep>& steps) {
+  ExerciseRules rules;
+  for (ModuleStep& step : steps) {
+    if (step.state == StepState::kMastered) {
+      step.competence = competenceOf(session.connection(), code, step.module, rules, session.now_us());
     }
   }
 }
@@ -170,6 +181,7 @@ NextSteps nextSteps(SessionContext& session, const PersonId& personId) {
     steps.modules.push_back(stepFor(module, all));
   }
   decideStates(steps.modules);
+  judgeMastered(session, record.code, steps.modules);
   planArm(session.connection(), record, steps);
   chooseNext(steps);
   steps.scoringDue =

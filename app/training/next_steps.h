@@ -10,6 +10,7 @@
 #include "app/study/scoring_due.h"
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
+#include "assessment/attempt/competence.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
 #include "sim/base/ids.h"
@@ -30,10 +31,11 @@ struct ModuleStep {
   std::vector<std::string> missing{};  ///< titles of the modules that must be mastered first
   std::vector<std::string> unlocks{};  ///< titles of the modules that wait for this one
   std::vector<RuleProgress> rules{};
-  std::int64_t attempts = 0;                   ///< that counted
-  std::optional<std::int64_t> attemptsLeft{};  ///< empty: no limit
-  std::optional<Attempt> last{};               ///< newest one, counted or not
-  std::int64_t needed_us = 0;                  ///< time that the next attempt takes at most
+  std::int64_t attempts = 0;                      ///< that counted
+  std::optional<std::int64_t> attemptsLeft{};     ///< empty: no limit
+  std::optional<Attempt> last{};                  ///< newest one, counted or not
+  std::optional<CompetenceVerdict> competence{};  ///< of a mastered one: by what error rates one is able
+  std::int64_t needed_us = 0;                     ///< time that the next attempt takes at most
 };
 
 /// Everything the first page of a trainee shows.

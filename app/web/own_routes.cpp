@@ -148,6 +148,8 @@ HttpResponse answerRun(Call& call) {
                      {"duration_s", shown.duration_s},
                      {"interrupted", shown.interrupted},
                      {"passed", shown.passed},
+                     {"verdict", shown.competence.errors.attempts > 0 ? verdictJson(call, shown.competence)
+                                                                      : json(nullptr)},
                      {"force_felt", shown.forceFelt},
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},

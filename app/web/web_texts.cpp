@@ -70,6 +70,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Bookmark"),
     Text::tr("Bookmark this moment, for yourself"),
     Text::tr("Bookmarks"),
+    Text::tr("By all runs"),
     Text::tr("Bookmarks and remarks"),
     Text::tr("Bookmarks are yours; remarks reach the trainee when the marks are released."),
     Text::tr("Bookmarks this moment for yourself (B)"),

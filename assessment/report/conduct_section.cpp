@@ -43,8 +43,9 @@ ReportSection deviationsSection(const CohortInputs& in) {
 ReportSection signaturesSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Signatures of the marks");
-  section.paragraphs.push_back(Text::tr("%1 marks were signed with the password of their rater, %2 were not.",
-                                        in.signatures.size(), in.unsignedMarks));
+  section.paragraphs.push_back(
+      Text::tr("%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.",
+               in.signatures.size(), in.unsignedMarks));
   ReportTable table;
   table.id = "table-mark-signatures";
   table.title = Text::tr("Who signed which mark");

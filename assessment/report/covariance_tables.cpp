@@ -246,6 +246,28 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
   return figures;
 }
 
+namespace {
+
+/// Where points would lie whose residuals are normal, from the lowest to the highest of them.
+FigureSeries normalLine(const std::vector<FigureSeries>& points) {
+  FigureSeries line;
+  line.name = Text::tr("as normal residuals");
+  line.faint = true;
+  double low = 0.0;
+  double high = 0.0;
+  for (const FigureSeries& series : points) {
+    for (const double x : series.x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  }
+  line.x = {low, high};
+  line.y = {low, high};
+  return line;
+}
+
+}  // namespace
+
 std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAnalysis& study) {
   if (!study.ancova) {
     return {};
@@ -273,14 +295,14 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
     normal.series.push_back(std::move(series));
     all.insert(all.end(), model.residuals[g].begin(), model.residuals[g].end());
   }
+  normal.series.push_back(normalLine(normal.series));
   const Outcome<NormalityTest> shape = shapiroWilk(all);
   fitted.notes = {Text::tr("A fan or a bow says that spread or slope are not as the model takes them.")};
   normal.notes = {
-      shape
-          ? Text::tr("Normal residuals lie along the diagonal. Shapiro and Wilk: W = %1, %2; for looking at, "
-                     "not for choosing a test.",
-                     formatFixed(shape->w, 3), equalsP(shape->p))
-          : Text::tr("Normal residuals lie along the diagonal.")};
+      shape ? Text::tr("Normal residuals lie along the line. Shapiro and Wilk: W = %1, %2; for looking at, "
+                       "not for choosing a test.",
+                       formatFixed(shape->w, 3), equalsP(shape->p))
+            : Text::tr("Normal residuals lie along the line.")};
   for (ReportFigure* figure : {&fitted, &normal}) {
     figure->kind = FigureKind::kScatter;
     figure->individual = true;  // a point is a person

@@ -129,6 +129,9 @@ class Twin {
   void scatter() {
     table_.columns = {Text::tr("Series"), heading(), figure_.yLabel};
     for (const FigureSeries& series : figure_.series) {
+      if (series.faint && figure_.kind == FigureKind::kScatter) {
+        continue;  // a line to hold the points against has no values of its own
+      }
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (!series.y[i]) {
           continue;

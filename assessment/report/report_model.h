@@ -73,7 +73,7 @@ struct FigureSeries {
   std::vector<double> high;
   std::optional<BoxSummary> box;    ///< kBoxes: required
   std::optional<std::size_t> look;  ///< colour and marker of this number instead of the series' own
-  bool faint = false;               ///< one of many individual courses: thin and not in the legend
+  bool faint = false;               ///< a course of many: thin, unnamed; kScatter: a line to compare with
 };
 
 struct ReportFigure {

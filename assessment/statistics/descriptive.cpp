@@ -44,6 +44,11 @@ double roundingSquares(std::span<const double> values) {
   return squares;
 }
 
+double squaresBeyondRounding(std::span<const double> values) {
+  const double squares = sumOfSquares(values);
+  return squares <= roundingSquares(values) ? 0.0 : squares;
+}
+
 std::optional<double> sampleVariance(std::span<const double> values) {
   if (values.size() < 2) {
     return std::nullopt;

@@ -18,6 +18,8 @@ namespace torsio {
 /// Returns the squares that rounding of decimals to doubles alone may leave, summed: what is no larger is no
 /// variation.
 [[nodiscard]] double roundingSquares(std::span<const double> values);
+/// The sum of squares about the mean as tests of means take it: 0 where rounding alone may leave it.
+[[nodiscard]] double squaresBeyondRounding(std::span<const double> values);
 /// Computes the variance with divisor n - 1; empty for fewer than two values.
 [[nodiscard]] std::optional<double> sampleVariance(std::span<const double> values);
 [[nodiscard]] std::optional<double> sampleDeviation(std::span<const double> values);

@@ -33,8 +33,12 @@ TTest finished(double difference, double error, double df, double confidence) {
   return out;
 }
 
+double varianceOf(std::span<const double> x) {
+  return squaresBeyondRounding(x) / (countOf(x) - 1.0);
+}
+
 double pooledVariance(std::span<const double> x, std::span<const double> y) {
-  return (sumOfSquares(x) + sumOfSquares(y)) / (countOf(x) + countOf(y) - 2.0);
+  return (squaresBeyondRounding(x) + squaresBeyondRounding(y)) / (countOf(x) + countOf(y) - 2.0);
 }
 
 bool everyGroupHas(const Groups& groups, std::size_t n) {
@@ -61,8 +65,8 @@ Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, doub
   if (x.size() < 2 || y.size() < 2) {
     return Outcome<TTest>::undefined(kTooFew);
   }
-  const double a = *sampleVariance(x) / countOf(x);
-  const double b = *sampleVariance(y) / countOf(y);
+  const double a = varianceOf(x) / countOf(x);
+  const double b = varianceOf(y) / countOf(y);
   if (a + b == 0.0) {
     return Outcome<TTest>::undefined(kNoSpread);
   }
@@ -160,7 +164,7 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& given) {
   for (const std::vector<double>& group : groups) {
     const double shift = meanOf(group) - grand;
     out.ssBetween += countOf(group) * shift * shift;
-    out.ssWithin += sumOfSquares(group);
+    out.ssWithin += squaresBeyondRounding(group);
   }
   out.df1 = static_cast<double>(groups.size() - 1);
   out.df2 = countOf(all) - static_cast<double>(groups.size());
@@ -194,7 +198,7 @@ Outcome<FTest> welchAnova(const Groups& given) {
   double weightSum = 0.0;
   double mean = 0.0;
   for (const std::vector<double>& group : groups) {
-    const double variance = *sampleVariance(group);
+    const double variance = varianceOf(group);
     if (variance == 0.0) {
       return Outcome<FTest>::undefined(Text::tr("a group does not vary"));
     }
@@ -224,6 +228,10 @@ Outcome<FTest> brownForsythe(const Groups& groups) {
     return Outcome<FTest>::undefined(*reason);
   }
   Groups distances = presentGroups(groups).values;
+  if (std::all_of(distances.begin(), distances.end(),
+                  [](const auto& group) { return squaresBeyondRounding(group) == 0.0; })) {
+    return Outcome<FTest>::undefined(kNoSpread);
+  }
   for (std::vector<double>& group : distances) {
     const double median = medianOf(group);
     for (double& x : group) {
@@ -254,7 +262,7 @@ Outcome<ChiSquaredTest> bartlett(const Groups& given) {
   double reciprocals = 0.0;
   for (const std::vector<double>& group : groups) {
     const double df = countOf(group) - 1.0;
-    const double variance = *sampleVariance(group);
+    const double variance = varianceOf(group);
     if (variance == 0.0) {
       return Outcome<ChiSquaredTest>::undefined(Text::tr("a group does not vary"));
     }
@@ -410,7 +418,7 @@ Outcome<NormalityTest> shapiroWilk(std::span<const double> values) {
   }
   std::vector<double> x(values.begin(), values.end());
   std::sort(x.begin(), x.end());
-  const double squares = sumOfSquares(x);
+  const double squares = squaresBeyondRounding(x);
   if (squares == 0.0) {
     return Outcome<NormalityTest>::undefined(kNoSpread);
   }

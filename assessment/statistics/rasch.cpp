@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "assessment/statistics/rating_plan.h"
+#include "assessment/statistics/rating_scale.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 
@@ -19,39 +20,6 @@ using Eigen::Index;
 
 constexpr int kMostRaschRounds = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
-
-/// Probabilities of the categories at location ability - severity.
-struct Category {
-  std::vector<double> p;
-  double mean = 0.0;
-  double variance = 0.0;
-};
-
-Category categoryAt(double location, const std::vector<double>& tau) {
-  Category out;
-  out.p.assign(tau.size() + 1, 0.0);
-  double exponent = 0.0;
-  double largest = 0.0;
-  for (std::size_t k = 1; k < out.p.size(); ++k) {
-    exponent += location - tau[k - 1];
-    out.p[k] = exponent;
-    largest = std::max(largest, exponent);
-  }
-  double sum = 0.0;
-  for (double& p : out.p) {
-    p = std::exp(p - largest);
-    sum += p;
-  }
-  for (std::size_t k = 0; k < out.p.size(); ++k) {
-    out.p[k] /= sum;
-    out.mean += static_cast<double>(k) * out.p[k];
-  }
-  for (std::size_t k = 0; k < out.p.size(); ++k) {
-    const double d = static_cast<double>(k) - out.mean;
-    out.variance += d * d * out.p[k];
-  }
-  return out;
-}
 
 /// What the ratings say about the parameters: abilities by themselves, and beside them the few severities and
 /// thresholds. The square of the abilities is diagonal, so that thousands of persons stay cheap.
@@ -65,6 +33,84 @@ struct Information {
     return Eigen::LDLT<Eigen::MatrixXd>(border -
                                         across.transpose() * persons.cwiseInverse().asDiagonal() * across);
   }
+};
+
+/// First and second derivatives of the log-likelihood, added up mark by mark, a person after the other.
+class Sums {
+ public:
+  Sums(Index persons, Index raters, Index thresholds)
+      : slopes_(Eigen::VectorXd::Zero(persons)),
+        diagonal_(Eigen::VectorXd::Zero(persons)),
+        across_(Eigen::MatrixXd::Zero(raters + thresholds, persons)),
+        border_(Eigen::VectorXd::Zero(raters + thresholds)),
+        corner_(Eigen::VectorXd::Zero(raters)),
+        side_(Eigen::MatrixXd::Zero(thresholds, raters)),
+        above_(Eigen::MatrixXd::Zero(thresholds, raters)),
+        joint_(Eigen::VectorXd::Zero(thresholds)),
+        passed_(Eigen::VectorXd::Zero(thresholds)),
+        products_(Eigen::MatrixXd::Zero(thresholds, thresholds)) {}
+
+  void add(Index person, Index rater, int mark, const CategoryOdds& at) {
+    const Index raters = corner_.size();
+    const double rest = static_cast<double>(mark) - at.mean;
+    slopes_[person] += rest;
+    border_[rater] -= rest;
+    diagonal_[person] += at.variance;
+    corner_[rater] += at.variance;
+    across_(rater, person) -= at.variance;
+    auto above = above_.col(rater);  // probability of a category above each threshold
+    double tail = 0.0;
+    double joint = 0.0;  // its covariance with the category
+    for (Index s = passed_.size(); s-- > 0;) {
+      const double p = at.p[static_cast<std::size_t>(s) + 1];
+      tail += p;
+      joint += (static_cast<double>(s + 1) - at.mean) * p;
+      above[s] = tail;
+      joint_[s] = joint;
+    }
+    passed_ += above;
+    border_.tail(passed_.size()) += above;
+    border_.segment(raters, mark).array() -= 1.0;
+    across_.col(person).tail(passed_.size()) -= joint_;
+    side_.col(rater) += joint_;
+  }
+
+  void closePerson() {
+    products_.selfadjointView<Eigen::Upper>().rankUpdate(above_);
+    above_.setZero();
+  }
+
+  /// In the free parameters; call once.
+  void finish(const Eigen::MatrixXd& free, Eigen::VectorXd& gradient, Information& information) {
+    const Index r = corner_.size();
+    const Index k = passed_.size();
+    Eigen::MatrixXd square(r + k, r + k);
+    square.topLeftCorner(r, r) = corner_.asDiagonal();
+    square.bottomLeftCorner(k, r) = side_;
+    for (Index s = 0; s < k; ++s) {
+      for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
+        square(r + u, r + s) = passed_[u] - products_(s, u);
+      }
+    }
+    square.triangularView<Eigen::StrictlyUpper>() = square.transpose();
+    gradient.resize(slopes_.size() + free.cols());
+    gradient << slopes_, free.transpose() * border_;
+    information.persons = std::move(diagonal_);
+    information.across = across_.transpose() * free;
+    information.border = free.transpose() * square * free;
+  }
+
+ private:
+  Eigen::VectorXd slopes_;
+  Eigen::VectorXd diagonal_;
+  Eigen::MatrixXd across_;  // border x persons
+  Eigen::VectorXd border_;
+  Eigen::VectorXd corner_;  // raters by themselves
+  Eigen::MatrixXd side_;    // thresholds x raters
+  Eigen::MatrixXd above_;   // probability of a category above each threshold, a column a mark of this person
+  Eigen::VectorXd joint_;   // covariances of one mark
+  Eigen::VectorXd passed_;  // the sum of all of these
+  Eigen::MatrixXd products_;  // and of their products
 };
 
 /// Free parameters: abilities, then severities and thresholds without their last, which makes the sums 0.
@@ -107,71 +153,29 @@ class JointModel {
 
   /// Computes the log-likelihood; with `gradient` also that and the information.
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient, Information* information) const {
-    const std::vector<double> thresholds = tau(x);
-    const auto n = static_cast<Index>(persons_.size());
-    const auto r = static_cast<Index>(raters_.size());
-    const auto k = static_cast<Index>(thresholds_);
+    const RatingScale scale(tau(x));
+    Sums sums(static_cast<Index>(persons_.size()), static_cast<Index>(raters_.size()),
+              static_cast<Index>(thresholds_));
     double logLikelihood = 0.0;
-    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(n);
-    Eigen::VectorXd border = Eigen::VectorXd::Zero(r + k);
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
-    Eigen::MatrixXd across = Eigen::MatrixXd::Zero(n, r + k);
-    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(r + k, r + k);
-    Eigen::MatrixXd above(k, r);  // probability of a category above each threshold, a column a mark
-    Eigen::VectorXd passed = Eigen::VectorXd::Zero(k);  // the sum of all of these
-    Eigen::VectorXd joint(k);                           // their covariance with the category
-    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(k, k);
-    for (Index i = 0; i < n; ++i) {
-      above.setZero();
-      for (Index j = 0; j < r; ++j) {
-        const std::size_t person = persons_[static_cast<std::size_t>(i)];
-        const std::size_t rater = raters_[static_cast<std::size_t>(j)];
-        if (!plan_.used(person, rater)) {
+    CategoryOdds at;
+    for (std::size_t i = 0; i < persons_.size(); ++i) {
+      for (std::size_t j = 0; j < raters_.size(); ++j) {
+        if (!plan_.used(persons_[i], raters_[j])) {
           continue;
         }
-        const int mark = plan_.mark(person, rater);
-        const Category at = categoryAt(
-            ability(x, static_cast<std::size_t>(i)) - severity(x, static_cast<std::size_t>(j)), thresholds);
+        const int mark = plan_.mark(persons_[i], raters_[j]);
+        scale.at(ability(x, i) - severity(x, j), at);
         logLikelihood += std::log(at.p[static_cast<std::size_t>(mark)]);
-        if (gradient == nullptr) {
-          continue;
+        if (gradient != nullptr) {
+          sums.add(static_cast<Index>(i), static_cast<Index>(j), mark, at);
         }
-        const double rest = static_cast<double>(mark) - at.mean;
-        slopes[i] += rest;
-        border[j] -= rest;
-        double tail = 0.0;
-        double weighted = 0.0;
-        for (Index s = k; s-- > 0;) {
-          const double p = at.p[static_cast<std::size_t>(s) + 1];
-          tail += p;
-          weighted += static_cast<double>(s + 1) * p;
-          above(s, j) = tail;
-          passed[s] += tail;
-          joint[s] = weighted - at.mean * tail;
-          border[r + s] -= (mark > s ? 1.0 : 0.0) - tail;
-        }
-        diagonal[i] += at.variance;
-        across(i, j) -= at.variance;
-        across.row(i).tail(k) -= joint.transpose();
-        square(j, j) += at.variance;
-        square.row(j).tail(k) += joint.transpose();
       }
       if (gradient != nullptr) {
-        products.selfadjointView<Eigen::Upper>().rankUpdate(above);
+        sums.closePerson();
       }
     }
     if (gradient != nullptr) {
-      for (Index s = 0; s < k; ++s) {
-        for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
-          square(r + s, r + u) = passed[u] - products(s, u);
-        }
-      }
-      square.triangularView<Eigen::StrictlyLower>() = square.transpose();
-      gradient->resize(size());
-      *gradient << slopes, free_.transpose() * border;
-      information->persons = std::move(diagonal);
-      information->across = across * free_;
-      information->border = free_.transpose() * square * free_;
+      sums.finish(free_, *gradient, *information);
     }
     return logLikelihood;
   }
@@ -211,29 +215,38 @@ std::optional<Eigen::VectorXd> stepOf(const Information& information, const Eige
   return step.allFinite() ? std::optional(step) : std::nullopt;
 }
 
+struct Maximum {
+  Eigen::VectorXd x;
+  Information information;
+  double logLikelihood = 0.0;
+  int iterations = 0;
+};
+
 /// Newton with step halving; the log-likelihood is concave and has one maximum. Empty when rounding keeps the
 /// iteration from settling.
-std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
+std::optional<Maximum> maximise(const JointModel& model) {
+  Maximum at{Eigen::VectorXd::Zero(model.size()), {}, 0.0, 0};
   Eigen::VectorXd gradient;
-  Information information;
-  double value = model.evaluate(x, &gradient, &information);
-  for (int iteration = 1; iteration <= kMostRaschRounds; ++iteration) {
-    std::optional<Eigen::VectorXd> step = stepOf(information, gradient);
+  at.logLikelihood = model.evaluate(at.x, &gradient, &at.information);
+  while (++at.iterations <= kMostRaschRounds) {
+    std::optional<Eigen::VectorXd> step = stepOf(at.information, gradient);
     if (!step) {
       return std::nullopt;
     }
-    double next = model.evaluate(x + *step, &gradient, &information);
+    if (step->cwiseAbs().maxCoeff() < kConverged) {
+      at.x += *step;  // changes neither likelihood nor information
+      return at;
+    }
+    double next = model.evaluate(at.x + *step, &gradient, &at.information);
     bool halved = false;
-    for (int halving = 0; halving < 40 && !(next >= value - 1e-12 * std::abs(value)); ++halving) {
+    for (int halving = 0; halving < 40 && !(next >= at.logLikelihood - 1e-12 * std::abs(at.logLikelihood));
+         ++halving) {
       *step *= 0.5;
       halved = true;
-      next = model.evaluate(x + *step, nullptr, nullptr);
+      next = model.evaluate(at.x + *step, nullptr, nullptr);
     }
-    x += *step;
-    value = halved ? model.evaluate(x, &gradient, &information) : next;
-    if (step->cwiseAbs().maxCoeff() < kConverged) {
-      return iteration;
-    }
+    at.x += *step;
+    at.logLikelihood = halved ? model.evaluate(at.x, &gradient, &at.information) : next;
   }
   return std::nullopt;
 }
@@ -245,11 +258,14 @@ struct FitSums {
   double n = 0.0;
 };
 
-void report(const JointModel& model, const RatingPlan& plan, const Eigen::VectorXd& x, RaschResult& out) {
+void report(const JointModel& model, const RatingPlan& plan, const Maximum& found, RaschResult& out) {
+  const Eigen::VectorXd& x = found.x;
+  const Information& information = found.information;
   out.thresholds = model.tau(x);
-  Information information;
-  Eigen::VectorXd gradient;
-  out.logLikelihood = model.evaluate(x, &gradient, &information);
+  out.logLikelihood = found.logLikelihood;
+  out.iterations = found.iterations;
+  const RatingScale scale(out.thresholds);
+  CategoryOdds at;
   // Variance of an ability: its own, and what the border adds.
   const Eigen::MatrixXd own = information.persons.cwiseInverse().asDiagonal() * information.across;
   const Eigen::VectorXd variance =
@@ -264,7 +280,7 @@ void report(const JointModel& model, const RatingPlan& plan, const Eigen::Vector
       if (!plan.used(model.persons()[i], r)) {
         continue;
       }
-      const Category at = categoryAt(model.ability(x, i) - model.severity(x, j), out.thresholds);
+      scale.at(model.ability(x, i) - model.severity(x, j), at);
       const double d = static_cast<double>(plan.mark(model.persons()[i], r)) - at.mean;
       for (FitSums* to : {&sums, &raterSums[r]}) {
         to->squares += d * d;
@@ -276,7 +292,8 @@ void report(const JointModel& model, const RatingPlan& plan, const Eigen::Vector
     person.ability = model.ability(x, i);
     person.error = 1.0 / std::sqrt(sums.variances);
     person.jointError = std::sqrt(variance[static_cast<Index>(i)]);
-    person.fairAverage = categoryAt(*person.ability, out.thresholds).mean;
+    scale.at(*person.ability, at);
+    person.fairAverage = at.mean;
     person.infit = sums.squares / sums.variances;
     person.outfit = sums.standardized / sums.n;
   }
@@ -344,13 +361,11 @@ Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest)
     return Undefined::undefined(*reason);
   }
   const JointModel model(plan);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(model.size());
-  const std::optional<int> iterations = maximise(model, x);
-  if (!iterations) {
+  const std::optional<Maximum> found = maximise(model);
+  if (!found) {
     return Undefined::undefined(Text::tr("the estimates lie too far apart to be computed"));
   }
   RaschResult out;
-  out.iterations = *iterations;
   for (const RaschStatus status : plan.persons()) {
     out.persons.emplace_back();
     out.persons.back().status = status;
@@ -359,7 +374,7 @@ Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest)
     out.raters.emplace_back();
     out.raters.back().status = status;
   }
-  report(model, plan, x, out);
+  report(model, plan, *found, out);
   return out;
 }
 

@@ -1877,8 +1877,8 @@
         <translation>上次：%1 后中断</translation>
     </message>
     <message>
-        <source>Trend says whether you are held to be able, and how often that is wrong.</source>
-        <translation>“趋势”页说明您是否被认为胜任，以及这一判断出错的概率。</translation>
+        <source>Level: %1. %2</source>
+        <translation>水平：%1。%2</translation>
     </message>
 </context>
 <context>
@@ -11606,14 +11606,6 @@
         <translation>若呈扇形或弓形，说明离散度或斜率与模型假设不符。</translation>
     </message>
     <message>
-        <source>Normal residuals lie along the diagonal. Shapiro and Wilk: W = %1, %2; for looking at, not for choosing a test.</source>
-        <translation>正态残差落在对角线上。Shapiro-Wilk：W = %1，%2；仅供查看，不用于选择检验。</translation>
-    </message>
-    <message>
-        <source>Normal residuals lie along the diagonal.</source>
-        <translation>正态残差落在对角线上。</translation>
-    </message>
-    <message>
         <source>Planned and used: the analysis of covariance of the score at the end on the score before. No mark of the first and the last occasion is missing.</source>
         <translation>计划与实际采用的分析：以训练前得分为协变量的结束得分协方差分析。首末两个评分时点没有评分缺失。</translation>
     </message>
@@ -13062,10 +13054,6 @@ audit trail %3</source>
     <message>
         <source>Signatures of the marks</source>
         <translation>评分的签名</translation>
-    </message>
-    <message>
-        <source>%1 marks were signed with the password of their rater, %2 were not.</source>
-        <translation>%1 个评分由评分者用密码签名，%2 个没有。</translation>
     </message>
     <message>
         <source>Who signed which mark</source>
@@ -17386,6 +17374,26 @@ audit trail %3</source>
     <message>
         <source>the instrument was seen for %1 % of the time only</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By all runs</source>
+        <translation>按全部运行</translation>
+    </message>
+    <message>
+        <source>%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.</source>
+        <translation>%1 个评分由评分者用密码签名，%2 个没有。</translation>
+    </message>
+    <message>
+        <source>as normal residuals</source>
+        <translation>正态残差所在的线</translation>
+    </message>
+    <message>
+        <source>Normal residuals lie along the line. Shapiro and Wilk: W = %1, %2; for looking at, not for choosing a test.</source>
+        <translation>正态残差落在这条线上。Shapiro-Wilk：W = %1，%2；仅供查看，不用于选择检验。</translation>
+    </message>
+    <message>
+        <source>Normal residuals lie along the line.</source>
+        <translation>正态残差落在这条线上。</translation>
     </message>
 </context>
 <context>

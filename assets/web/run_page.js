@@ -3,7 +3,7 @@
 import { api, NoConnection, Refusal } from './api.js';
 import { button, h } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
-import { kPatience_ms } from './own_page.js';
+import { kPatience_ms, verdictText } from './own_page.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
@@ -30,7 +30,7 @@ export class RunPage {
     this.element.replaceChildren(
       h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
       h('div', { class: 'halves' }, h('div', { class: 'left' }, this.player.element),
-        h('div', { class: 'right' }, this.#twists(), this.#bookmarks())));
+        h('div', { class: 'right' }, this.#twists(), this.#bookmarks(), this.#verdict())));
     this.#openRecording();
   }
   async #openRecording() {
@@ -57,6 +57,11 @@ export class RunPage {
           h('td', {}, `${figure(twist.released_deg, 1)}\u00b0`), h('td', {}, t('%1 s', figure(twist.held_s, 1))),
           h('td', { class: twist.passed ? 'good' : 'caution' }, twist.passed ? t('yes') : t('no')))))),
       unfinished > 0 ? h('p', { class: 'quiet' }, t('%1 {twist was|twists were} not completed.', figure(unfinished))) : null);
+  }
+  #verdict() {
+    const { verdict } = this.run;
+    if (!verdict) return null;
+    return h('section', { class: 'card stack' }, h('h2', {}, t('By all runs')), verdictText(verdict));
   }
   #bookmarks() {
     const { bookmarks } = this.run;

@@ -20,6 +20,7 @@
 namespace torsio {
 namespace {
 
+using testing::aClassOfRatersIsMissing;
 using ::testing::HasSubstr;
 using testing::losing;
 using testing::marking;
@@ -65,8 +66,6 @@ CohortInputs amendedAfterTheFreeze() {
   in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
   return in;
 }
-
-CohortInputs aClassOfRatersIsMissing();
 
 std::map<std::string, CohortInputs> hostileCohorts() {
   std::map<std::string, CohortInputs> all;
@@ -222,25 +221,6 @@ TEST(HostileCohort, ARaterWithoutASheetForAModelIsNoRaterOfEveryModel) {
   const std::string said = textOfAll(in);
   EXPECT_THAT(said, Not(HasSubstr("Each rater scored every model")));
   EXPECT_THAT(said, HasSubstr("9 marks are missing"));
-}
-
-/// The class that counts most has given no mark at all.
-CohortInputs aClassOfRatersIsMissing() {
-  CohortInputs in = testing::demonstrationCohort();
-  UnfinishedEvaluation unfinished;
-  unfinished.classesMissing = {in.instrument.classes[2].name};
-  for (ModelRatings& model : in.ratings) {
-    std::erase_if(model.sheets, [](const RaterSheet& sheet) { return sheet.raterClass == 2; });
-    unfinished.marks += 9 * std::ssize(model.sheets);
-    UnscoredIndices of{in.instrument.classes[2].name, model.model, {}};
-    for (const EvaluationIndex& index : in.instrument.indices) {
-      of.indices.push_back(index.name);
-    }
-    unfinished.unscored.push_back(of);
-  }
-  in.unfinishedEvaluation = unfinished;
-  in.evaluations.clear();
-  return in;
 }
 
 TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIsLost) {

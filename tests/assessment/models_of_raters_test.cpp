@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rasch.h"
+#include "assessment/statistics/rating_scale.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "tests/assessment/reference_case.h"
@@ -148,6 +150,27 @@ TEST(ManyFacetRasch, AgreesWithNewtonAndThePoissonModel) {
     EXPECT_TRUE(matches(got->thresholds[r], c.expected.at("tau")[r].get<double>(), c.tolerance));
   }
   EXPECT_TRUE(matches(got->logLikelihood, c.expected.at("loglik").get<double>(), c.tolerance));
+}
+
+TEST(RatingScale, KeepsItsDigitsWhereNeighboursAreFarApart) {
+  CategoryOdds at;
+  RatingScale({0.4, -1.1, 0.7}).at(0.3, at);  // near: by quotients
+  const std::vector<double> weights = {1.0, std::exp(-0.1), std::exp(1.3), std::exp(0.9)};
+  const double sum = weights[0] + weights[1] + weights[2] + weights[3];
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(at.p[k], weights[k] / sum, 1e-15);
+  }
+  // Between the ends everything is less likely by up to e^800 or e^580: half and half, mean 2, variance 4.
+  for (const double far : {400.0, 290.0}) {
+    RatingScale({far, far, -far, -far}).at(0.0, at);
+    EXPECT_DOUBLE_EQ(at.p[0], 0.5);
+    EXPECT_DOUBLE_EQ(at.p[4], 0.5);
+    EXPECT_DOUBLE_EQ(at.mean, 2.0);
+    EXPECT_DOUBLE_EQ(at.variance, 4.0);
+  }
+  RatingScale({1.0, -1.0}).at(-900.0, at);
+  EXPECT_DOUBLE_EQ(at.p[0], 1.0);
+  EXPECT_EQ(at.mean, 0.0);
 }
 
 TEST(ManyFacetRasch, SetsExtremePersonsAsideAndReportsThem) {

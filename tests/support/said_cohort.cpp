@@ -91,6 +91,24 @@ CohortInputs withUntwistings() {
   return in;
 }
 
+CohortInputs aClassOfRatersIsMissing() {
+  CohortInputs in = demonstrationCohort();
+  UnfinishedEvaluation unfinished;
+  unfinished.classesMissing = {in.instrument.classes[2].name};
+  for (ModelRatings& model : in.ratings) {
+    std::erase_if(model.sheets, [](const RaterSheet& sheet) { return sheet.raterClass == 2; });
+    unfinished.marks += 9 * std::ssize(model.sheets);
+    UnscoredIndices of{in.instrument.classes[2].name, model.model, {}};
+    for (const EvaluationIndex& index : in.instrument.indices) {
+      of.indices.push_back(index.name);
+    }
+    unfinished.unscored.push_back(of);
+  }
+  in.unfinishedEvaluation = unfinished;
+  in.evaluations.clear();
+  return in;
+}
+
 const ReportFigure* figureNamed(const ReportModel& report, const std::string& id) {
   for (const ReportSection& section : report.sections) {
     for (const ReportFigure& figure : section.figures) {

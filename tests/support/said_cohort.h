@@ -23,6 +23,9 @@ namespace torsio::testing {
 /// after a relapse; in the third blood never came back.
 [[nodiscard]] CohortInputs withUntwistings();
 
+/// The demonstration's cohort, of whose models the class of raters that counts most has given no mark.
+[[nodiscard]] CohortInputs aClassOfRatersIsMissing();
+
 /// Null: there is none.
 [[nodiscard]] const ReportFigure* figureNamed(const ReportModel& report, const std::string& id);
 [[nodiscard]] const ReportTable* tableNamed(const ReportModel& report, const std::string& id);

@@ -192,8 +192,8 @@ QString StationLabels::why(const ModuleStep& step) {
   for (const RuleProgress& progress : step.rules) {
     parts << rule(progress);
   }
-  if (step.state == StepState::kMastered) {
-    parts << tr("Trend says whether you are held to be able, and how often that is wrong.");
+  if (step.competence) {
+    parts << tr("Level: %1. %2").arg(level(*step.competence), competenceErrors(*step.competence));
   }
   return parts.join(QLatin1Char('\n'));
 }

@@ -105,6 +105,24 @@ TEST_F(BadInput, NotANumberIsRefused) {
   expectNothingWritten();
 }
 
+TEST_F(BadInput, OptionsThatAreNoFiniteNumbersAreRefused) {
+  for (const char* option :
+       {"power --test t --effect 0.5 --n", "power --test t --n 10 --effect",
+        "power --test t --effect 0.5 --power", "power --test t --n 10 --effect 0.5 --alpha",
+        "power --test icc --raters 3 --width 0.2 --icc", "power --test icc --raters 3 --icc 0.5 --width",
+        "competence plan --adequate", "competence plan --tolerance",
+        "learning t.csv --target 1 --sigma 1 --cusum-limit", "learning t.csv --target 1 --sigma",
+        "learning t.csv --threshold", "compare-groups t.csv --margin",
+        "compare-groups t.csv --highest 5 --lowest",
+        "agreement --ratings t.csv --method kappa --categories 1,2,", "twist --organ forearm --angle"}) {
+    const char* gap = std::string(option).back() == ',' ? "" : " ";
+    expectRefused(std::string(option) + gap + "nan", ErrorCode::kUsage, "nan is no finite number");
+  }
+  for (const char* none : {"-nan", "inf", "-inf", "1e999"}) {
+    expectRefused(std::string("power --test t --n 10 --effect ") + none, ErrorCode::kUsage, "--effect");
+  }
+}
+
 TEST_F(BadInput, MetresInsteadOfMillimetresAreRecognised) {
   write(folder_ / "metres.obj", boxObj("0.2"));
   expectRefused(demoWith("metres.obj"), ErrorCode::kBadMesh, "organ-unit m");

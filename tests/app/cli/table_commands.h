@@ -12,6 +12,7 @@
 
 #include "sim/base/error.h"
 #include "tests/app/cli/program.h"
+#include "tests/assessment/reference_case.h"
 
 namespace torsio::test {
 
@@ -41,5 +42,48 @@ class TableCommands : public ::testing::Test {
     }
   }
 };
+
+/// "r3": row or column names of the tables below.
+inline std::string named(const char* letter, std::size_t i) {
+  return letter + std::to_string(i);
+}
+
+/// Adds a line of values to a table.
+inline void addRow(std::string& table, const std::vector<std::string>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    table += (i == 0 ? "" : ",") + values[i];
+  }
+  table += "\n";
+}
+
+/// target,rater,score of a matrix with a row for each target.
+inline std::string ratings(const nlohmann::json& rows) {
+  std::string table = "target,rater,score\n";
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    for (std::size_t r = 0; r < rows[t].size(); ++r) {
+      addRow(table, {named("t", t), named("r", r), rows[t][r].dump()});
+    }
+  }
+  return table;
+}
+
+/// subject,occasion,score of lists of the same length, one for each occasion.
+inline std::string occasions(const std::vector<std::string>& names,
+                             const std::vector<std::vector<double>>& scores) {
+  std::string table = "subject,occasion,score\n";
+  for (std::size_t o = 0; o < names.size(); ++o) {
+    for (std::size_t s = 0; s < scores[o].size(); ++s) {
+      addRow(table, {named("s", s), names[o], nlohmann::json(scores[o][s]).dump()});
+    }
+  }
+  return table;
+}
+
+/// Expects got[key] of a command to match a value of the case.
+inline void expectMatch(const nlohmann::json& got, const nlohmann::json& expected, double tolerance,
+                        const std::string& what) {
+  ASSERT_TRUE(got.is_number()) << what << " is " << got;
+  EXPECT_TRUE(matches(got.get<double>(), expected.get<double>(), tolerance)) << what;
+}
 
 }  // namespace torsio::test

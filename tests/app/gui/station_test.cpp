@@ -114,6 +114,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.open(PageId::kNextStep);
   EXPECT_TRUE(station.allText().contains(QStringLiteral("First master: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("are held to be able (false pass)")));  // beside it
   station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
   station.press("begin");
