@@ -955,6 +955,10 @@
             <numerusform>保留 %n 份：另一位评分者已被邀请评这些案例。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Asked about all these cases already: choose somebody else.</source>
+        <translation>该评分者已受邀评这些案例：请另选他人。</translation>
+    </message>
 </context>
 <context>
     <name>ReminderText</name>
@@ -18055,10 +18059,6 @@ MSM = 质点弹簧</translation>
         <translation>评分者类别权重</translation>
     </message>
     <message>
-        <source>The weights must sum to 1: indices %1, classes %2.</source>
-        <translation>权重之和必须为 1：指标 %1，类别 %2。</translation>
-    </message>
-    <message>
         <source>Choose raters of every class that has a weight. Missing: %1.</source>
         <translation>请为每个有权重的类别选择评分者。缺少：%1。</translation>
     </message>
@@ -18106,10 +18106,26 @@ MSM = 质点弹簧</translation>
         <source>proposed model</source>
         <translation>本文模型</translation>
     </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The weights must sum to 1, and sum to %1.</source>
+        <translation>权重之和须为 1，目前为 %1。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Leave out raters of a class without a weight: %1.</source>
+        <translation>以下类别没有权重，请勿选择其评分者：%1。</translation>
+    </message>
     <message numerus="yes">
-        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <source>%n rater(s) chosen.</source>
         <translation>
-            <numerusform>两组权重之和均为 1；已选择 %n 名评分者。</numerusform>
+            <numerusform>已选 %n 名评分者。</numerusform>
         </translation>
     </message>
 </context>
@@ -21669,6 +21685,14 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>&amp;Verify</source>
         <translation>验证(&amp;V)</translation>
     </message>
+    <message>
+        <source>Paste at least one head, or read a file.</source>
+        <translation>请至少粘贴一个链头，或读取文件。</translation>
+    </message>
+    <message>
+        <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
+        <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::InvitationsDialog</name>
@@ -24815,6 +24839,14 @@ Leave it empty to remove it.</source>
             <numerusform>此备份之后有 %n 人被删除，恢复后仍保持删除。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Choose a backup, or type its path.</source>
+        <translation>请选择备份，或输入其路径。</translation>
+    </message>
+    <message>
+        <source>This is not yet the word: %1, with the same capitals.</source>
+        <translation>与要求的文字不同：%1，区分大小写。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ResultsPage</name>
@@ -25031,6 +25063,10 @@ Leave it empty to remove it.</source>
         <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters: who is imported as a trainee stays one.</source>
         <translation>! “%1”列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”：一旦作为学员导入，将一直是学员。</translation>
     </message>
+    <message>
+        <source>Needed: choose its column, or add one to the file.</source>
+        <translation>必填：请选择对应的列，或在文件中补上该列。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterFilePage</name>
@@ -25085,6 +25121,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Choose the file, or type its path.</source>
+        <translation>请选择文件，或输入其路径。</translation>
     </message>
 </context>
 <context>
