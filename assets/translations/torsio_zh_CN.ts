@@ -1463,10 +1463,6 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
     </message>
@@ -1883,6 +1879,10 @@
     <message>
         <source>Trend says whether you are held to be able, and how often that is wrong.</source>
         <translation>“趋势”页说明您是否被认为胜任，以及这一判断出错的概率。</translation>
+    </message>
+    <message>
+        <source>Twists completed: %1, at least %2 wanted</source>
+        <translation>已完成的扭转：%1，要求至少 %2</translation>
     </message>
 </context>
 <context>
@@ -11882,10 +11882,6 @@
         <translation>请选择 0 到 %1 分钟</translation>
     </message>
     <message>
-        <source>too many failures: wait %1 s</source>
-        <translation>失败次数过多：请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>Then try again</source>
         <translation>然后重试</translation>
     </message>
@@ -13924,10 +13920,6 @@ audit trail %3</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
     </message>
     <message>
-        <source>Amend …</source>
-        <translation>更正…</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
@@ -14152,10 +14144,6 @@ audit trail %3</source>
         <translation>%1 的评分</translation>
     </message>
     <message>
-        <source>Move with a reason …</source>
-        <translation>说明理由并调整…</translation>
-    </message>
-    <message>
         <source>New password</source>
         <translation>新密码</translation>
     </message>
@@ -14260,10 +14248,6 @@ audit trail %3</source>
         <translation>播放或暂停（空格）</translation>
     </message>
     <message>
-        <source>Please wait %1 s, then try again.</source>
-        <translation>请等待 %1 秒后重试。</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
     </message>
@@ -14314,10 +14298,6 @@ audit trail %3</source>
     <message>
         <source>Saved</source>
         <translation>已保存</translation>
-    </message>
-    <message>
-        <source>Saving …</source>
-        <translation>正在保存…</translation>
     </message>
     <message>
         <source>Say why the mark is changed.</source>
@@ -14484,10 +14464,6 @@ audit trail %3</source>
         <translation>跳到内容</translation>
     </message>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>Top</source>
         <translation>上方</translation>
     </message>
@@ -14606,10 +14582,6 @@ audit trail %3</source>
     <message>
         <source>“%1”</source>
         <translation>“%1”</translation>
-    </message>
-    <message>
-        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>what was watched is not a stretch of the recording</source>
@@ -16256,10 +16228,6 @@ audit trail %3</source>
         <translation>在 %1</translation>
     </message>
     <message>
-        <source>Being read …</source>
-        <translation>正在读取……</translation>
-    </message>
-    <message>
         <source>Blood flow</source>
         <translation>血流</translation>
     </message>
@@ -17178,6 +17146,38 @@ audit trail %3</source>
     <message>
         <source>Open it with Torsio once, which takes the change back</source>
         <translation>请用 Torsio 打开一次，未完成的更改即会撤销</translation>
+    </message>
+    <message>
+        <source>too many failures: wait %1</source>
+        <translation>失败次数过多：请等待 %1</translation>
+    </message>
+    <message>
+        <source>Amend…</source>
+        <translation>更正…</translation>
+    </message>
+    <message>
+        <source>Being read…</source>
+        <translation>正在读取……</translation>
+    </message>
+    <message>
+        <source>Move with a reason…</source>
+        <translation>说明理由并调整…</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Please wait %1, then try again.</source>
+        <translation>请等待 %1 后重试。</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>
@@ -18259,10 +18259,6 @@ MSM = 质点弹簧</translation>
         <translation>重做</translation>
     </message>
     <message>
-        <source>&amp;Amend …</source>
-        <translation>更正(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Makes a new version with a reason; the submitted one is kept</source>
         <translation>附理由生成新版本；已提交的版本保留</translation>
     </message>
@@ -18459,10 +18455,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 版，%2，在评分组评分公开后调整：%3</translation>
     </message>
     <message>
-        <source>&amp;Move with a reason …</source>
-        <translation>说明理由并调整(&amp;M)…</translation>
-    </message>
-    <message>
         <source>The panel&apos;s marks are open: a new version is flagged; the submitted one is kept</source>
         <translation>评分组的评分已公开：新版本会被标记；已提交的版本予以保留</translation>
     </message>
@@ -18493,6 +18485,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>A click on the time edits the words (Shift+R: the nearest); the old ones are kept.</source>
         <translation>点击时间即可修改文字（Shift+R：最近的一条）；原文保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Move with a reason…</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Amend…</source>
+        <translation>更正(&amp;A)…</translation>
     </message>
 </context>
 <context>
@@ -20216,20 +20216,20 @@ MSM = 质点弹簧</translation>
         <translation>组织停歇</translation>
     </message>
     <message>
-        <source>Turned back by %1°. Set the clip and let it rest: %2 of %3 s</source>
-        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3 s</translation>
-    </message>
-    <message>
         <source>The twist grows. Turn in the opposite direction.</source>
         <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
     <message>
-        <source>%1, %2 s ago</source>
-        <translation>%1，%2 秒前</translation>
-    </message>
-    <message>
         <source>Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.</source>
         <translation>手已转到极限。请上夹子 (C)，松开钳口，再重新抓持。</translation>
+    </message>
+    <message>
+        <source>%1, %2 ago</source>
+        <translation>%1，%2 前</translation>
+    </message>
+    <message>
+        <source>Turned back by %1°. Set the clip and let it rest: %2 of %3</source>
+        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3</translation>
     </message>
 </context>
 <context>
@@ -20629,16 +20629,16 @@ MSM = 质点弹簧</translation>
         <translation>封存调整后的评分</translation>
     </message>
     <message>
-        <source>&amp;Move it with a reason …</source>
-        <translation>说明理由并调整(&amp;M)…</translation>
-    </message>
-    <message>
         <source>The moved mark is sealed and flagged; the one before is kept</source>
         <translation>调整后的评分已封存并标记；原评分予以保留</translation>
     </message>
     <message>
         <source>Reason (needed to move a mark or to ask for an adjudicator)</source>
         <translation>理由（调整评分或请求仲裁评分者时必填）</translation>
+    </message>
+    <message>
+        <source>&amp;Move with a reason…</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -21748,10 +21748,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>剩余 %1 分钟</translation>
     </message>
     <message>
-        <source>%1 s left</source>
-        <translation>剩余 %1 秒</translation>
-    </message>
-    <message>
         <source>Stopping…</source>
         <translation>正在停止…</translation>
     </message>
@@ -21774,6 +21770,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>剩余 %1</translation>
     </message>
 </context>
 <context>
@@ -22004,10 +22004,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>现场评分表</translation>
     </message>
     <message>
-        <source>&amp;Amend …</source>
-        <translation>更正(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Makes a new version with a reason; the submitted one is kept</source>
         <translation>附理由生成新版本；已提交的版本保留</translation>
     </message>
@@ -22067,6 +22063,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Real arm: the sheet follows the call. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
         <translation>实物手臂：评分表随呼叫切换。每次点按均保存到中心服务器；无法连接时会立即提示。</translation>
     </message>
+    <message>
+        <source>&amp;Amend…</source>
+        <translation>更正(&amp;A)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::LockPanel</name>
@@ -22096,14 +22096,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Something is unfinished here. Only its owner can sign out</source>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
-    </message>
-    <message>
-        <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
-    </message>
-    <message>
-        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>You were signed out because nobody was here</source>
@@ -22222,10 +22214,6 @@ Leave it empty to remove it.</source>
         <translation>新密码已生效</translation>
     </message>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>That is not the password. Please try again</source>
         <translation>密码不正确，请重试</translation>
     </message>
@@ -22270,6 +22258,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Close the window once more, when you have read this</source>
         <translation>阅读后请再次关闭窗口</translation>
+    </message>
+    <message>
+        <source>Nobody here? You will be signed out in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将退出登录。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>
@@ -23557,10 +23557,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Due</source>
         <translation>截止</translation>
-    </message>
-    <message>
-        <source>Minutes</source>
-        <translation>分钟</translation>
     </message>
     <message>
         <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
@@ -26497,10 +26493,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::SignInPanel</name>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>You may try again now</source>
         <translation>现在可以重试</translation>
     </message>
@@ -26559,6 +26551,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Hold your &amp;card to the scanner, or type its code</source>
         <translation>请将卡片对准扫码器，或输入其代码(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,7 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
 
   clock_.advance_us(12'000'000);
   window_->watchIdleness();
-  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 8")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 0:08")));
   clock_.advance_us(9'000'000);
   window_->watchIdleness();
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));
@@ -278,7 +278,7 @@ TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));  // the usual five minutes would have locked
   clock_.advance_us(90'000'000LL);
   window_->watchIdleness();
-  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 90")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 1:30")));
   clock_.advance_us(91'000'000LL);
   window_->watchIdleness();
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));

@@ -203,7 +203,7 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
   QApplication::processEvents();
   auto* job = window_->desk()->findChild<JobPanel*>();
   EXPECT_TRUE(says(*job, QStringLiteral("50 %")));
-  EXPECT_TRUE(says(*job, QStringLiteral("30 s left")));
+  EXPECT_TRUE(says(*job, QStringLiteral("0:30 left")));
   const auto* pages = job->parentWidget()->findChild<QStackedWidget*>({}, Qt::FindDirectChildrenOnly);
   ASSERT_NE(pages, nullptr);
   EXPECT_EQ(pages->y(), 0) << "no button of the page moves away from under the pointer";

@@ -171,7 +171,7 @@ TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   testing::waitFor(window_->background());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
-  EXPECT_TRUE(says(*window_, QStringLiteral("Please wait")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Please wait 0:")));
 }
 
 TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
