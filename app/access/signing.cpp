@@ -11,6 +11,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/base/clock_text.h"
 #include "sim/base/time_units.h"
 
 namespace torsio {
@@ -69,7 +70,7 @@ void showPassword(SessionContext& session, const std::string& password) {
   if (answer.outcome == SignIn::kWait) {
     throw Error(
         ErrorCode::kPermission,
-        Text::tr("too many failures: wait %1 s", (answer.waitUntilUtc_us - session.now_us()) / 1'000'000 + 1),
+        Text::tr("too many failures: wait %1", clockLeftText(answer.waitUntilUtc_us - session.now_us())),
         Text::tr("password"), Text::tr("Then try again"));
   }
   throw Error(ErrorCode::kPermission, Text::tr("the password is not right"), Text::tr("password"),

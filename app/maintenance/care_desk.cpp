@@ -12,6 +12,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"
 #include "sim/base/clock.h"
+#include "sim/base/clock_text.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -32,10 +33,6 @@ void requireOwner(const CareTaker& taker, Connection& connection, const std::str
   }
 }
 
-std::int64_t secondsUntil(std::int64_t utc_us) {
-  return (utc_us - utcNow_us()) / 1'000'000 + 1;
-}
-
 void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
   switch (answer.outcome) {
     case SignIn::kOk:
@@ -44,8 +41,8 @@ void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
       refuse(Text::tr("the start password must be changed first"), login,
              Text::tr("Sign in once in the window, and choose a password of your own"));
     case SignIn::kWait:
-      refuse(Text::tr("too many failures: wait %1 s", secondsUntil(answer.waitUntilUtc_us)), login,
-             Text::tr("Then try again"));
+      refuse(Text::tr("too many failures: wait %1", clockLeftText(answer.waitUntilUtc_us - utcNow_us())),
+             login, Text::tr("Then try again"));
     default:
       refuse(Text::tr("sign-in name or password is not right, or the account is disabled"), login,
              Text::tr("Try again"));

@@ -62,42 +62,20 @@ std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
   return orders;
 }
 
-void checkModels(const std::vector<NewModel>& models) {
-  if (models.size() < 2) {
-    refuseParameter(Text::tr("there is nothing to compare"), Text::tr("models"),
-                    Text::tr("Name at least two models"));
-  }
-  std::set<std::string> codes;
-  for (const NewModel& model : models) {
-    if (model.code.empty() || model.label.empty()) {
-      refuseParameter(Text::tr("a model has no code or no name"), model.code + model.label,
-                      Text::tr("Fill both in"));
-    }
-    if (model.code.find(',') != std::string::npos) {
-      refuseParameter(Text::tr("the code of a model holds a comma"), model.code,
-                      Text::tr("Use letters and digits"));
-    }
-    if (!codes.insert(model.code).second) {
-      refuseParameter(Text::tr("two models have the same code"), model.code, Text::tr("Rename one"));
-    }
-  }
+bool isRecorded(const NewModel& model) {
+  return !model.trialId.empty();
 }
 
 /// Real recordings are compared by the model that answered the hand, and belong to nobody in training. Tells
 /// whether a simulated hand made any of them: the evaluation is then one of a demonstration.
 bool checkRecordings(SessionContext& session, const std::vector<NewModel>& models) {
-  const auto recorded = [](const NewModel& model) { return !model.trialId.empty(); };
-  if (std::none_of(models.begin(), models.end(), recorded)) {
+  if (std::none_of(models.begin(), models.end(), isRecorded)) {
     return false;
   }
   bool simulated = false;
   TrialRepository trials(session.connection());
   std::set<TissueModel> met;
   for (const NewModel& model : models) {
-    if (!recorded(model)) {
-      refuseParameter(Text::tr("a model has no recording"), model.code,
-                      Text::tr("Choose one for each model, or for none"));
-    }
     const Trial trial = trials.load(model.trialId);
     if (trial.summary.contentHash.empty()) {
       refuseParameter(Text::tr("this recording has no end"), model.code, Text::tr("Choose a finished one"));
@@ -151,6 +129,34 @@ std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session,
 
 }  // namespace
 
+void requireComparableModels(const std::vector<NewModel>& models) {
+  if (models.size() < 2) {
+    refuseParameter(Text::tr("there is nothing to compare"), Text::tr("models"),
+                    Text::tr("Name at least two models"));
+  }
+  std::set<std::string> codes;
+  for (const NewModel& model : models) {
+    if (model.code.empty() || model.label.empty()) {
+      refuseParameter(Text::tr("a model has no code or no name"), model.code + model.label,
+                      Text::tr("Fill both in"));
+    }
+    if (model.code.find(',') != std::string::npos) {
+      refuseParameter(Text::tr("the code of a model holds a comma"), model.code,
+                      Text::tr("Use letters and digits"));
+    }
+    if (!codes.insert(model.code).second) {
+      refuseParameter(Text::tr("two models have the same code"), model.code, Text::tr("Rename one"));
+    }
+  }
+  if (std::any_of(models.begin(), models.end(), isRecorded)) {
+    const auto without = std::find_if_not(models.begin(), models.end(), isRecorded);
+    if (without != models.end()) {
+      refuseParameter(Text::tr("a model has no recording"), without->code,
+                      Text::tr("Choose one for each model, or for none"));
+    }
+  }
+}
+
 EvaluationInstrument paperEvaluationInstrument() {
   EvaluationInstrument instrument = paperInstrument();
   const char* codes[] = {"intern", "deputy_chief", "chief"};
@@ -176,7 +182,7 @@ CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   if (plan.name.empty()) {
     refuseParameter(Text::tr("the evaluation has no name"), Text::tr("name"), Text::tr("Enter one"));
   }
-  checkModels(plan.models);
+  requireComparableModels(plan.models);
   const bool simulated = checkRecordings(session, plan.models);
   validateInstrument(plan.instrument);
   Transaction transaction(session.connection());

@@ -32,6 +32,9 @@ struct CampaignPlan {
       seed{};  ///< of hidden labels and orders; empty: drawn, and kept in the audit trail
   bool demonstration = false;
 };
+/// Throws Error{kBadParameter}: fewer than two models, one without a code or name, a code with a comma or
+/// twice, recordings of some models only.
+void requireComparableModels(const std::vector<NewModel>& models);
 /// The paper's instrument, with the codes of the stored classes: intern, deputy_chief, chief.
 [[nodiscard]] EvaluationInstrument paperEvaluationInstrument();
 

@@ -144,10 +144,10 @@
 <context>
     <name>torsio::gui::CampaignDialog</name>
     <message numerus="yes">
-        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <source>%n rater(s) chosen.</source>
         <translation>
-            <numerusform>Both lists of weights sum to 1; %n rater is chosen.</numerusform>
-            <numerusform>Both lists of weights sum to 1; %n raters are chosen.</numerusform>
+            <numerusform>%n rater chosen.</numerusform>
+            <numerusform>%n raters chosen.</numerusform>
         </translation>
     </message>
 </context>

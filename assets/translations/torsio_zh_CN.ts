@@ -955,6 +955,10 @@
             <numerusform>保留 %n 份：另一位评分者已被邀请评这些案例。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Asked about all these cases already: choose somebody else.</source>
+        <translation>该评分者已受邀评这些案例：请另选他人。</translation>
+    </message>
 </context>
 <context>
     <name>ReminderText</name>
@@ -1459,10 +1463,6 @@
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
     </message>
@@ -1879,6 +1879,10 @@
     <message>
         <source>Level: %1. %2</source>
         <translation>水平：%1。%2</translation>
+    </message>
+    <message>
+        <source>Twists completed: %1, at least %2 wanted</source>
+        <translation>已完成的扭转：%1，要求至少 %2</translation>
     </message>
 </context>
 <context>
@@ -11870,10 +11874,6 @@
         <translation>请选择 0 到 %1 分钟</translation>
     </message>
     <message>
-        <source>too many failures: wait %1 s</source>
-        <translation>失败次数过多：请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>Then try again</source>
         <translation>然后重试</translation>
     </message>
@@ -13908,10 +13908,6 @@ audit trail %3</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
     </message>
     <message>
-        <source>Amend …</source>
-        <translation>更正…</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
@@ -14136,10 +14132,6 @@ audit trail %3</source>
         <translation>%1 的评分</translation>
     </message>
     <message>
-        <source>Move with a reason …</source>
-        <translation>说明理由并调整…</translation>
-    </message>
-    <message>
         <source>New password</source>
         <translation>新密码</translation>
     </message>
@@ -14244,10 +14236,6 @@ audit trail %3</source>
         <translation>播放或暂停（空格）</translation>
     </message>
     <message>
-        <source>Please wait %1 s, then try again.</source>
-        <translation>请等待 %1 秒后重试。</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
     </message>
@@ -14298,10 +14286,6 @@ audit trail %3</source>
     <message>
         <source>Saved</source>
         <translation>已保存</translation>
-    </message>
-    <message>
-        <source>Saving …</source>
-        <translation>正在保存…</translation>
     </message>
     <message>
         <source>Say why the mark is changed.</source>
@@ -14468,10 +14452,6 @@ audit trail %3</source>
         <translation>跳到内容</translation>
     </message>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>Top</source>
         <translation>上方</translation>
     </message>
@@ -14590,10 +14570,6 @@ audit trail %3</source>
     <message>
         <source>“%1”</source>
         <translation>“%1”</translation>
-    </message>
-    <message>
-        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>what was watched is not a stretch of the recording</source>
@@ -16236,10 +16212,6 @@ audit trail %3</source>
         <translation>在 %1</translation>
     </message>
     <message>
-        <source>Being read …</source>
-        <translation>正在读取……</translation>
-    </message>
-    <message>
         <source>Blood flow</source>
         <translation>血流</translation>
     </message>
@@ -17395,6 +17367,38 @@ audit trail %3</source>
         <source>Normal residuals lie along the line.</source>
         <translation>正态残差落在这条线上。</translation>
     </message>
+    <message>
+        <source>too many failures: wait %1</source>
+        <translation>失败次数过多：请等待 %1</translation>
+    </message>
+    <message>
+        <source>Amend…</source>
+        <translation>更正…</translation>
+    </message>
+    <message>
+        <source>Being read…</source>
+        <translation>正在读取……</translation>
+    </message>
+    <message>
+        <source>Move with a reason…</source>
+        <translation>说明理由并调整…</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Please wait %1, then try again.</source>
+        <translation>请等待 %1 后重试。</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>正在保存…</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -18275,10 +18279,6 @@ MSM = 质点弹簧</translation>
         <translation>评分者类别权重</translation>
     </message>
     <message>
-        <source>The weights must sum to 1: indices %1, classes %2.</source>
-        <translation>权重之和必须为 1：指标 %1，类别 %2。</translation>
-    </message>
-    <message>
         <source>Choose raters of every class that has a weight. Missing: %1.</source>
         <translation>请为每个有权重的类别选择评分者。缺少：%1。</translation>
     </message>
@@ -18326,10 +18326,26 @@ MSM = 质点弹簧</translation>
         <source>proposed model</source>
         <translation>本文模型</translation>
     </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The weights must sum to 1, and sum to %1.</source>
+        <translation>权重之和须为 1，目前为 %1。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Leave out raters of a class without a weight: %1.</source>
+        <translation>以下类别没有权重，请勿选择其评分者：%1。</translation>
+    </message>
     <message numerus="yes">
-        <source>Both lists of weights sum to 1; %n rater(s) chosen.</source>
+        <source>%n rater(s) chosen.</source>
         <translation>
-            <numerusform>两组权重之和均为 1；已选择 %n 名评分者。</numerusform>
+            <numerusform>已选 %n 名评分者。</numerusform>
         </translation>
     </message>
 </context>
@@ -18461,10 +18477,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Redo</source>
         <translation>重做</translation>
-    </message>
-    <message>
-        <source>&amp;Amend …</source>
-        <translation>更正(&amp;A)…</translation>
     </message>
     <message>
         <source>Makes a new version with a reason; the submitted one is kept</source>
@@ -18663,10 +18675,6 @@ MSM = 质点弹簧</translation>
         <translation>第 %1 版，%2，在评分组评分公开后调整：%3</translation>
     </message>
     <message>
-        <source>&amp;Move with a reason …</source>
-        <translation>说明理由并调整(&amp;M)…</translation>
-    </message>
-    <message>
         <source>The panel&apos;s marks are open: a new version is flagged; the submitted one is kept</source>
         <translation>评分组的评分已公开：新版本会被标记；已提交的版本予以保留</translation>
     </message>
@@ -18697,6 +18705,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>A click on the time edits the words (Shift+R: the nearest); the old ones are kept.</source>
         <translation>点击时间即可修改文字（Shift+R：最近的一条）；原文保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Move with a reason…</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>&amp;Amend…</source>
+        <translation>更正(&amp;A)…</translation>
     </message>
 </context>
 <context>
@@ -20420,20 +20436,20 @@ MSM = 质点弹簧</translation>
         <translation>组织停歇</translation>
     </message>
     <message>
-        <source>Turned back by %1°. Set the clip and let it rest: %2 of %3 s</source>
-        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3 s</translation>
-    </message>
-    <message>
         <source>The twist grows. Turn in the opposite direction.</source>
         <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
     <message>
-        <source>%1, %2 s ago</source>
-        <translation>%1，%2 秒前</translation>
-    </message>
-    <message>
         <source>Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.</source>
         <translation>手已转到极限。请上夹子 (C)，松开钳口，再重新抓持。</translation>
+    </message>
+    <message>
+        <source>%1, %2 ago</source>
+        <translation>%1，%2 前</translation>
+    </message>
+    <message>
+        <source>Turned back by %1°. Set the clip and let it rest: %2 of %3</source>
+        <translation>已转回 %1°。请夹住并让组织停歇：%2 / %3</translation>
     </message>
 </context>
 <context>
@@ -20833,16 +20849,16 @@ MSM = 质点弹簧</translation>
         <translation>封存调整后的评分</translation>
     </message>
     <message>
-        <source>&amp;Move it with a reason …</source>
-        <translation>说明理由并调整(&amp;M)…</translation>
-    </message>
-    <message>
         <source>The moved mark is sealed and flagged; the one before is kept</source>
         <translation>调整后的评分已封存并标记；原评分予以保留</translation>
     </message>
     <message>
         <source>Reason (needed to move a mark or to ask for an adjudicator)</source>
         <translation>理由（调整评分或请求仲裁评分者时必填）</translation>
+    </message>
+    <message>
+        <source>&amp;Move with a reason…</source>
+        <translation>说明理由并调整(&amp;M)…</translation>
     </message>
 </context>
 <context>
@@ -21889,6 +21905,14 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>&amp;Verify</source>
         <translation>验证(&amp;V)</translation>
     </message>
+    <message>
+        <source>Paste at least one head, or read a file.</source>
+        <translation>请至少粘贴一个链头，或读取文件。</translation>
+    </message>
+    <message>
+        <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
+        <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::InvitationsDialog</name>
@@ -21944,10 +21968,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>剩余 %1 分钟</translation>
     </message>
     <message>
-        <source>%1 s left</source>
-        <translation>剩余 %1 秒</translation>
-    </message>
-    <message>
         <source>Stopping…</source>
         <translation>正在停止…</translation>
     </message>
@@ -21970,6 +21990,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>剩余 %1</translation>
     </message>
 </context>
 <context>
@@ -22200,10 +22224,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>现场评分表</translation>
     </message>
     <message>
-        <source>&amp;Amend …</source>
-        <translation>更正(&amp;A)…</translation>
-    </message>
-    <message>
         <source>Makes a new version with a reason; the submitted one is kept</source>
         <translation>附理由生成新版本；已提交的版本保留</translation>
     </message>
@@ -22267,6 +22287,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Case %1 is called to %2: if you are there, choose it at the left.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Amend…</source>
+        <translation>更正(&amp;A)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::LockPanel</name>
@@ -22296,14 +22320,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Something is unfinished here. Only its owner can sign out</source>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
-    </message>
-    <message>
-        <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
-    </message>
-    <message>
-        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
-        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>You were signed out because nobody was here</source>
@@ -22422,10 +22438,6 @@ Leave it empty to remove it.</source>
         <translation>新密码已生效</translation>
     </message>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>That is not the password. Please try again</source>
         <translation>密码不正确，请重试</translation>
     </message>
@@ -22470,6 +22482,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Close the window once more, when you have read this</source>
         <translation>阅读后请再次关闭窗口</translation>
+    </message>
+    <message>
+        <source>Nobody here? You will be signed out in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将退出登录。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
+        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>
@@ -24152,10 +24176,6 @@ Leave it empty to remove it.</source>
         <translation>截止</translation>
     </message>
     <message>
-        <source>Minutes</source>
-        <translation>分钟</translation>
-    </message>
-    <message>
         <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
         <translation>没有分配给您的录制案例。新案例会自动出现在这里。</translation>
     </message>
@@ -25432,6 +25452,14 @@ Leave it empty to remove it.</source>
             <numerusform>此备份之后有 %n 人被删除，恢复后仍保持删除。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Choose a backup, or type its path.</source>
+        <translation>请选择备份，或输入其路径。</translation>
+    </message>
+    <message>
+        <source>This is not yet the word: %1, with the same capitals.</source>
+        <translation>与要求的文字不同：%1，区分大小写。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ResultsPage</name>
@@ -25648,6 +25676,10 @@ Leave it empty to remove it.</source>
         <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters: who is imported as a trainee stays one.</source>
         <translation>! “%1”列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”：一旦作为学员导入，将一直是学员。</translation>
     </message>
+    <message>
+        <source>Needed: choose its column, or add one to the file.</source>
+        <translation>必填：请选择对应的列，或在文件中补上该列。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterFilePage</name>
@@ -25702,6 +25734,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Choose the file, or type its path.</source>
+        <translation>请选择文件，或输入其路径。</translation>
     </message>
 </context>
 <context>
@@ -27221,10 +27257,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::SignInPanel</name>
     <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
         <source>You may try again now</source>
         <translation>现在可以重试</translation>
     </message>
@@ -27283,6 +27315,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Hold your &amp;card to the scanner, or type its code</source>
         <translation>请将卡片对准扫码器，或输入其代码(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ import { DiscrepancyPage } from './discrepancy_page.js';
 import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
+import { clockTime } from './numbers.js';
 import { OwnPage } from './own_page.js';
 import { OwnRemarksPage } from './own_remarks_page.js';
 import { problemText } from './problem.js';
@@ -37,7 +38,7 @@ const foot = h('footer', { class: 'foot' });
 const behind = h('div', { class: 'behind' }, head, main, foot);
 const gate = new Gate(behind, signOut);
 const idle = new IdleWatch({
-  warned: (left_s) => frame.notify(t('Nobody here? The screen will be locked in %1 s. Press any key to stay', left_s), kWarning_ms),
+  warned: (left_s) => frame.notify(t('Nobody here? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
   back: () => frame.notify(''),
   idle: lock,
   present: () => api.get('/api/me').catch(() => {}), // ended elsewhere: the gate is closed by it

@@ -21,7 +21,7 @@ export function verdictText(verdict) {
 }
 
 export class OwnPage {
-  element = h('div', { class: 'queue' }, h('h1', {}, t('Your record')), h('p', { class: 'quiet', role: 'status' }, t('Being read …')));
+  element = h('div', { class: 'queue' }, h('h1', {}, t('Your record')), h('p', { class: 'quiet', role: 'status' }, t('Being read…')));
 
   constructor(frame) {
     this.frame = frame;

@@ -2,7 +2,7 @@
 // The cases of a rater: what waits, what fits into ten minutes, what is done.
 import { api } from './api.js';
 import { h } from './dom.js';
-import { dayText, figure } from './numbers.js';
+import { clockTime, dayText, figure } from './numbers.js';
 import { t } from './texts.js';
 
 function stateText(line) {
@@ -84,6 +84,6 @@ export class QueuePage {
       name,
       h('span', { class: `state ${line.overdue && !done ? 'caution' : ''}` }, stateText(line)),
       h('span', { class: 'quiet' }, line.due_utc_us && !done ? t('due %1', dayText(line.due_utc_us)) : ''),
-      h('span', { class: 'quiet' }, done ? '' : t('%1 min', figure(line.estimate_min, 1)))));
+      h('span', { class: 'quiet' }, done ? '' : clockTime(Math.round(6e7 * line.estimate_min)))));
   }
 }

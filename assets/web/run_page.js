@@ -11,7 +11,7 @@ import { t } from './texts.js';
 const kSpeeds = [0.5, 1, 2];
 
 export class RunPage {
-  element = h('div', { class: 'case-page' }, h('p', { class: 'quiet', role: 'status' }, t('Being read …')));
+  element = h('div', { class: 'case-page' }, h('p', { class: 'quiet', role: 'status' }, t('Being read…')));
 
   constructor(frame, handle) {
     this.frame = frame;

@@ -19,7 +19,7 @@ export class SaveStatus {
     this.#troubled = troubled;
     const texts = {
       idle: '',
-      saving: t('Saving …'),
+      saving: t('Saving…'),
       saved: t('Saved'),
       waiting: t('Not saved yet, trying again'),
       signed_out: t('Not saved yet: sign in again'),

@@ -3,6 +3,7 @@
 // unlock.
 import { api } from './api.js';
 import { button, field, h, say, show } from './dom.js';
+import { clockTime } from './numbers.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
 
@@ -58,7 +59,7 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
       go.disabled = false;
       return;
     }
-    say(said, t('Too many wrong tries. Please wait %1 s', Math.ceil(seconds)));
+    say(said, t('Too many wrong tries. Please wait %1', clockTime(1e6 * Math.ceil(seconds))));
     setTimeout(() => {
       go.disabled = false;
       say(said, t('You may try again now'));

@@ -25,7 +25,7 @@ export class SubmitBar {
       autocomplete: 'off',
     });
     this.submit = button(t('Submit'), () => this.go(), { class: 'primary submit', title: t('Checks the sheet and asks once more (Ctrl+Enter)') });
-    this.amend = button(page.opened.panel_open ? t('Move with a reason …') : t('Amend …'), () => this.#startAmending(), { class: 'amend' });
+    this.amend = button(page.opened.panel_open ? t('Move with a reason…') : t('Amend…'), () => this.#startAmending(), { class: 'amend' });
     this.back = button(t('Back to the sheet'), () => this.cancel());
     this.element = h('section', { class: 'submit-bar', 'aria-label': t('Submit') }, this.text, this.problem, this.reason,
       h('div', { class: 'actions' }, this.submit, this.amend, this.back));

@@ -73,7 +73,7 @@ def test_too_many_tries(browser, url, desk):
     browser.open(url)
     browser.there("[name=login]")
     browser.keys("rater", "Tab", "wrong", "Enter")
-    browser.says("[role=alert]", "Please wait 3 s")
+    browser.says("[role=alert]", "Please wait 0:03")
     browser.says("[role=alert]", "You may try again now")
 
 

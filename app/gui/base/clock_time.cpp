@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/base/clock_time.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "sim/base/clock_text.h"
 #include "sim/base/time_units.h"
 
 namespace torsio::gui {
 
 QString clockTime(std::int64_t time_us) {
-  const std::int64_t seconds = time_us / kSecond_us;
-  return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+  return QString::fromStdString(clockText(time_us));
 }
 
 QString clockTimeLeft(std::int64_t left_us) {
-  return clockTime(std::max<std::int64_t>(0, left_us) + kSecond_us - 1);
+  return QString::fromStdString(clockLeftText(left_us));
 }
 
 QString clockTenths(double time_s) {

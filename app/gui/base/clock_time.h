@@ -7,8 +7,7 @@
 
 namespace torsio::gui {
 
-// The one home of how screens say a time of a recording, or a span below an hour: minutes and seconds. What
-// is planned in whole minutes, and the second or two that something is held, are said in words. Any thread.
+// As sim/base/clock_text.h, for screens. Any thread.
 
 /// Whole seconds that are over: "2:05".
 [[nodiscard]] QString clockTime(std::int64_t time_us);

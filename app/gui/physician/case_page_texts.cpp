@@ -163,7 +163,7 @@ void CasePage::showAll() {
   facts_->setText(facts.join(QStringLiteral("  \u00b7  ")));
   facts_->setToolTip(sealed ? versionsText() : QString());
   sheet_->setReadOnly(sealed && !amending_);
-  amend_->setText(opened_.panelOpen ? tr("&Move with a reason \u2026") : tr("&Amend \u2026"));
+  amend_->setText(opened_.panelOpen ? tr("&Move with a reason\u2026") : tr("&Amend\u2026"));
   amend_->setToolTip(
       opened_.panelOpen
           ? tr("The panel's marks are open: a new version is flagged; the submitted one is kept")

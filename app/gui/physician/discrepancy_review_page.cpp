@@ -180,7 +180,7 @@ void DiscrepancyReviewPage::showCase() {
   column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
-  move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it with a reason \u2026"));
+  move_->setText(moving ? tr("Seal the moved mark") : tr("&Move with a reason\u2026"));
   third_->setVisible(!moving);
 }
 

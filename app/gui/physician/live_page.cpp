@@ -392,7 +392,7 @@ void LivePage::retranslate() {
           ? tr("Real arm: the sheet follows the call. Works without a network; every tap is saved.")
           : tr("Real arm: the sheet follows the call. Every tap is saved on the centre's server; if it "
                "cannot be reached, it is said at once."));
-  amend_->setText(tr("&Amend \u2026"));
+  amend_->setText(tr("&Amend\u2026"));
   amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
   write_->setText(tr("Note the time"));
   submit_->setText(tr("Submit"));

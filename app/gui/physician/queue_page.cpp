@@ -128,7 +128,8 @@ void QueuePage::retranslate() {
   alignment_.button->setText(tr("Discrep&ancy review"));
   evaluation_.button->setText(tr("&Evaluation"));
   table_->view().setAccessibleName(tr("Your cases"));
-  table_->setColumns({{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Minutes"), true}});
+  table_->setColumns(
+      {{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Time needed"), true}});
   table_->setEmptyText(tr("No recorded case is assigned to you. New ones appear here by themselves."));
   showQueue();
 }
@@ -203,12 +204,13 @@ void QueuePage::showQueue() {
                                                              : tr("waiting");
     const std::int64_t length_us = line.shown.length_us.value_or(0);
     Row row{toQString(line.shown.assignmentId), {}};
-    row.cells = {{tr("Case %1").arg(toQString(line.shown.label)), static_cast<int>(rows.size())},
-                 {state, static_cast<int>(line.state)},
-                 {clockTime(length_us), static_cast<qlonglong>(length_us)},
-                 {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
-                  static_cast<qlonglong>(line.shown.dueUtc_us.value_or(0))},
-                 {done ? QString() : QLocale().toString(line.estimate_min, 'f', 1), line.estimate_min}};
+    row.cells = {
+        {tr("Case %1").arg(toQString(line.shown.label)), static_cast<int>(rows.size())},
+        {state, static_cast<int>(line.state)},
+        {clockTime(length_us), static_cast<qlonglong>(length_us)},
+        {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
+         static_cast<qlonglong>(line.shown.dueUtc_us.value_or(0))},
+        {done ? QString() : clockTime(std::llround(line.estimate_min * kMinute_us)), line.estimate_min}};
     rows.push_back(std::move(row));
   }
   table_->setRows(std::move(rows));

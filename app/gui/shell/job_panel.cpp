@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -30,7 +31,7 @@ QString timeLeft(double remaining_s) {
   if (remaining_s >= 2.0 * kMinute_s) {
     return JobPanel::tr("%1 min left").arg(std::lround(remaining_s / kMinute_s));
   }
-  return JobPanel::tr("%1 s left").arg(std::lround(std::ceil(remaining_s)));
+  return JobPanel::tr("%1 left").arg(clockTimeLeft(std::llround(remaining_s * 1e6)));
 }
 
 JobPanel::JobPanel(QWidget* parent)

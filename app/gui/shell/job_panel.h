@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// "12 s left", "3 min left"; empty while `remaining_s` is negative (not known).
+/// "0:12 left", "3 min left"; empty while `remaining_s` is negative (not known).
 [[nodiscard]] QString timeLeft(double remaining_s);
 
 /// A long piece of work: its name, what it does now, how far it is, how long it still takes, and a way to

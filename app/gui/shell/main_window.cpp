@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
@@ -203,11 +204,11 @@ void MainWindow::watchIdleness() {
     return;
   }
   if (state == IdleState::kWarning) {
-    const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
+    const QString left = clockTimeLeft(idle_.untilLock_us());
     const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
     idleWarning_->setText(
-        ends ? tr("Nobody here? You will be signed out in %1 s. Press any key to stay").arg(left_s)
-             : tr("Nobody here? The screen will be locked in %1 s. Press any key to stay").arg(left_s));
+        ends ? tr("Nobody here? You will be signed out in %1. Press any key to stay").arg(left)
+             : tr("Nobody here? The screen will be locked in %1. Press any key to stay").arg(left));
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
     const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;

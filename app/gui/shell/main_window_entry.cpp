@@ -9,6 +9,7 @@
 #include "app/access/first_run.h"
 #include "app/access/kiosk_codes.h"
 #include "app/demonstration/demonstration_accounts.h"
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/credentials_dialog.h"
@@ -411,8 +412,8 @@ void MainWindow::unlock(const QString& password) {
             dialogLock_->uncover();
             show(desk_);
           } else if (answer.outcome == SignIn::kWait) {
-            const std::int64_t left_s = (answer.waitUntilUtc_us - session_->now_us()) / 1'000'000 + 1;
-            sayLocked(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
+            sayLocked(tr("Too many wrong tries. Please wait %1")
+                          .arg(clockTimeLeft(answer.waitUntilUtc_us - session_->now_us())));
           } else {
             sayLocked(tr("That is not the password. Please try again"));
           }

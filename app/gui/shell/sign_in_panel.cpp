@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/shell/head_notice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -122,7 +123,7 @@ void SignInPanel::waitUntil(std::int64_t utc_us, std::int64_t now_us) {
 
 void SignInPanel::countDown() {
   if (--wait_s_ > 0) {
-    say(tr("Too many wrong tries. Please wait %1 s").arg(wait_s_), true);
+    say(tr("Too many wrong tries. Please wait %1").arg(clockTime(wait_s_ * kSecond_us)), true);
   } else {
     second_.stop();
     wait_s_ = 0;

@@ -17,6 +17,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/card.h"
@@ -335,7 +336,7 @@ void DetorsionPanel::showCheck() {
             .arg(checkName(check.done), percent(check.flow), percent(flowCheckCost(check.done).deviation));
     // An old answer says nothing of the organ as it lies now.
     const std::int64_t age_s = (shown_.time_us - check.done_us) / kSecond_us / kAgeStep_s * kAgeStep_s;
-    setText(flow_.value, age_s > 0 ? tr("%1, %2 s ago").arg(told).arg(age_s) : told);
+    setText(flow_.value, age_s > 0 ? tr("%1, %2 ago").arg(told, clockTime(age_s * kSecond_us)) : told);
   }
 }
 
@@ -397,10 +398,10 @@ void DetorsionPanel::showRest() {
     const double whole_s = detorsion_.stages.rest_s / detorsion_.timeScale;
     const double still_s = std::min(stages_.still_s() / detorsion_.timeScale, whole_s);
     rest_->setValue(static_cast<int>(kBar * still_s / whole_s));
-    setText(restText_, tr("Turned back by %1°. Set the clip and let it rest: %2 of %3 s")
-                           .arg(degrees(stages_.stage_rad()), 0, 'f', 0)
-                           .arg(std::floor(still_s), 0, 'f', 0)
-                           .arg(whole_s, 0, 'f', 0));
+    setText(restText_,
+            tr("Turned back by %1°. Set the clip and let it rest: %2 of %3")
+                .arg(degrees(stages_.stage_rad()), 0, 'f', 0)
+                .arg(clockTime(std::llround(still_s * 1e6)), clockTime(std::llround(whole_s * 1e6))));
   }
 }
 

@@ -120,8 +120,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
     out << tr("Enough blood flowed from the beginning on.");
   } else if (back_s) {
     out << tr("Blood flowed again after %1, which is %2 of the tissue.")
-               .arg(shown("detorse.time_to_flow", *back_s),
-                    DetorsionPanel::clockText(*back_s * story.timeScale));
+               .arg(clockTenths(*back_s), DetorsionPanel::clockText(*back_s * story.timeScale));
   } else {
     out << tr("Blood did not come back in this run.");
   }
@@ -150,8 +149,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
                 : tr("Turned back by %1 without a rest: let the blood return in stages.").arg(size));
   }
   if (const auto over_s = measureOf(story, "detorse.overload_time"); over_s && *over_s > 0.0) {
-    out << tr("The tissue was loaded beyond what it bears for %1.")
-               .arg(shown("detorse.overload_time", *over_s));
+    out << tr("The tissue was loaded beyond what it bears for %1.").arg(clockTenths(*over_s));
   }
   const auto count = [&story](DetorsionMoment what) {
     return std::count_if(story.events.begin(), story.events.end(),

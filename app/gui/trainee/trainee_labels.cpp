@@ -140,7 +140,7 @@ QString StationLabels::quantity(const std::string& metric, double value) {
 
 QString StationLabels::minutes(std::int64_t span_us) {
   if (span_us < 60'000'000) {
-    return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
+    return clockTimeLeft(span_us);
   }
   return tr("%1 min").arg((span_us + 59'999'999) / 60'000'000);
 }
@@ -272,7 +272,8 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
              : check.passed ? tr("Undone, open and supplied with hands off: yes")
                             : tr("Undone, open and supplied with hands off: no");
     case TargetCheck::Kind::kTwists:
-      return tr("Twists completed: %1 of %2")
+      return (check.value.value_or(0.0) > check.wanted ? tr("Twists completed: %1, at least %2 wanted")
+                                                       : tr("Twists completed: %1 of %2"))
           .arg(check.value.value_or(0.0), 0, 'f', 0)
           .arg(check.wanted, 0, 'f', 0);
     case TargetCheck::Kind::kAngle:

@@ -41,6 +41,8 @@ class FieldChecks : public QObject {
 
   /// Asks each field anew. True: nothing is wrong.
   bool check();
+  /// Says from now on what is wrong with this field, as if somebody had left it.
+  void touch(const QWidget* field);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -53,7 +55,6 @@ class FieldChecks : public QObject {
     bool touched = false;
   };
   void watch(QWidget* field);
-  void touch(const QWidget* field);
 
   std::vector<Check> checks_;
   QPushButton* accept_ = nullptr;

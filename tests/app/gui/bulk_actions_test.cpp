@@ -36,6 +36,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/time_units.h"
 #include "tests/app/gui/administrator_desk.h"
+#include "tests/app/gui/field_hints.h"
 #include "tests/support/fake_mail_server.h"
 
 namespace torsio::gui {
@@ -170,7 +171,13 @@ TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterScoresAlreadyStay) {
   answer([](QDialog& dialog) {
     auto& whom = child<QComboBox>(dialog, "to");
     whom.setCurrentIndex(whom.findText(QStringLiteral("R-02"), Qt::MatchStartsWith));
-    child<QLineEdit>(dialog, "reason").setText(QStringLiteral("ill today"));
+    testing::leave(whom);
+    EXPECT_TRUE(testing::hintBelow(dialog, whom).contains(QStringLiteral("somebody else")));
+    auto& reason = child<QLineEdit>(dialog, "reason");
+    testing::leave(reason);
+    EXPECT_FALSE(testing::hintBelow(dialog, reason).isEmpty());
+    testing::retype(reason, QStringLiteral("ill today"));
+    EXPECT_EQ(testing::hintBelow(dialog, reason), QString());
     EXPECT_TRUE(child<QLabel>(dialog, "what").text().contains(QStringLiteral("9 stay(s)")))
         << child<QLabel>(dialog, "what").text().toStdString();
     EXPECT_FALSE(testing::button(dialog, QStringLiteral("Reassign"))->isEnabled());

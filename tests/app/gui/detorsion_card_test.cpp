@@ -35,6 +35,17 @@ TEST(DetorsionCard, SaysInSentencesWhatTheMeasuresComeTo) {
   EXPECT_TRUE(text.join(QLatin1Char(' ')).contains(QStringLiteral("from 1 on the tissue is lost")));
 }
 
+TEST(DetorsionCard, SaysLengthsOfTimeInMinutesAndSeconds) {
+  DetorsionStory story;
+  story.metrics = {{"detorse.time_to_flow", Outcome<double>(65.12)},
+                   {"detorse.overload_time", Outcome<double>(5.1)}};
+
+  const QString text = DetorsionCard::verdicts(story).join(QLatin1Char(' '));
+
+  EXPECT_TRUE(text.contains(QStringLiteral("flowed again after 1:05.1"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("beyond what it bears for 0:05.1"))) << text.toStdString();
+}
+
 /// Ten seconds in which an organ is turned back; its content presses with 12 mmHg.
 DetorsionStory tenSeconds() {
   DetorsionStory story;

@@ -78,8 +78,8 @@ TEST_F(UntwistingPanel, SaysHowOldTheAnswerOfACheckIs) {
   };
 
   EXPECT_EQ(toldAt(14'999'000), QStringLiteral("Feel the pulse: 40 % ± 20 %"));
-  EXPECT_EQ(toldAt(15'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 10 s ago"));
-  EXPECT_EQ(toldAt(71'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 60 s ago"));
+  EXPECT_EQ(toldAt(15'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 0:10 ago"));
+  EXPECT_EQ(toldAt(71'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 1:00 ago"));
 }
 
 TEST_F(UntwistingPanel, SaysOnTheButtonsWhatTheNextPressDoes) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a form stands beside the field that is meant, and not before somebody was there.
+#include "tests/app/gui/field_hints.h"
+
 #include <string>
 #include <vector>
 
@@ -11,18 +13,24 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTableView>
 
 #include "app/gui/administrator/people/consent_texts_dialog.h"
 #include "app/gui/administrator/people/person_dialog.h"
+#include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/administrator/people/user_dialogs.h"
+#include "app/gui/administrator/scoring/campaign_dialog.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
 #include "app/gui/administrator/station/station_settings_card.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/study/cohort_service.h"
+#include "sim/base/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {
@@ -31,31 +39,9 @@ namespace {
 using testing::AdministratorDesk;
 using testing::answer;
 using testing::button;
-
-constexpr int kNear_px = 60;
-
-/// The hint that stands directly below a field; "" where none is shown.
-QString hintBelow(const QWidget& window, const QWidget& field) {
-  QApplication::processEvents();
-  const int bottom = field.mapTo(&window, QPoint(0, field.height())).y();
-  for (const QLabel* hint : window.findChildren<QLabel*>(QStringLiteral("fieldHint"))) {
-    const int top = hint->mapTo(&window, QPoint()).y();
-    if (hint->isVisible() && top >= bottom - 2 && top < bottom + kNear_px) {
-      return hint->text();
-    }
-  }
-  return {};
-}
-
-void leave(QWidget& field) {
-  QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
-  QApplication::sendEvent(&field, &out);
-}
-
-void retype(QLineEdit& field, const QString& text) {
-  field.setText(text);
-  Q_EMIT field.textEdited(text);
-}
+using testing::hintBelow;
+using testing::leave;
+using testing::retype;
 
 TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) {
   QDialog window;
@@ -219,6 +205,78 @@ TEST(StationSettings, AreNotSavedWithoutANameWhichIsSaidBelowIt) {
   retype(name, QStringLiteral("Hospital"));
   EXPECT_TRUE(hintBelow(card, name).isEmpty());
   EXPECT_TRUE(child<QPushButton>(card, "keepSettings").isEnabled());
+}
+
+TEST(RosterHints, StandBelowThePathAndBelowAColumnThatTheHeadingsDoNotTell) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  const std::filesystem::path file = office.centre.folder() / "roster.csv";
+  writeFileAtomically(file, "Kennung;Wer\nS-1;Ann Smith\n");
+  RosterWizard wizard(office.shell());
+  wizard.restart();
+  wizard.show();
+  auto& path = child<QLineEdit>(wizard, "path");
+  QAbstractButton& next = *wizard.button(QWizard::NextButton);
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  leave(path);
+  EXPECT_FALSE(hintBelow(wizard, path).isEmpty());
+
+  retype(path, QStringLiteral("/no/such/roster.csv"));
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  next.click();
+  EXPECT_TRUE(hintBelow(wizard, path).contains(QStringLiteral("/no/such/roster.csv")))
+      << hintBelow(wizard, path).toStdString();
+  EXPECT_TRUE(next.isEnabled()) << "the file may be there now";
+  retype(path, toQString(file));
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  next.click();
+
+  auto& number = child<QComboBox>(*wizard.currentPage(), rosterFieldCode(RosterField::kExternalId).data());
+  EXPECT_FALSE(hintBelow(wizard, number).isEmpty()) << "Next waits for it";
+  number.setCurrentIndex(1);
+  EXPECT_EQ(hintBelow(wizard, number), QString());
+}
+
+TEST(CampaignHints, StandAtModelsWeightsAndRatersThatDoNotDo) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  PersonRow chief;
+  chief.person.id = "chief-1";
+  chief.person.code = "R-01";
+  chief.raterClass = "chief";
+  CampaignDialog dialog({chief}, {}, office.centre.assets(), nullptr);
+  dialog.resize(900, 900);
+  dialog.show();
+  auto& name = child<QLineEdit>(dialog, "name");
+  auto& models = child<QPlainTextEdit>(dialog, "models");
+  auto& raters = child<DataTable>(dialog, "raters");
+  const QList<QDoubleSpinBox*> weights = dialog.findChildren<QDoubleSpinBox*>();
+  ASSERT_EQ(weights.size(), 12);
+  QPushButton& create = *button(dialog, QStringLiteral("Create"));
+
+  EXPECT_EQ(hintBelow(dialog, name), QString());
+  leave(name);
+  EXPECT_FALSE(hintBelow(dialog, name).isEmpty());
+  retype(name, QStringLiteral("Three models"));
+  EXPECT_TRUE(hintBelow(dialog, raters).contains(QStringLiteral("Missing"))) << "two classes have nobody";
+
+  weights[9]->setValue(0.0);
+  weights[10]->setValue(0.0);
+  EXPECT_TRUE(hintBelow(dialog, *weights.back()).contains(QStringLiteral("sum to 1")));
+  weights[11]->setValue(1.0);
+  EXPECT_EQ(hintBelow(dialog, *weights.back()), QString());
+  EXPECT_EQ(hintBelow(dialog, raters), QString());
+  EXPECT_TRUE(create.isEnabled()) << create.toolTip().toStdString();
+  weights[0]->setValue(0.9);
+  EXPECT_TRUE(hintBelow(dialog, *weights[8]).contains(QStringLiteral("sum to 1")));
+  EXPECT_FALSE(create.isEnabled());
+
+  models.setPlainText(QStringLiteral("PM = one\nPM = two"));
+  EXPECT_TRUE(hintBelow(dialog, models).contains(QStringLiteral("PM"))) << "which code stands twice";
+  models.setPlainText(QStringLiteral("PM = one\n= two"));
+  EXPECT_FALSE(hintBelow(dialog, models).isEmpty()) << "a line without a code is not left out in silence";
+  raters.view().clearSelection();
+  EXPECT_FALSE(hintBelow(dialog, raters).isEmpty());
 }
 
 }  // namespace

@@ -20,10 +20,13 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
+#include "tests/app/gui/field_hints.h"
 #include "tests/app/gui/maintenance_window.h"
 
 namespace torsio::gui {
 namespace {
+
+using testing::hintBelow;
 
 TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   carePage().backUp(in("backup.sqlite"));
@@ -38,9 +41,14 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   EXPECT_TRUE(
       child<QLabel>(page, "lossText").text().contains(QStringLiteral("recordings 0, marks 0, people 1")));
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
-  child<QLineEdit>(page, "word").setText(QStringLiteral("yes"));
+  auto& word = child<QLineEdit>(page, "word");
+  EXPECT_EQ(hintBelow(page, word), QString());
+  testing::retype(word, QStringLiteral("restore"));
+  EXPECT_TRUE(hintBelow(page, word).contains(QStringLiteral("RESTORE")));
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
-  child<QLineEdit>(page, "word").clear();
+  testing::retype(word, QStringLiteral("RESTORE"));
+  EXPECT_EQ(hintBelow(page, word), QString());
+  word.clear();
   QTest::keyClicks(&child<QLineEdit>(page, "word"), QStringLiteral("RESTORE"));
   click(child<QPushButton>(page, "restoreButton"));
   QTRY_COMPARE_WITH_TIMEOUT(testing::screenOf(*window_), QStringLiteral("sign-in"), 5'000);
@@ -177,12 +185,32 @@ TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
   words[2] = QStringLiteral("4000");
   EXPECT_TRUE(verdictOn(heads, words.join(QLatin1Char(' '))).contains(QStringLiteral("it was cut off")));
   EXPECT_TRUE(failures_.isEmpty());
+}
 
-  child<QPlainTextEdit>(heads, "keptHeads").setPlainText(QStringLiteral("something else"));
-  click(child<QPushButton>(heads, "verifyHeads"));
-  ASSERT_EQ(failures_.size(), 1);
-  EXPECT_TRUE(failures_[0].contains(QStringLiteral("no head of an audit trail")))
-      << failures_[0].toStdString();
+TEST_F(HeadsPages, WhatIsNoHeadOrNoKeyIsSaidBelowItsField) {
+  HeadsPage& heads = page();
+  auto& lines = child<QPlainTextEdit>(heads, "keptHeads");
+  auto& key = child<QLineEdit>(heads, "publicKey");
+  auto& verify = child<QPushButton>(heads, "verifyHeads");
+  EXPECT_EQ(hintBelow(heads, lines), QString());
+  testing::leave(lines);
+  EXPECT_FALSE(hintBelow(heads, lines).isEmpty());
+  EXPECT_FALSE(verify.isEnabled());
+
+  lines.setPlainText(QStringLiteral("something else"));
+  EXPECT_EQ(hintBelow(heads, lines), QString());
+  click(verify);
+  EXPECT_TRUE(hintBelow(heads, lines).contains(QStringLiteral("no head of an audit trail")))
+      << hintBelow(heads, lines).toStdString();
+  EXPECT_TRUE(failures_.isEmpty());
+
+  lines.setPlainText(child<QPlainTextEdit>(heads, "head").toPlainText());
+  testing::retype(key, QStringLiteral("12ab"));
+  EXPECT_TRUE(hintBelow(heads, key).contains(QStringLiteral("64 digits")));
+  EXPECT_FALSE(verify.isEnabled());
+  testing::retype(key, QString());
+  EXPECT_EQ(hintBelow(heads, key), QString());
+  EXPECT_TRUE(verify.isEnabled());
 }
 
 TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
@@ -239,15 +267,23 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   EXPECT_EQ(people(record()), 2);
 }
 
-TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
+TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
   std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
   auto& page = openBy<RestorePage>("Restore");
+  auto& file = child<QLineEdit>(page, "file");
+  EXPECT_EQ(hintBelow(page, file), QString());
+  testing::leave(file);
+  EXPECT_FALSE(hintBelow(page, file).isEmpty());
 
-  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
-  click(child<QPushButton>(page, "checkButton"));
+  for (const char* name : {"backup.sqlite", "missing.sqlite"}) {
+    testing::retype(file, toQString(in(name)));
+    EXPECT_EQ(hintBelow(page, file), QString()) << name;
+    click(child<QPushButton>(page, "checkButton"));
 
-  EXPECT_EQ(failures_.size(), 1);
-  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+    EXPECT_FALSE(hintBelow(page, file).isEmpty()) << name;
+    EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
+  }
+  EXPECT_TRUE(failures_.isEmpty());
 }
 
 TEST_F(CarePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {

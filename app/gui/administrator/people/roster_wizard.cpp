@@ -19,6 +19,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -109,7 +110,9 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
       raters_(new QRadioButton(tr("&Raters"), this)),
       path_(new QLineEdit(this)),
       columns_(sentence(this)),
-      problem_(new QLabel(this)) {
+      problem_(fieldHint(this)),
+      templateProblem_(fieldHint(this)),
+      checks_(new FieldChecks(this)) {
   setTitle(tr("The file"));
   setSubTitle(
       tr("A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number "
@@ -118,8 +121,6 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
   path_->setObjectName(QStringLiteral("path"));
   path_->setPlaceholderText(tr("Path of the CSV file"));
   path_->setAccessibleName(tr("Path of the CSV file"));
-  problem_->setWordWrap(true);
-  problem_->setProperty("caution", true);
   auto* choose = new QPushButton(tr("&Choose\u2026"), this);
   auto* blank = new QPushButton(tr("&Save an empty template\u2026"), this);
   blank->setProperty("link", true);
@@ -134,17 +135,20 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
   column->setSpacing(2 * kSpace);
   column->addLayout(kinds);
   column->addLayout(file);
+  column->addWidget(problem_);
   column->addWidget(columns_);
   column->addWidget(blank, 0, Qt::AlignLeft);
-  column->addWidget(problem_);
+  column->addWidget(templateProblem_);
   column->addStretch(1);
   connect(raters_, &QRadioButton::toggled, this, &RosterFilePage::sayColumns);
   connect(choose, &QPushButton::clicked, this, &RosterFilePage::choose);
   connect(blank, &QPushButton::clicked, this, &RosterFilePage::saveTemplate);
   connect(path_, &QLineEdit::textChanged, this, [this] {
-    problem_->clear();
+    unreadable_.clear();
     Q_EMIT completeChanged();
   });
+  checks_->add(problem_, path_,
+               [this] { return isComplete() ? unreadable_ : tr("Choose the file, or type its path."); });
 }
 
 void RosterFilePage::initializePage() {
@@ -181,11 +185,12 @@ bool RosterFilePage::validatePage() {
     if (import_.file->header != headerBefore || import_.kind != kindBefore) {
       import_.columns = columnsFor(*import_.file, import_.kind);
     }
-    return true;
+    unreadable_.clear();
   } catch (const Error& error) {
-    problem_->setText(rosterProblem(error));
-    return false;
+    unreadable_ = rosterProblem(error);
   }
+  checks_->touch(path_);
+  return unreadable_.isEmpty();
 }
 
 void RosterFilePage::choose() {
@@ -204,9 +209,9 @@ void RosterFilePage::saveTemplate() {
   try {
     writeFileAtomically(toPath(file),
                         rosterTemplate(raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees));
-    problem_->clear();
+    sayHint(templateProblem_, {});
   } catch (const Error& error) {
-    problem_->setText(rosterProblem(error));
+    sayHint(templateProblem_, rosterProblem(error));
   }
 }
 
@@ -234,33 +239,54 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
   column->addWidget(sample_, 1);
 }
 
+RosterColumnsPage::~RosterColumnsPage() = default;
+
 void RosterColumnsPage::initializePage() {
+  checks_.reset();  // before its fields
   while (QLayoutItem* item = form_->takeAt(0)) {
     delete item->widget();
     delete item;
   }
   choices_.clear();
+  checks_ = std::make_unique<FieldChecks>(this);
   for (const RosterField field : rosterFields(import_.kind)) {
-    auto* choice = new QComboBox(this);
-    choice->setObjectName(QString::fromLatin1(rosterFieldCode(field).data()));
-    choice->addItem(tr("not in this file"), -1);
-    for (std::size_t i = 0; i < import_.file->header.size(); ++i) {
-      choice->addItem(toQString(import_.file->header[i]), static_cast<int>(i));
-    }
-    const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
-    choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
-    const QString name = rosterFieldName(field);
-    auto* label = new QLabel(isRequired(field, import_.kind) ? tr("%1 *").arg(name) : name, this);
-    label->setBuddy(choice);
-    choice->setAccessibleName(name);
-    const auto place = static_cast<int>(choices_.size());
-    form_->addWidget(label, place / 2, 2 * (place % 2));
-    form_->addWidget(choice, place / 2, 2 * (place % 2) + 1);
-    choices_[field] = choice;
-    connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
+    addChoice(field);
   }
   showSample();
   showHint();
+}
+
+/// Two fields a row, each with its hint below.
+void RosterColumnsPage::addChoice(RosterField field) {
+  auto* choice = new QComboBox(this);
+  choice->setObjectName(QString::fromLatin1(rosterFieldCode(field).data()));
+  choice->addItem(tr("not in this file"), -1);
+  for (std::size_t i = 0; i < import_.file->header.size(); ++i) {
+    choice->addItem(toQString(import_.file->header[i]), static_cast<int>(i));
+  }
+  const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
+  choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
+  const QString name = rosterFieldName(field);
+  const bool needed = isRequired(field, import_.kind);
+  auto* label = new QLabel(needed ? tr("%1 *").arg(name) : name, this);
+  label->setBuddy(choice);
+  choice->setAccessibleName(name);
+  const auto place = static_cast<int>(choices_.size());
+  const int row = place / 2 * 2;
+  const int side = place % 2 * 2;
+  form_->addWidget(label, row, side);
+  form_->addWidget(choice, row, side + 1);
+  choices_[field] = choice;
+  connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
+  if (needed) {
+    QLabel* missing = fieldHint(this);
+    form_->addWidget(missing, row + 1, side + 1);
+    checks_->add(missing, choice, [choice] {
+      return choice->currentData().toInt() < 0 ? tr("Needed: choose its column, or add one to the file.")
+                                               : QString();
+    });
+    checks_->touch(choice);  // the headings told nothing: it waits for an answer
+  }
 }
 
 /// Who was imported as a trainee stays one, so a file of raters is noticed before.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include <QWizard>
@@ -19,6 +20,7 @@ class QRadioButton;
 namespace torsio::gui {
 
 class DataTable;
+class FieldChecks;
 class ShellContext;
 
 /// What the pages of the wizard share.
@@ -76,6 +78,9 @@ class RosterFilePage : public QWizardPage {
   QLineEdit* path_;
   QLabel* columns_;
   QLabel* problem_;
+  QLabel* templateProblem_;
+  FieldChecks* checks_;
+  QString unreadable_;  // what is wrong with the file
 };
 
 /// Second step: which column holds what.
@@ -84,11 +89,13 @@ class RosterColumnsPage : public QWizardPage {
 
  public:
   RosterColumnsPage(RosterImport& import, QWidget* parent);
+  ~RosterColumnsPage() override;
   void initializePage() override;
   [[nodiscard]] bool isComplete() const override;
   [[nodiscard]] bool validatePage() override;
 
  private:
+  void addChoice(RosterField field);
   void showSample();
   void showHint();
 
@@ -97,6 +104,7 @@ class RosterColumnsPage : public QWizardPage {
   DataTable* sample_;
   QLabel* hint_;
   std::map<RosterField, QComboBox*> choices_;
+  std::unique_ptr<FieldChecks> checks_;
 };
 
 /// Third step: what would happen. Compares and tries out away from the window's thread.

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableView>
@@ -20,7 +21,10 @@
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -39,6 +43,10 @@ std::int64_t sumOf(const std::vector<QDoubleSpinBox*>& fields) {
     sum += milli(field);
   }
   return sum;
+}
+
+QString weightText(std::int64_t weight_milli) {
+  return QLocale().toString(static_cast<double>(weight_milli) / static_cast<double>(kWhole_milli), 'f', 3);
 }
 
 QDoubleSpinBox* weightField(std::int64_t weight_milli, QWidget* parent) {
@@ -73,23 +81,48 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
       instrument_(paperEvaluationInstrument()),
       name_(new QLineEdit(this)),
       models_(new QPlainTextEdit(this)),
-      sums_(new QLabel(this)),
+      indexSum_(fieldHint(this)),
+      classSum_(fieldHint(this)),
+      chosen_(sentence(this)),
       raters_(new DataTable(QString(), this)),
       choice_(std::move(recordings)),
       recordings_(new DataTable(QString(), this)),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)),
+      checks_(new FieldChecks(this)) {
   setWindowTitle(tr("New evaluation"));
   resize(900, 620);
+  name_->setObjectName(QStringLiteral("name"));
+  models_->setObjectName(QStringLiteral("models"));
+  raters_->setObjectName(QStringLiteral("raters"));
   models_->setTabChangesFocus(true);
   models_->setFixedHeight(kModelLines * models_->fontMetrics().lineSpacing() + 3 * kSpace);
   models_->setPlainText(tr("PM = proposed model\nFEM = finite elements\nMSM = mass-spring"));
-  auto* form = new QFormLayout;
-  form->setSpacing(kSpace);
-  form->addRow(tr("&Name"), name_);
   models_->setToolTip(
       tr("Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models "
          "or for none: the raters then watch it under its letter."));
-  form->addRow(tr("&Models, one a line"), models_);
+  fillRecordings(assets);
+  fillRaters(raters);
+  auto* form = new QFormLayout;
+  form->setSpacing(kSpace);
+  auto* left = new QVBoxLayout;
+  left->addLayout(form);
+  left->addWidget(recordings_, 1);
+  left->addWidget(raters_, 2);
+  auto* both = new QHBoxLayout;
+  both->setSpacing(3 * kSpace);
+  both->addLayout(left, 3);
+  both->addWidget(weightFields(), 2);
+  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->addLayout(both, 1);
+  column->addWidget(buttons_);
+  addChecks(form, left);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void CampaignDialog::fillRecordings(const std::filesystem::path& assets) {
   recordings_->setColumns({{tr("Recording")}, {tr("Pattern")}, {tr("Model")}, {tr("Since")}});
   recordings_->setEmptyText(tr("No recordings of free practice yet."));
   std::vector<Row> recorded;
@@ -106,38 +139,20 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
   recordings_->view().clearSelection();
   recordings_->setToolTip(tr("Choose one recording of each model: the raters watch it under its letter."));
   connect(recordings_, &DataTable::currentChanged, this, &CampaignDialog::takeRecordings);
+}
+
+void CampaignDialog::fillRaters(const std::vector<PersonRow>& raters) {
   raters_->setColumns({{tr("Rater")}, {tr("Class")}});
   raters_->setEmptyText(tr("No raters yet: import them under Roster."));
   std::vector<Row> rows;
   for (const PersonRow& rater : raters) {
     rows.push_back(
         {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+    classOf_[toQString(rater.person.id)] = rater.raterClass;
   }
   raters_->setRows(std::move(rows));
   raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
-  for (const PersonRow& rater : raters) {
-    classOf_[toQString(rater.person.id)] = rater.raterClass;
-  }
   raters_->view().selectAll();
-  connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
-  auto* left = new QVBoxLayout;
-  left->addLayout(form);
-  left->addWidget(recordings_, 1);
-  left->addWidget(raters_, 2);
-  auto* both = new QHBoxLayout;
-  both->setSpacing(3 * kSpace);
-  both->addLayout(left, 3);
-  both->addWidget(weightFields(), 2);
-  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Create"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->addLayout(both, 1);
-  column->addWidget(buttons_);
-  connect(name_, &QLineEdit::textChanged, this, &CampaignDialog::check);
-  connect(models_, &QPlainTextEdit::textChanged, this, &CampaignDialog::check);
-  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  check();
 }
 
 QWidget* CampaignDialog::weightFields() {
@@ -145,54 +160,94 @@ QWidget* CampaignDialog::weightFields() {
   auto* form = new QFormLayout(box);
   form->setContentsMargins(0, 0, 0, 0);
   form->setSpacing(kSpace / 2);
+  const auto addTitle = [&](const QString& title) {
+    auto* label = new QLabel(title, box);
+    label->setObjectName(QStringLiteral("cardTitle"));
+    form->addRow(label);
+  };
   const auto add = [&](const std::string& name, std::int64_t weight, std::vector<QDoubleSpinBox*>& fields) {
     fields.push_back(weightField(weight, box));
     form->addRow(toQString(Text(name)), fields.back());
-    connect(fields.back(), &QDoubleSpinBox::valueChanged, this, &CampaignDialog::check);
   };
-  auto* indices = new QLabel(tr("Weights of the indices"), box);
-  indices->setObjectName(QStringLiteral("cardTitle"));
-  form->addRow(indices);
+  addTitle(tr("Weights of the indices"));
   for (const EvaluationIndex& index : instrument_.indices) {
     add(index.name, index.weight_milli, indexWeights_);
   }
-  auto* classes = new QLabel(tr("Weights of the classes of raters"), box);
-  classes->setObjectName(QStringLiteral("cardTitle"));
-  form->addRow(classes);
+  form->addRow(indexSum_);
+  addTitle(tr("Weights of the classes of raters"));
   for (const RaterClass& raterClass : instrument_.classes) {
     add(raterClass.name, raterClass.weight_milli, classWeights_);
   }
-  sums_->setWordWrap(true);
-  form->addRow(sums_);
+  form->addRow(classSum_);
   return box;
 }
 
-void CampaignDialog::check() {
-  const bool even = sumOf(indexWeights_) == kWhole_milli && sumOf(classWeights_) == kWhole_milli;
+void CampaignDialog::addChecks(QFormLayout* form, QVBoxLayout* left) {
+  form->addRow(tr("&Name"), name_);
+  checks_->addNeeded(form, name_, tr("Enter a name."));
+  form->addRow(tr("&Models, one a line"), models_);
+  checks_->add(form, models_, [this] { return wrongModels(); });
+  checks_->add(left, raters_, [this] { return wrongRaters(); });
+  left->addWidget(chosen_);
+  const auto addSum = [this](QLabel* hint, const std::vector<QDoubleSpinBox*>& fields) {
+    checks_->add(hint, fields.back(), [&fields] {
+      return sumOf(fields) == kWhole_milli
+                 ? QString()
+                 : tr("The weights must sum to 1, and sum to %1.").arg(weightText(sumOf(fields)));
+    });
+    for (const QDoubleSpinBox* field : fields) {
+      connect(field, &QDoubleSpinBox::valueChanged, this, [this, &fields] { checks_->touch(fields.back()); });
+    }
+  };
+  addSum(indexSum_, indexWeights_);
+  addSum(classSum_, classWeights_);
+  for (const QDoubleSpinBox* field : classWeights_) {  // a class that gets a weight wants its raters
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this] { checks_->touch(raters_); });
+  }
+  connect(models_, &QPlainTextEdit::textChanged, this, [this] { checks_->touch(models_); });
+  connect(raters_, &DataTable::currentChanged, this, [this] {
+    countRaters();
+    checks_->touch(raters_);
+  });
+  countRaters();
+  checks_->decide(buttons_->button(QDialogButtonBox::Ok));
+  checks_->touch(raters_);  // who is missing among all raters cannot be chosen here
+}
+
+QString CampaignDialog::wrongModels() const {
+  try {
+    requireComparableModels(plan().models);
+    return {};
+  } catch (const Error& error) {
+    const QString where = translated(error).details;
+    return where.isEmpty() ? translatedLine(error) : tr("%1: %2").arg(where, translatedLine(error));
+  }
+}
+
+QString CampaignDialog::wrongRaters() const {
   std::set<std::string> present;
   for (const QString& id : raters_->selectedIds()) {
-    present.insert(classOf_[id]);
+    present.insert(classOf_.at(id));
   }
   QStringList empty;
+  QStringList useless;
   for (std::size_t i = 0; i < classWeights_.size(); ++i) {
-    if (milli(classWeights_[i]) > 0 && !present.contains(instrument_.classes[i].id)) {
-      empty << raterClassName(instrument_.classes[i].id);
+    const std::string& code = instrument_.classes[i].id;
+    const bool counts = milli(classWeights_[i]) > 0;
+    if (counts != present.contains(code)) {
+      (counts ? empty : useless) << raterClassName(code);
     }
   }
-  if (!even) {
-    sums_->setText(tr("The weights must sum to 1: indices %1, classes %2.")
-                       .arg(locale().toString(static_cast<double>(sumOf(indexWeights_)) / 1000.0, 'f', 3),
-                            locale().toString(static_cast<double>(sumOf(classWeights_)) / 1000.0, 'f', 3)));
-  } else if (!empty.isEmpty()) {
-    sums_->setText(
-        tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", "))));
-  } else {
-    sums_->setText(tr("Both lists of weights sum to 1; %n rater(s) chosen.", nullptr,
-                      static_cast<int>(raters_->selectedIds().size())));
+  if (!empty.isEmpty()) {
+    return tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", ")));
   }
-  buttons_->button(QDialogButtonBox::Ok)
-      ->setEnabled(even && empty.isEmpty() && !name_->text().trimmed().isEmpty() &&
-                   plan().models.size() >= 2);
+  return useless.isEmpty()
+             ? QString()
+             : tr("Leave out raters of a class without a weight: %1.").arg(useless.join(tr(", ")));
+}
+
+void CampaignDialog::countRaters() {
+  chosen_->setText(tr("%n rater(s) chosen.", nullptr, static_cast<int>(raters_->selectedIds().size())));
 }
 
 void CampaignDialog::takeRecordings() {
@@ -236,7 +291,7 @@ CampaignPlan CampaignDialog::plan() const {
     const QString said = line.section(QLatin1Char('='), 1);
     const QString label = said.section(QLatin1Char('|'), 0, 0).trimmed();
     const QString recording = said.section(QLatin1Char('|'), 1).trimmed();
-    if (!code.isEmpty()) {
+    if (!line.trimmed().isEmpty()) {
       out.models.push_back(
           {code.toStdString(), (label.isEmpty() ? code : label).toStdString(), recording.toStdString()});
     }

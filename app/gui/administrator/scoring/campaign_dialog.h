@@ -14,13 +14,16 @@
 
 class QDialogButtonBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
+class QVBoxLayout;
 
 namespace torsio::gui {
 
 class DataTable;
+class FieldChecks;
 
 /// A new evaluation: name, models, the weights of indices and classes (the paper's to begin with), raters.
 class CampaignDialog : public QDialog {
@@ -34,8 +37,13 @@ class CampaignDialog : public QDialog {
   [[nodiscard]] CampaignPlan plan() const;
 
  private:
+  void fillRecordings(const std::filesystem::path& assets);
+  void fillRaters(const std::vector<PersonRow>& raters);
   QWidget* weightFields();
-  void check();
+  void addChecks(QFormLayout* form, QVBoxLayout* left);
+  [[nodiscard]] QString wrongModels() const;
+  [[nodiscard]] QString wrongRaters() const;
+  void countRaters();
   /// Writes the models of the chosen recordings, each with its recording.
   void takeRecordings();
   [[nodiscard]] static QString modelName(TissueModel model);
@@ -45,12 +53,15 @@ class CampaignDialog : public QDialog {
   QPlainTextEdit* models_;
   std::vector<QDoubleSpinBox*> indexWeights_;
   std::vector<QDoubleSpinBox*> classWeights_;
-  QLabel* sums_;
+  QLabel* indexSum_;
+  QLabel* classSum_;
+  QLabel* chosen_;
   std::map<QString, std::string> classOf_;  // of a rater's id
   DataTable* raters_;
   std::vector<EvaluationRecording> choice_;
   DataTable* recordings_;
   QDialogButtonBox* buttons_;
+  FieldChecks* checks_;
 };
 
 }  // namespace torsio::gui

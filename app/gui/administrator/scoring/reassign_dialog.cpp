@@ -8,13 +8,13 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/sheet_state.h"
@@ -71,7 +71,8 @@ class ReassignDialog {
         from_(new QComboBox(&dialog_)),
         to_(new QComboBox(&dialog_)),
         what_(sentence(&dialog_)),
-        reason_(new QLineEdit(&dialog_)) {
+        reason_(new QLineEdit(&dialog_)),
+        checks_(&dialog_) {
     from_->setObjectName(QStringLiteral("from"));
     to_->setObjectName(QStringLiteral("to"));
     what_->setObjectName(QStringLiteral("what"));
@@ -83,15 +84,25 @@ class ReassignDialog {
     }
     auto* form = new QFormLayout;
     form->addRow(Reassignment::tr("&From"), from_);
+    checks_.add(form, from_, [this] {
+      return sheets() == nullptr ? Reassignment::tr("None of these sheets is open or was taken back.")
+                                 : QString();
+    });
     form->addRow(Reassignment::tr("&To"), to_);
+    checks_.add(form, to_, [this] {
+      return sheets() != nullptr && changingHands() == 0
+                 ? Reassignment::tr("Asked about all these cases already: choose somebody else.")
+                 : QString();
+    });
     form->addRow(Reassignment::tr("&Reason"), reason_);
+    checks_.addNeeded(form, reason_, reasonWanted());
     dialog_.column()->addLayout(form);
     dialog_.column()->addWidget(what_);
-    ok_ = dialog_.finish(Reassignment::tr("Reassign"));
-    QObject::connect(from_, &QComboBox::currentIndexChanged, ok_, [this] { fillTo(); });
-    QObject::connect(to_, &QComboBox::currentIndexChanged, ok_, [this] { check(); });
-    QObject::connect(reason_, &QLineEdit::textChanged, ok_, [this] { check(); });
+    checks_.decide(dialog_.finish(Reassignment::tr("Reassign")));
+    QObject::connect(from_, &QComboBox::currentIndexChanged, &dialog_, [this] { fillTo(); });
+    QObject::connect(to_, &QComboBox::currentIndexChanged, &dialog_, [this] { tell(); });
     fillTo();
+    checks_.touch(from_);  // nobody can choose where there is nothing
   }
 
   std::optional<SheetsChosen> ask() {
@@ -126,7 +137,8 @@ class ReassignDialog {
         }
       }
     }
-    check();
+    tell();
+    checks_.check();
   }
 
   /// Of the chosen sheets: those whose case the other rater scores already.
@@ -144,15 +156,15 @@ class ReassignDialog {
         }));
   }
 
-  void check() {
+  [[nodiscard]] std::size_t changingHands() const { return sheets()->lines.size() - askedAlready(); }
+
+  void tell() {
     if (sheets() == nullptr) {
-      what_->setText(Reassignment::tr("None of these sheets is open or was taken back."));
-      ok_->setEnabled(false);
+      what_->clear();
       return;
     }
     const std::size_t stay = askedAlready();
-    const std::size_t go = sheets()->lines.size() - stay;
-    QString text = Reassignment::tr("%n sheet(s) change hands.", nullptr, static_cast<int>(go));
+    QString text = Reassignment::tr("%n sheet(s) change hands.", nullptr, static_cast<int>(changingHands()));
     if (stay > 0) {
       text += QLatin1Char(' ') + Reassignment::tr(
                                      "%n stay(s): the other rater is asked about these cases "
@@ -160,7 +172,6 @@ class ReassignDialog {
                                      nullptr, static_cast<int>(stay));
     }
     what_->setText(text);
-    ok_->setEnabled(go > 0 && !reason_->text().trimmed().isEmpty());
   }
 
   const ScoringMatrix& matrix_;
@@ -171,7 +182,7 @@ class ReassignDialog {
   QComboBox* to_;
   QLabel* what_;
   QLineEdit* reason_;
-  QPushButton* ok_ = nullptr;
+  FieldChecks checks_;
 };
 
 }  // namespace

@@ -2,9 +2,12 @@
 #include "app/gui/administrator/station/heads_page.h"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include <QClipboard>
 #include <QFontDatabase>
@@ -21,11 +24,14 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/maintenance/anchor.h"
+#include "app/maintenance/signing_key.h"
 
 namespace torsio::gui {
 
@@ -98,7 +104,8 @@ HeadsPage::HeadsPage(ShellContext& shell)
       publicLabel_(nullptr),
       public_(new QLineEdit(this)),
       verify_(namedButton(this, "verifyHeads")),
-      verdict_(sentence(this, false)) {
+      verdict_(sentence(this, false)),
+      checks_(new FieldChecks(this)) {
   keyText_->setObjectName(QStringLiteral("keyText"));
   witnessText_->setObjectName(QStringLiteral("witnessText"));
   public_->setObjectName(QStringLiteral("publicKey"));
@@ -117,11 +124,13 @@ HeadsPage::HeadsPage(ShellContext& shell)
   connect(verify_, &QPushButton::clicked, this, &HeadsPage::verify);
   connect(lines_, &QPlainTextEdit::textChanged, this, [this] {
     findings_.reset();
+    unreadable_.reset();
     showVerdict();
     showButtons();
   });
   connect(&shell, &ShellContext::jobStarted, this, &HeadsPage::showButtons);
   connect(&shell, &ShellContext::jobEnded, this, &HeadsPage::showButtons);
+  addChecks();
   retranslate();
 }
 
@@ -159,6 +168,31 @@ void HeadsPage::layOut() {
   row->addWidget(verify_);
   compare_->content()->addLayout(row);
   compare_->content()->addWidget(verdict_);
+}
+
+/// After the page's own connections: a hint is asked when the page knows of the change.
+void HeadsPage::addChecks() {
+  QVBoxLayout* column = compare_->content();
+  const auto hintBelow = [this, column](int place, QWidget* field, std::function<QString()> wrong) {
+    QLabel* hint = fieldHint(compare_);
+    column->insertWidget(place, hint);
+    checks_->add(hint, field, std::move(wrong));
+  };
+  const int lines = column->indexOf(lines_) + 1;
+  hintBelow(lines, lines_, [this] {
+    if (lines_->toPlainText().trimmed().isEmpty()) {
+      return tr("Paste at least one head, or read a file.");
+    }
+    return unreadable_ ? translatedLine(*unreadable_) : QString();
+  });
+  hintBelow(column->indexOf(verdict_), public_, [this] {
+    const std::string key = public_->text().trimmed().toStdString();
+    return key.empty() || isPublicKey(key)
+               ? QString()
+               : tr("A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.")
+                     .arg(public_->text().trimmed().size());
+  });
+  checks_->decide(verify_, [this] { return !shell().working(); });
 }
 
 void HeadsPage::enter(const QVariant&) {
@@ -229,7 +263,7 @@ void HeadsPage::showButtons() {
   add_->setEnabled(!heads_.anchor.witness.empty());
   copy_->setEnabled(!head_.empty());
   print_->setEnabled(!head_.empty());
-  verify_->setEnabled(!shell().working() && !lines_->toPlainText().trimmed().isEmpty());
+  checks_->check();
 }
 
 void HeadsPage::makeKey(const std::filesystem::path& file) {
@@ -315,13 +349,28 @@ void HeadsPage::loadWitness() {
 }
 
 void HeadsPage::verify() {
-  const auto findings = std::make_shared<std::vector<AuditFinding>>();
+  const auto findings = std::make_shared<std::optional<std::vector<AuditFinding>>>();
+  const auto unreadable = std::make_shared<std::optional<Error>>();
   shell().run(
       tr("Comparing the record with kept heads"),
-      [findings, lines = linesOf(lines_->toPlainText()), key = public_->text().trimmed().toStdString()](
-          SessionContext& session, const ProgressCallback&) { *findings = verifyHeads(session, lines, key); },
-      [this, findings] {
+      [findings, unreadable, lines = linesOf(lines_->toPlainText()),
+       key = public_->text().trimmed().toStdString()](SessionContext& session, const ProgressCallback&) {
+        try {
+          *findings = verifyHeads(session, lines, key);
+        } catch (const Error& error) {
+          const std::string& where = error.where();
+          if (where.empty() || std::none_of(lines.begin(), lines.end(), [&where](const std::string& line) {
+                return line.starts_with(where);
+              })) {
+            throw;  // not about what was typed
+          }
+          *unreadable = error;
+        }
+      },
+      [this, findings, unreadable] {
         findings_ = *findings;
+        unreadable_ = *unreadable;
+        checks_->touch(lines_);
         showVerdict();
         read();
       });

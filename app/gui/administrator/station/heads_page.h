@@ -7,6 +7,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/maintenance/station_heads.h"
+#include "sim/base/error.h"
 
 class QLabel;
 class QLineEdit;
@@ -16,6 +17,7 @@ class QPushButton;
 namespace torsio::gui {
 
 class Card;
+class FieldChecks;
 class PageHeading;
 
 /// Heads of the audit trail that are kept elsewhere: with which key this station signs and where it keeps
@@ -37,6 +39,7 @@ class HeadsPage : public Page {
 
  private:
   void layOut();
+  void addChecks();
   void read();
   void showStation();
   void showVerdict();
@@ -75,6 +78,8 @@ class HeadsPage : public Page {
   QLineEdit* public_;
   QPushButton* verify_;
   QLabel* verdict_;
+  FieldChecks* checks_;
+  std::optional<Error> unreadable_;  ///< what is wrong with the lines
 };
 
 }  // namespace torsio::gui

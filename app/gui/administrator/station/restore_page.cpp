@@ -2,6 +2,8 @@
 #include "app/gui/administrator/station/restore_page.h"
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <QFileInfo>
@@ -16,7 +18,9 @@
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -27,6 +31,11 @@ namespace {
 
 constexpr int kWordWidth = 220;
 constexpr int kNumberColumns = 4;
+
+/// Whether the file is at fault, and not the record or who is at work.
+bool isAboutFile(const Error& error, const std::filesystem::path& file) {
+  return error.where() == file.string();
+}
 
 QString number(std::int64_t value, const QLocale& locale) {
   return locale.toString(static_cast<qlonglong>(value));
@@ -50,7 +59,8 @@ RestorePage::RestorePage(ShellContext& shell)
       confirmText_(sentence(this, false)),
       wordLabel_(new QLabel(this)),
       word_(new QLineEdit(this)),
-      restore_(new QPushButton(this)) {
+      restore_(new QPushButton(this)),
+      checks_(new FieldChecks(this)) {
   loss_->setObjectName(QStringLiteral("lossText"));
   restore_->setObjectName(QStringLiteral("restoreButton"));
   check_->setObjectName(QStringLiteral("checkButton"));
@@ -88,6 +98,12 @@ void RestorePage::layOut() {
   fileRow->addWidget(check_);
   backup_->content()->addWidget(backupText_);
   backup_->content()->addLayout(fileRow);
+  checks_->add(backup_->content(), file_, [this] {
+    if (file_->text().trimmed().isEmpty()) {
+      return tr("Choose a backup, or type its path.");
+    }
+    return unusable_ ? translatedLine(*unusable_) : QString();
+  });
 
   numbers_ = new QGridLayout;
   numbers_->setHorizontalSpacing(4 * kSpace);
@@ -108,6 +124,11 @@ void RestorePage::layOut() {
   wordRow->addStretch(1);
   confirm_->content()->addWidget(confirmText_);
   confirm_->content()->addLayout(wordRow);
+  checks_->add(confirm_->content(), word_, [this] {
+    return plan_ && word_->text().trimmed() != wantedWord()
+               ? tr("This is not yet the word: %1, with the same capitals.").arg(wantedWord())
+               : QString();
+  });
 }
 
 void RestorePage::enter(const QVariant& argument) {
@@ -128,6 +149,7 @@ void RestorePage::choose() {
 
 void RestorePage::fileChanged() {
   plan_.reset();
+  unusable_.reset();
   word_->clear();
   showPlan();
 }
@@ -136,17 +158,27 @@ void RestorePage::check() {
   if (file_->text().trimmed().isEmpty() || shell().working()) {
     return;
   }
-  const std::filesystem::path file(file_->text().trimmed().toStdString());
-  auto plan = std::make_shared<RestorePlan>();
+  const std::filesystem::path file = toPath(file_->text().trimmed());
+  auto plan = std::make_shared<std::optional<RestorePlan>>();
+  auto unusable = std::make_shared<std::optional<Error>>();
   shell().run(
       tr("Checking the backup"),
-      [file, plan](SessionContext& session, const ProgressCallback& progress) {
-        *plan = planRestore(session, file, progress);
+      [file, plan, unusable](SessionContext& session, const ProgressCallback& progress) {
+        try {
+          *plan = planRestore(session, file, progress);
+        } catch (const Error& error) {
+          if (!isAboutFile(error, file)) {
+            throw;
+          }
+          *unusable = error;
+        }
       },
-      [this, plan] {
+      [this, plan, unusable] {
         plan_ = *plan;
+        unusable_ = *unusable;
         showPlan();
-        word_->setFocus();
+        checks_->touch(file_);
+        (plan_ ? word_ : file_)->setFocus();
       });
 }
 

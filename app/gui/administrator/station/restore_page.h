@@ -6,6 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/maintenance/record_restore.h"
+#include "sim/base/error.h"
 
 class QGridLayout;
 class QLabel;
@@ -15,6 +16,7 @@ class QPushButton;
 namespace torsio::gui {
 
 class Card;
+class FieldChecks;
 class PageHeading;
 
 /// Puts a backup in the place of the record, in three steps one below the other: the file, which is verified;
@@ -58,6 +60,8 @@ class RestorePage : public Page {
   QLabel* wordLabel_;
   QLineEdit* word_;
   QPushButton* restore_;
+  FieldChecks* checks_;
+  std::optional<Error> unusable_;  ///< what is wrong with the file
 };
 
 }  // namespace torsio::gui
