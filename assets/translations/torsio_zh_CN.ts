@@ -23519,6 +23519,14 @@ Leave it empty to remove it.</source>
         <source>Saves the organ first, so that recordings made on it can be replayed</source>
         <translation>先保存器官，以便在其上所作的记录能够重放</translation>
     </message>
+    <message>
+        <source>&amp;Series, where a folder holds several</source>
+        <translation>序列（文件夹含多个时）(&amp;S)</translation>
+    </message>
+    <message>
+        <source>the one with the most slices</source>
+        <translation>切片最多的一个</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::OwnRecordCard</name>
