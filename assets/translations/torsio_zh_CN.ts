@@ -23625,11 +23625,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Series, where a folder holds several</source>
-        <translation type="unfinished"></translation>
+        <translation>序列（文件夹含多个时）(&amp;S)</translation>
     </message>
     <message>
         <source>the one with the most slices</source>
-        <translation type="unfinished"></translation>
+        <translation>切片最多的一个</translation>
     </message>
 </context>
 <context>

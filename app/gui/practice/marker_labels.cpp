@@ -7,9 +7,9 @@
 #include <QEvent>
 #include <QPainter>
 
-#include "app/gui/scene/view_turn.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/scene/view_turn.h"
 
 namespace torsio::gui {
 

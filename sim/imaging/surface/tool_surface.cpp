@@ -233,19 +233,6 @@ void tellPlaces(const ToolRequest& request, const ToolSurface& tool, std::vector
 
 }  // namespace
 
-void requireToolRequest(const ToolRequest& request) {
-  const auto finite = [](const std::optional<Vec3>& v) { return !v || std::isfinite(v->x + v->y + v->z); };
-  const auto direction = [](const std::optional<Vec3>& v) { return !v || norm(*v) > 0.0; };
-  if (!(request.threshold_HU >= -500.0 && request.threshold_HU <= 3000.0) ||
-      !(request.pivot_mm >= 3.0 && request.pivot_mm <= 100.0) || !finite(request.tip_mm) ||
-      !finite(request.seed_mm) || !finite(request.shaft) || !finite(request.jawAxis) ||
-      !direction(request.shaft) || !direction(request.jawAxis)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("what is said of the instrument is out of range"), "",
-                Text::tr("Give a threshold of -500 to 3000 HU, a hinge 3 to 100 mm behind the tip, and "
-                         "directions that are not zero"));
-  }
-}
-
 ToolSurface toolOfScan(const ScanRead& scan, const ToolRequest& request, const std::string& where,
                        const ScanProgress& progress) {
   requireToolRequest(request);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/imaging/surface/scan_surface.h"
 
@@ -38,8 +41,19 @@ struct ToolSurface {
   std::vector<ScanRemark> remarks;
 };
 
-/// Throws Error{kBadParameter} for a request out of range.
-void requireToolRequest(const ToolRequest& request);
+/// Checks a request before anything is read. Throws Error{kBadParameter}.
+inline void requireToolRequest(const ToolRequest& request) {
+  const auto finite = [](const std::optional<Vec3>& v) { return !v || std::isfinite(v->x + v->y + v->z); };
+  const auto direction = [](const std::optional<Vec3>& v) { return !v || norm(*v) > 0.0; };
+  if (!(request.threshold_HU >= -500.0 && request.threshold_HU <= 3000.0) ||
+      !(request.pivot_mm >= 3.0 && request.pivot_mm <= 100.0) || !finite(request.tip_mm) ||
+      !finite(request.seed_mm) || !finite(request.shaft) || !finite(request.jawAxis) ||
+      !direction(request.shaft) || !direction(request.jawAxis)) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("what is said of the instrument is out of range"), "",
+                Text::tr("Give a threshold of -500 to 3000 HU, a hinge 3 to 100 mm behind the tip, and "
+                         "directions that are not zero"));
+  }
+}
 
 /// Finds the instrument in a scan: what is denser than the threshold, cut into shaft and jaws at the hinge
 /// and between the jaws. Throws as surfaceOfScan(); D16 also for a tool that is shorter than twice its jaws.
