@@ -59,6 +59,7 @@ void buildProgram(CLI::App& program) {
   addServe(program);
 #endif
   addStandardSetting(program);
+  addTracker(program);
   addTwist(program);
   addXapi(program);
 }
