@@ -82,6 +82,7 @@ void buildProgram(CLI::App& program) {
   addServe(program);
 #endif
   addStandardSetting(program);
+  addTracker(program);
   addTwist(program);
   addXapi(program);
   refuseNoNumbers(program);

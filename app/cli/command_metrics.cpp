@@ -222,6 +222,9 @@ void runMetrics(const MetricsArguments& arguments) {
   }
   out["lost_samples"] =
       outcomeJson(whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
+  if (foreign) {
+    out["late_samples"] = trial.summary.lateTicks;
+  }
   out["clock"] = measured.deviceClock ? "device" : "ticks";
   out["duration_s"] = measured.duration_s();
   if (!foreign) {

@@ -35,6 +35,7 @@ void addReplay(CLI::App& program);
 void addSection(CLI::App& program);
 void addServe(CLI::App& program);
 void addStandardSetting(CLI::App& program);
+void addTracker(CLI::App& program);
 void addTwist(CLI::App& program);
 void addXapi(CLI::App& program);
 

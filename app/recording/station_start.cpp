@@ -16,6 +16,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/tick_period.h"
 
 namespace torsio {
@@ -38,7 +39,8 @@ std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string
 
 /// Training time that a recording proves and nobody logged; its station or its database went down before.
 std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
-  if (trial.enrolmentId.empty()) {
+  // Time on the real arm is logged by its own clock; the samples of a tracker are no ticks.
+  if (trial.enrolmentId.empty() || isForeign(trial.sceneId)) {
     return 0;
   }
   StudyRepository studies(session.connectionWithoutRight());

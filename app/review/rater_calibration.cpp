@@ -14,6 +14,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -164,7 +165,7 @@ std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
   std::vector<ReferenceCandidate> candidates;
   for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMostListed})) {
     const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
-    if (!complete || decided.contains(trial.trialId)) {
+    if (!complete || isForeign(trial.sceneId) || decided.contains(trial.trialId)) {
       continue;
     }
     candidates.push_back({trial.trialId, trial.traineeCode, trial.sceneId, trial.phaseLabel,

@@ -276,7 +276,9 @@ std::vector<std::byte> igtlString(std::string_view device, std::string_view text
 }
 
 std::vector<std::byte> igtlStartTracking() {
-  igtl_stt_tdata request{};  // as fast as possible
+  constexpr int kEvery_ms = 10;
+  igtl_stt_tdata request{};
+  request.resolution = kEvery_ms;
   igtl_stt_tdata_convert_byte_order(&request);
   return packed("STT_TDATA", "Torsio", 0, std::as_bytes(std::span(&request, 1)));
 }

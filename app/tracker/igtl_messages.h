@@ -56,7 +56,8 @@ class IgtlReader {
 /// Packs a text (UTF-8, at most 65535 bytes, the rest is cut off) as a STRING of `device`.
 [[nodiscard]] std::vector<std::byte> igtlString(std::string_view device, std::string_view text,
                                                 std::int64_t utc_us);
-/// Packs the request STT_TDATA: trackers that send TDATA begin when they are asked.
+/// Packs the request STT_TDATA: trackers that send TDATA begin when they are asked. A hundred
+/// poses a second.
 [[nodiscard]] std::vector<std::byte> igtlStartTracking();
 
 }  // namespace torsio

@@ -83,6 +83,7 @@ struct TrackerLink::State {
   bool stop = false;
   bool ended = false;
   TrackerView view;
+  Text complaint;  // of the tracker itself, by STATUS
   std::shared_ptr<SpscRing<Sample>> ring;
   std::int64_t recordedFrom_us = 0;
   std::optional<std::int64_t> firstPlace;
@@ -174,7 +175,10 @@ void TrackerLink::State::take(const IgtlNews& news, std::int64_t arrived_us) {
   const std::lock_guard lock(mutex);
   view.counts.refused += news.refused;
   if (news.status) {
-    view.trouble = news.status->empty() ? Text() : Text::tr("the tracker says: %1", *news.status);
+    complaint = news.status->empty() ? Text() : Text::tr("the tracker says: %1", *news.status);
+  }
+  if (news.status || !news.poses.empty()) {
+    view.trouble = complaint;  // of earlier connections nothing is left once one works
   }
   for (const TrackedPose& pose : news.poses) {
     takePose(pose, arrived_us);
@@ -199,7 +203,7 @@ void TrackerLink::State::talk(QTcpSocket& socket) {
   {
     const std::lock_guard lock(mutex);
     view.stage = TrackerStage::kWaiting;
-    view.trouble = {};
+    complaint = {};
   }
   connected_us = heard_us = clock.now_us();
   posed_us = 0;

@@ -10,6 +10,7 @@
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -64,7 +65,9 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   ExerciseRules rules;
   Transaction transaction(session.connection());
   for (const TrialListing& listing : trials.list(filter)) {
-    attempts.push_back(measured(session, listing, rules));
+    if (!isForeign(listing.sceneId)) {  // on the real arm nothing is tried that has a module
+      attempts.push_back(measured(session, listing, rules));
+    }
   }
   transaction.commit();
   std::reverse(attempts.begin(), attempts.end());

@@ -38,8 +38,8 @@ struct Attempt {
 /// kTrialViewOwn, own trials only.
 Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 
-/// The tries of a trainee, oldest first; empty `moduleId`: at all modules. Trials that were not measured yet
-/// are measured now. kTrialViewOwn, own trials only.
+/// The tries of a trainee, oldest first, without what a tracker saw of the real arm; empty `moduleId`: at all
+/// modules. Trials that were not measured yet are measured now. kTrialViewOwn, own trials only.
 [[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,
                                               const ModuleId& moduleId = {});
 

@@ -17,6 +17,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "sim/base/tick_period.h"
@@ -242,24 +243,35 @@ void RunSession::stop(const std::string& reason) {
   heartbeat();
 }
 
-RecordingSpec RunSession::newTrial() {
+/// What every recording of the present phase belongs to.
+RecordingSpec RunSession::orderTrial() {
   const RunPhase& phase = run_.phase();
-  const TrainingModule& practised = module();
   RecordingSpec recording{.trialId = session_.ids().newUuid(),
                           .traineeCode = steps_.traineeCode,
                           .phaseLabel = phase.label,
-                          .targetAngle_rad = practised.targetAngle_rad,
                           .startedUtc_us = session_.now_us(),
                           .demonstration = steps_.demonstration,
                           .context = {.station = session_.station(),
                                       .enrolmentId = steps_.enrolmentId,
-                                      .moduleId = practised.id,
                                       .phaseId = phase.phaseId,
-                                      .attemptMode = mode(),
                                       .host = thisHost()}};
-  trials_.push_back(recording.trialId);
   show(recording.trialId);
   return recording;
+}
+
+RecordingSpec RunSession::newTrial() {
+  const TrainingModule& practised = module();
+  RecordingSpec recording = orderTrial();
+  recording.targetAngle_rad = practised.targetAngle_rad;
+  recording.context.moduleId = practised.id;
+  recording.context.attemptMode = mode();
+  trials_.push_back(recording.trialId);
+  return recording;
+}
+
+RecordingSpec RunSession::newTrackedTrial() {
+  TORSIO_EXPECTS(run_.phase().arm == PhaseKind::kReal);
+  return orderTrial();
 }
 
 std::vector<RecoveredTrial> recoverInterrupted(SessionContext& session, const std::filesystem::path& folder) {

@@ -66,13 +66,17 @@ class RunSession {
 
   /// Orders a new recording for the present phase, kept where recordingSink says. Virtual phases only.
   [[nodiscard]] RecordingSpec newTrial();
-  /// Ids of the recordings so far.
+  /// Orders a recording of what a tracker sees of the present phase on the real arm. It is no attempt at a
+  /// module. Real phases only.
+  [[nodiscard]] RecordingSpec newTrackedTrial();
+  /// Ids of the recordings of the simulator so far.
   [[nodiscard]] const std::vector<TrialId>& trials() const noexcept { return trials_; }
 
  private:
   void log(bool all);
   void write(StationWriter::Write write);
   void show(const TrialId& trialId);
+  [[nodiscard]] RecordingSpec orderTrial();
   [[nodiscard]] AttemptMode mode() const noexcept;
   void heartbeat();
 

@@ -17277,75 +17277,75 @@ audit trail %3</source>
     </message>
     <message>
         <source>only &quot;leave out&quot; is known here, and only of tables</source>
-        <translation type="unfinished"></translation>
+        <translation>此处只能写“leave out”，且只适用于表格</translation>
     </message>
     <message>
         <source>Take it out: lines without a pose are refused then</source>
-        <translation type="unfinished"></translation>
+        <translation>请删去：没有位姿的行会被拒绝</translation>
     </message>
     <message>
         <source>what came is no OpenIGTLink</source>
-        <translation type="unfinished"></translation>
+        <translation>收到的内容不是 OpenIGTLink</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪器</translation>
     </message>
     <message>
         <source>Look at address and port, and at what runs there</source>
-        <translation type="unfinished"></translation>
+        <translation>请检查地址和端口，以及那里运行的是什么程序</translation>
     </message>
     <message>
         <source>a message of %1 bytes was announced</source>
-        <translation type="unfinished"></translation>
+        <translation>对方声明的消息长达 %1 字节</translation>
     </message>
     <message>
         <source>nobody can be waited for at this address and port: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法在此地址和端口等待连接：%1</translation>
     </message>
     <message>
         <source>address or port is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少地址或端口</translation>
     </message>
     <message>
         <source>Enter both; %1 is the usual port</source>
-        <translation type="unfinished"></translation>
+        <translation>请两项都填写；通常的端口是 %1</translation>
     </message>
     <message>
         <source>this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是本机的地址：127.0.0.1 是本机，0.0.0.0 表示本机的所有地址</translation>
     </message>
     <message>
         <source>Give another one</source>
-        <translation type="unfinished"></translation>
+        <translation>请换一个</translation>
     </message>
     <message>
         <source>nobody answers at this address and port</source>
-        <translation type="unfinished"></translation>
+        <translation>此地址和端口没有应答</translation>
     </message>
     <message>
         <source>there is no computer of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此名称的计算机</translation>
     </message>
     <message>
         <source>nobody answered in time</source>
-        <translation type="unfinished"></translation>
+        <translation>没有及时得到应答</translation>
     </message>
     <message>
         <source>the tracker ended the connection</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪器断开了连接</translation>
     </message>
     <message>
         <source>the tracker says: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪器报告：%1</translation>
     </message>
     <message>
         <source>nothing has come for half a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>半分钟内没有收到任何数据</translation>
     </message>
     <message>
         <source>the instrument was seen for %1 % of the time only</source>
-        <translation type="unfinished"></translation>
+        <translation>器械只有 %1% 的时间被看到</translation>
     </message>
     <message>
         <source>By all runs</source>
@@ -26575,10 +26575,6 @@ Leave it empty to remove it.</source>
         <translation>在实物手臂上训练</translation>
     </message>
     <message>
-        <source>This timer logs your training time. Nothing is recorded by the simulator.</source>
-        <translation>计时器记录训练时间，模拟器不做记录。</translation>
-    </message>
-    <message>
         <source>Bring the jaw to the marked band.</source>
         <translation>将钳口移到标记带。</translation>
     </message>
@@ -26689,6 +26685,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>Guide me</source>
         <translation>引导我</translation>
+    </message>
+    <message>
+        <source>This timer logs your training time. The tracker records the instrument.</source>
+        <translation>此计时器记录您的训练时间。跟踪器正在记录器械。</translation>
+    </message>
+    <message>
+        <source>This timer logs your training time. Nothing is recorded.</source>
+        <translation>此计时器记录您的训练时间。不作其他记录。</translation>
     </message>
 </context>
 <context>
@@ -28231,6 +28235,86 @@ T-02,master,17</translation>
     <message>
         <source>Dashed across torque and force: the limit of the exercise.</source>
         <translation>扭矩和力曲线上的虚线：练习的限值。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TrackerPanel</name>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>断开(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>连接(&amp;C)</translation>
+    </message>
+    <message>
+        <source>No tracker: where the instrument is, is not recorded.</source>
+        <translation>没有跟踪器：不记录器械的位置。</translation>
+    </message>
+    <message>
+        <source>Waiting for the tracker to call.</source>
+        <translation>正在等待跟踪器连接。</translation>
+    </message>
+    <message>
+        <source>Calling the tracker.</source>
+        <translation>正在连接跟踪器。</translation>
+    </message>
+    <message>
+        <source>Connected. No pose of the instrument has come yet.</source>
+        <translation>已连接，尚未收到器械的位姿。</translation>
+    </message>
+    <message>
+        <source>The instrument is seen, and recorded.</source>
+        <translation>能看到器械，正在记录。</translation>
+    </message>
+    <message>
+        <source>The instrument is seen.</source>
+        <translation>能看到器械。</translation>
+    </message>
+    <message>
+        <source>The instrument is not seen. Turn it towards the tracker.</source>
+        <translation>看不到器械。请将其转向跟踪器。</translation>
+    </message>
+    <message>
+        <source>%1 Last trouble: %2.</source>
+        <comment>a sentence, and what the tracker or the network said</comment>
+        <translation>%1最近的问题：%2。</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3, %4 mm, turned by %5°</source>
+        <translation>%1：%2、%3、%4 mm，转动 %5°</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Poses: %1, missing: %2, late: %3, of no use: %4; %5 a second</source>
+        <translation>位姿：%1，缺失：%2，迟到：%3，无效：%4；每秒 %5 个</translation>
+    </message>
+    <message>
+        <source>Tracker on the instrument</source>
+        <translation>器械上的跟踪器</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>地址(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Instrument</source>
+        <translation>器械(&amp;I)</translation>
+    </message>
+    <message>
+        <source>the first that comes</source>
+        <translation>最先出现的器械</translation>
+    </message>
+    <message>
+        <source>&amp;Wait for the tracker to call</source>
+        <translation>等待跟踪器来连接(&amp;W)</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,13 @@
 #include "app/gui/administrator/administrator_pages.h"
 
 #include <QCoreApplication>
+#include <QTemporaryDir>
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/people/users_page.h"
+#include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/reports_page.h"
 #include "app/gui/administrator/reporting/results_page.h"
 #include "app/gui/administrator/scoring/campaigns_page.h"
@@ -20,6 +22,7 @@
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
 #include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 
@@ -74,6 +77,20 @@ std::vector<ScreenEntry> administratorScreens() {
         .setCurrentIndex(child<CurriculumEditor>(curricula, "editor").content().arms.empty() ? 0 : 1);
   };
   const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
+  const auto exported = [](ExportDialog::Form form, bool written) {
+    return [form, written](Page& page) {
+      auto& reports = dynamic_cast<ReportsPage&>(page);
+      reports.settle();
+      ExportDialog& dialog = reports.placeExport();
+      dialog.choose(form);
+      if (written) {
+        const QTemporaryDir folder;
+        dialog.writeTo(toPath(folder.filePath(QStringLiteral("tables"))));
+        reports.settle();
+      }
+      dialog.resize(dialog.sizeHint());
+    };
+  };
   return {
       screen("administrator-run-day", PageId::kRunDay),
       screen("administrator-roster", PageId::kRoster),
@@ -87,6 +104,10 @@ std::vector<ScreenEntry> administratorScreens() {
       screen("administrator-results-boxes", PageId::kResults, shows("figure-19")),
       screen("administrator-results-severity", PageId::kResults, shows("figure-severity")),
       screen("administrator-reports", PageId::kReports, report),
+      screen("administrator-export", PageId::kReports, exported(ExportDialog::Form::kWorkbook, false)),
+      screen("administrator-export-dataset", PageId::kReports,
+             exported(ExportDialog::Form::kFrictionless, false)),
+      screen("administrator-export-written", PageId::kReports, exported(ExportDialog::Form::kR, true)),
       screen("administrator-users", PageId::kUsers),
       screen("administrator-audit", PageId::kAudit),
       screen("administrator-maintenance", PageId::kCare),

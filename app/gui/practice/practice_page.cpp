@@ -56,6 +56,7 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   if (const StationDesk::DeviceOpener open = desk.openDevice) {
     setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
   }
+  setup.outlet = desk.outlet;
   simulator_ = new SimulatorWindow(setup);
   simulator_->setObjectName(QStringLiteral("simulator"));
   simulator_->setParent(pages_, Qt::Widget);

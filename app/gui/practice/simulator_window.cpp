@@ -298,6 +298,9 @@ void SimulatorWindow::frame(double elapsed_s) {
   const LiveState state = controller_->state();
   if (controller_->scene() != nullptr) {
     view_->setTissue(tool_->show(state));
+    if (setup_.outlet != nullptr && !controller_->frozen()) {
+      setup_.outlet->show(state);
+    }
   }
   readoutDue_s_ -= elapsed_s;
   noticeLeft_s_ -= elapsed_s;

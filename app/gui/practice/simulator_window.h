@@ -13,6 +13,7 @@
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/theme.h"
+#include "app/tracker/instrument_outlet.h"
 
 class QAction;
 class QLabel;
@@ -39,7 +40,8 @@ struct WindowSetup {
   ThemeKind theme = ThemeKind::kLight;
   bool embedded = false;    ///< a part of another window: no menu bar, no program-wide commands
   HapticOpener openHaptic;  ///< empty: mouse and keyboard
-  bool remember = true;     ///< read and write geometry and choices (off for pictures and tests)
+  std::shared_ptr<InstrumentOutlet> outlet;  ///< where others watch the instrument; null: nowhere
+  bool remember = true;  ///< read and write geometry and choices (off for pictures and tests)
 };
 
 /// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the

@@ -18,8 +18,8 @@
 #include "app/gui/base/background.h"
 #include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/shell/job_panel.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/job_panel.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/password_rule.h"
 

@@ -19,12 +19,12 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
-#include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/gui/widgets/job_panel.h"
 #include "app/recording/station_writer.h"
 #include "sim/base/error.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/run_page.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -21,6 +22,7 @@
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/angle_dial.h"
@@ -154,6 +156,10 @@ void RunPage::start() {
   waiting_ = false;
   const bool begun = attempt(shell(), [this] {
     runSession_->start();
+    const std::vector<RunPhase>& phases = runSession_->run().plan().phases;
+    const bool onRealArm = std::any_of(phases.begin(), phases.end(),
+                                       [](const RunPhase& phase) { return phase.arm == PhaseKind::kReal; });
+    tracker_->begin(onRealArm ? desk_.tracker : std::nullopt);
     timer_.start();
     follow(runSession_->advance());
   });
@@ -301,6 +307,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
     if (run.state() == RunState::kRunning && run.phase().arm == PhaseKind::kVirtual && !recording) {
       record();
     }
+    track();
   });
   if (!finished) {
     showState();
@@ -311,6 +318,30 @@ void RunPage::endRecording(TrialOutcome outcome) {
   guide_->end();
   const std::optional<RecordingResult> result = scene_->controller().endTraining(outcome);
   inFile_ = inFile_ || (result && result->spillFile);
+  endTracked(outcome);
+}
+
+void RunPage::track() {
+  const TrainingRun& run = runSession_->run();
+  if (tracked_ != nullptr || run.state() != RunState::kRunning || run.phase().arm != PhaseKind::kReal ||
+      tracker_->link() == nullptr) {
+    return;
+  }
+  const TrackerView view = tracker_->link()->view();
+  if (view.stage != TrackerStage::kTracking || !view.period_us) {
+    return;
+  }
+  const RecordingSpec recording = runSession_->newTrackedTrial();
+  tracked_ = std::make_unique<TrackedRecording>(
+      *tracker_->link(), view, recording, recordingSink(shell().session().key().locator, recording.context));
+}
+
+void RunPage::endTracked(TrialOutcome outcome) {
+  if (tracked_ == nullptr) {
+    return;
+  }
+  const std::unique_ptr<TrackedRecording> ended = std::move(tracked_);
+  attempt(shell(), [&] { inFile_ = inFile_ || ended->finish(outcome).spillFile; });
 }
 
 void RunPage::finish() {
@@ -362,6 +393,7 @@ bool RunPage::leave() {
   }
   timer_.stop();
   opening_.cancel();
+  endTracked(TrialOutcome::kInterrupted);
   runSession_.reset();
   waiting_ = false;
   scene_->controller().shutDown();

@@ -9,6 +9,7 @@
 #include "app/gui/base/page.h"
 #include "app/gui/base/problem.h"
 #include "app/gui/trainee/device_opening.h"
+#include "app/tracker/tracked_recording.h"
 #include "app/training/run_session.h"
 #include "assessment/attempt/twist_count.h"
 #include "sim/base/live_types.h"
@@ -28,6 +29,7 @@ class Card;
 class DetorsionPanel;
 class LevelBar;
 class LiveScene;
+class TrackerPanel;
 class TwistGuide;
 class ValidityButton;
 
@@ -74,6 +76,9 @@ class RunPage : public Page {
   void record();
   void follow(const std::vector<RunEvent>& events);
   void endRecording(TrialOutcome outcome);
+  /// On the real arm: records what the tracker sees, once it sees the instrument.
+  void track();
+  void endTracked(TrialOutcome outcome);
   void finish();
   void askToStop();
   void withoutDevice(const Problem& why);
@@ -95,6 +100,7 @@ class RunPage : public Page {
   bool waiting_ = false;               // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
+  std::unique_ptr<TrackedRecording> tracked_;            // of the real arm; null: none goes on
   bool inFile_ = false;                                  // a recording of this run waits for its database
   QTimer timer_;
   DeviceOpening opening_;
@@ -105,6 +111,7 @@ class RunPage : public Page {
   QLabel* noticeFigure_ = nullptr;
   QLabel* noticeText_ = nullptr;
   QPushButton* goOn_ = nullptr;
+  TrackerPanel* tracker_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* mode_ = nullptr;
   Card* time_ = nullptr;

@@ -13,6 +13,7 @@
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
@@ -24,6 +25,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kPanelWidth = 316;
+constexpr int kTrackerWidth = 620;
 constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
 
@@ -46,7 +48,13 @@ QWidget* RunPage::createNotice() {
     column->addWidget(label);
   }
   column->addWidget(goOn_, 0, Qt::AlignHCenter);
+  tracker_ = new TrackerPanel(shell(), ground);
+  tracker_->setFixedWidth(kTrackerWidth);
+  tracker_->hide();
+  column->addSpacing(2 * kSpace);
+  column->addWidget(tracker_, 0, Qt::AlignHCenter);
   column->addStretch(3);
+  connect(tracker_, &TrackerPanel::lettingGo, this, [this] { endTracked(TrialOutcome::kCompleted); });
   connect(goOn_, &QPushButton::clicked, this, [this] {
     if (waiting_) {
       cancelWaiting();

@@ -15,6 +15,7 @@
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/angle_dial.h"
@@ -43,6 +44,7 @@ void RunPage::retranslate() {
   stop_->setText(tr("&End the run"));
   guideMe_->setText(tr("Guide me"));
   guide_->retranslate();
+  tracker_->retranslate();
   dial_->retranslate();
   detorsion_->retranslate();
   validity_->retranslate();
@@ -77,6 +79,7 @@ void RunPage::showState() {
                                       "Debrief\u201d.")
                                  : tr("Choose a module on the page \u201cMy next step\u201d."));
     goOn_->hide();
+    tracker_->hide();
     rest_->hide();
     return;
   }
@@ -104,6 +107,8 @@ void RunPage::showState() {
   load_->setVisible(!real);
   cue_->setVisible(!real && !runSession_->graded());
   guideMe_->setVisible(!real && !undone && !runSession_->graded());
+  tracker_->setVisible(real && runs);
+  tracker_->follow(tracked_ != nullptr);
   stage_->setCurrentIndex(showNotice() ? 1 : 0);
 }
 
@@ -140,7 +145,9 @@ bool RunPage::showNotice() {
   if (real) {
     noticeTitle_->setText(tr("Train on the real arm"));
     noticeFigure_->setText(clockTimeLeft(run.remainingInPhase_us()));
-    noticeText_->setText(tr("This timer logs your training time. Nothing is recorded by the simulator."));
+    noticeText_->setText(tracked_ != nullptr
+                             ? tr("This timer logs your training time. The tracker records the instrument.")
+                             : tr("This timer logs your training time. Nothing is recorded."));
   }
   return real;
 }
@@ -206,6 +213,9 @@ void RunPage::showCount() {
 void RunPage::showLive(const LiveState& state) {
   if (!runSession_) {
     return;
+  }
+  if (desk_.outlet != nullptr) {
+    desk_.outlet->show(state);
   }
   detorsion_->show(state);
   dial_->setAngle(state.response.angle_rad);

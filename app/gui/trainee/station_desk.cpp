@@ -7,6 +7,7 @@
 
 #include "app/devices/haptic_station.h"
 #include "app/recording/station_writer.h"
+#include "app/tracker/tracker_choice.h"
 
 namespace torsio::gui {
 
@@ -31,6 +32,8 @@ std::shared_ptr<StationDesk> deskOfThisStation() {
     desk->probe = hapticProbe(choice);
     desk->openDevice = [choice](const Scene& scene, double) { return openHapticDevice(scene, choice); };
   }
+  desk->tracker = rememberedTracker().tracker;
+  desk->outlet = outletOfThisStation();
   return desk;
 }
 

@@ -11,6 +11,8 @@
 #include "app/devices/device_readiness.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/trainee/session_story.h"
+#include "app/tracker/instrument_outlet.h"
+#include "app/tracker/tracker_link.h"
 #include "sim/base/clock.h"
 #include "sim/base/ids.h"
 #include "sim/device/haptic_device.h"
@@ -39,6 +41,8 @@ class StationDesk {
   bool rendersForce = false;  ///< that device does
   DeviceProbe probe;          ///< empty: mouse and keyboard
   DeviceOpener openDevice;
+  std::optional<TrackerPlace> tracker;             ///< of the real arm; empty: none is remembered
+  std::shared_ptr<InstrumentOutlet> outlet;        ///< where others watch the instrument; null: nowhere
   std::function<void()> sound = soundOfTheSystem;  ///< when a limit is reached, where the centre wants it
 
   /// Of the run that has just ended: the debrief need not load it again.

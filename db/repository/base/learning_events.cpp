@@ -19,7 +19,7 @@ struct EventSource {
 constexpr const char* kTrialEnd_us = "t.started_utc_us + x.sample_count * t.tick_period_us";
 constexpr const char* kEndedTrial =
     "trial t JOIN trial_end x ON x.trial_id = t.id WHERE t.id = ? AND x.outcome = 'completed'"
-    " AND t.demonstration = FALSE";
+    " AND t.demonstration = FALSE AND t.scene_id <> 'foreign'";
 
 EventSource sourceOf(LearningEventKind kind) {
   switch (kind) {
@@ -28,7 +28,7 @@ EventSource sourceOf(LearningEventKind kind) {
               "enrolment e WHERE e.id = ? AND e.demonstration = FALSE"};
     case LearningEventKind::kLaunched:
       return {"t.id", "t.trainee_id", "t.started_utc_us",
-              "trial t WHERE t.id = ? AND t.demonstration = FALSE"};
+              "trial t WHERE t.id = ? AND t.demonstration = FALSE AND t.scene_id <> 'foreign'"};
     case LearningEventKind::kCompleted:
     case LearningEventKind::kJudged:
       return {"t.id", "t.trainee_id", kTrialEnd_us, kEndedTrial};

@@ -27,7 +27,7 @@ void OccasionRepository::add(const Occasion& occasion) {
 bool OccasionRepository::cameFromElsewhere(const CohortId& cohortId) const {
   return selectFirst(connection_,
                      "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id"
-                     " WHERE e.cohort_id = ? AND t.scene_id = ? LIMIT 1",
+                     " WHERE e.cohort_id = ? AND t.scene_id = ? AND t.phase_id IS NULL LIMIT 1",
                      {cohortId, std::string(kForeignScene)}, readText)
       .has_value();
 }

@@ -22,6 +22,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/job_panel.h"
 #include "app/report/wording.h"
 
 namespace torsio::gui {
@@ -30,7 +31,7 @@ namespace {
 
 constexpr int kDialogWidth = 860;
 constexpr int kFirstRows = 8;
-constexpr int kTableHeight = 260;
+constexpr int kTableHeight = 150;  // beside the fields of a data set it must fit 768 pixels
 
 }  // namespace
 
@@ -104,6 +105,7 @@ void ExportDialog::build() {
   column->addLayout(form);
   column->addWidget(rows_, 1);
   column->addWidget(done_);
+  followJobs(*column);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   save_ = buttons->addButton(tr("&Save\u2026"), QDialogButtonBox::ActionRole);
   save_->setObjectName(QStringLiteral("save"));
@@ -118,6 +120,51 @@ void ExportDialog::build() {
     read();
   });
   connect(freeText_, &QCheckBox::toggled, this, &ExportDialog::read);
+}
+
+/// The window behind cannot be reached while this one is open: progress, a way to give up and what went wrong
+/// stand here.
+void ExportDialog::followJobs(QVBoxLayout& column) {
+  job_ = new JobPanel(this);
+  column.addWidget(job_);
+  connect(job_, &JobPanel::cancelled, this, [this] { shell_.cancelJobs(); });
+  connect(&shell_, &ShellContext::jobStarted, this, [this](const QString& title) {
+    busy_ = true;
+    setLook(done_, "caution", false);
+    done_->clear();
+    job_->begin(title);
+  });
+  connect(&shell_, &ShellContext::jobMoved, job_, &JobPanel::move);
+  connect(&shell_, &ShellContext::jobEnded, this, [this] {
+    busy_ = false;
+    job_->end();
+  });
+  connect(
+      &shell_, &ShellContext::jobEnded, this,
+      [this] {
+        if (closing_ && !busy_) {  // after whatever followed the job
+          QDialog::reject();
+        }
+      },
+      Qt::QueuedConnection);
+  connect(&shell_, &ShellContext::failed, this, [this](const QString& happened, const QString& remedy) {
+    setLook(done_, "caution", true);
+    done_->setText(happened + QStringLiteral(". ") + remedy);
+  });
+  connect(&shell_, &ShellContext::noticed, this, [this](const QString& words) { done_->setText(words); });
+}
+
+void ExportDialog::choose(Form form) {
+  form_->setCurrentIndex(form_->findData(static_cast<int>(form)));
+}
+
+void ExportDialog::reject() {
+  if (!busy_) {
+    QDialog::reject();
+    return;
+  }
+  closing_ = true;
+  shell_.cancelJobs();
 }
 
 void ExportDialog::buildDataset(QFormLayout& form) {
@@ -245,7 +292,11 @@ void ExportDialog::showTable() {
   for (int r = 0; r < count; ++r) {
     const auto& cells = shown.rows[static_cast<std::size_t>(r)];
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      rows_->setItem(r, static_cast<int>(c), new QTableWidgetItem(toQString(cellText(cells[c]))));
+      auto* item = new QTableWidgetItem(toQString(cellText(cells[c])));
+      if (!std::holds_alternative<std::string>(cells[c])) {
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      }
+      rows_->setItem(r, static_cast<int>(c), item);
     }
   }
   rows_->resizeColumnsToContents();
@@ -276,7 +327,6 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
   if (isDataset() && !attempt(shell_, [this] { requireWhole(dataset().about); })) {
     return;
   }
-  done_->clear();
   auto written = std::make_shared<ExchangeFiles>();
   shell_.run(
       tr("Writing the export"),

@@ -15,9 +15,11 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
+class QVBoxLayout;
 
 namespace torsio::gui {
 
+class JobPanel;
 class ShellContext;
 
 /// A cohort's data for other programs: which one, how people appear, a look at what will be in it, where it
@@ -35,12 +37,17 @@ class ExportDialog : public QDialog {
 
   /// Writes in the chosen form, beside the window; what went wrong is said. Does nothing while data are read.
   void writeTo(const std::filesystem::path& place);
+  /// Shows a format.
+  void choose(Form form);
+  /// While something is read or written: gives it up first.
+  void reject() override;
 
  private:
   void build();
   void read();
   void showTable();
   void askPlace();
+  void followJobs(QVBoxLayout& column);
   void buildDataset(QFormLayout& form);
   [[nodiscard]] Form chosen() const;
   [[nodiscard]] bool isDataset() const;
@@ -68,6 +75,9 @@ class ExportDialog : public QDialog {
   QTableWidget* rows_;
   QLabel* done_;
   QPushButton* save_ = nullptr;
+  JobPanel* job_ = nullptr;
+  bool busy_ = false;
+  bool closing_ = false;
 };
 
 }  // namespace torsio::gui

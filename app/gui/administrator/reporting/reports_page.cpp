@@ -276,6 +276,16 @@ void ReportsPage::askOther() {
   attempt(shell(), [&] { ExportDialog(shell(), request(), digests_, reportLanguage(), this).exec(); });
 }
 
+ExportDialog& ReportsPage::placeExport() {
+  auto* dialog = new ExportDialog(shell(), request(), digests_, reportLanguage(), window());
+  dialog->setWindowFlags(Qt::Widget);
+  dialog->setAutoFillBackground(true);
+  shell().waitForJobs();
+  dialog->resize(dialog->sizeHint());
+  dialog->show();
+  return *dialog;
+}
+
 void ReportsPage::askOrigin(const QString& address) {
   if (!inputs_) {
     return;

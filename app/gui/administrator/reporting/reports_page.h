@@ -12,6 +12,7 @@ class QPushButton;
 
 namespace torsio::gui {
 
+class ExportDialog;
 class PageHeading;
 class ReportPreview;
 
@@ -36,6 +37,8 @@ class ReportsPage : public Page {
 
   /// Waits until the report is prepared: pictures and tests.
   void settle();
+  /// Puts the dialog of exports on the page, for pictures.
+  ExportDialog& placeExport();
 
   [[nodiscard]] const std::shared_ptr<CohortInputs>& inputs() const noexcept { return inputs_; }
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/database_option.h"
+#include "app/cli/json_output.h"
+#include "app/devices/device_choice.h"
+#include "app/recording/replay_service.h"
+#include "app/tracker/instrument_outlet.h"
+#include "app/tracker/tracker_choice.h"
+#include "app/tracker/tracker_link.h"
+#include "assessment/report/number_format.h"
+#include "sim/base/clock.h"
+#include "sim/base/error.h"
+#include "sim/base/live_of_sample.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio::cli {
+
+namespace {
+
+constexpr double kLongestWatch_s = 86'400.0;
+constexpr double kLookEvery_s = 0.1;
+constexpr std::int64_t kSendEvery_us = 16'000;
+constexpr double kMillimetres = 1e3;
+
+struct TrackerArguments {
+  TrackerPlace place;
+  double seconds = 5.0;
+  bool json = false;
+  bool none = false;
+  std::uint16_t outletPort = kIgtlPort;
+  std::string outletAddress = "127.0.0.1";
+  std::string run;
+  DatabaseOption database;
+};
+
+const char* stageWord(TrackerStage stage) {
+  switch (stage) {
+    case TrackerStage::kSeeking:
+      return "no connection";
+    case TrackerStage::kWaiting:
+      return "connected, no pose yet";
+    case TrackerStage::kTracking:
+      return "tracking";
+    case TrackerStage::kSilent:
+      return "silent";
+  }
+  return "";
+}
+
+nlohmann::ordered_json placeJson(const Vec3& place_m) {
+  return {place_m.x * kMillimetres, place_m.y * kMillimetres, place_m.z * kMillimetres};
+}
+
+nlohmann::ordered_json trackerJson(const TrackerView& view) {
+  nlohmann::ordered_json out{{"stage", stageWord(view.stage)},
+                             {"trouble", view.trouble.str()},
+                             {"instrument", view.instrument},
+                             {"instruments", view.instruments},
+                             {"received", view.counts.received},
+                             {"missing", nullptr},
+                             {"late", view.counts.late},
+                             {"refused", view.counts.refused},
+                             {"times", view.stamped ? "of the tracker" : "of the arrival"},
+                             {"period_us", nullptr},
+                             {"position_mm", nullptr},
+                             {"orientation_wxyz", nullptr}};
+  if (view.stamped) {
+    out["missing"] = view.counts.missing;
+  }
+  if (view.period_us) {
+    out["period_us"] = *view.period_us;
+  }
+  if (view.counts.received > 0) {
+    const Quat& q = view.pose.orientation;
+    out["position_mm"] = placeJson(view.pose.position_m);
+    out["orientation_wxyz"] = {q.w, q.x, q.y, q.z};
+  }
+  return out;
+}
+
+void printTracker(const TrackerView& view) {
+  std::cout << stageWord(view.stage);
+  if (!view.trouble.empty()) {
+    std::cout << ": " << view.trouble.str();
+  }
+  std::cout << "\n";
+  if (view.counts.received == 0) {
+    return;
+  }
+  const Vec3 mm = view.pose.position_m * kMillimetres;
+  std::cout << "Instrument: " << view.instrument << " at " << formatFixed(mm.x, 1) << " "
+            << formatFixed(mm.y, 1) << " " << formatFixed(mm.z, 1) << " mm\nPoses: " << view.counts.received
+            << ", missing " << (view.stamped ? std::to_string(view.counts.missing) : "not known") << ", late "
+            << view.counts.late << ", refused " << view.counts.refused << "\n";
+}
+
+void watch(const TrackerArguments& given) {
+  requireTime(given.seconds, kLongestWatch_s, Text::verbatim("the time to watch"));
+  const TrackerLink link(given.place);
+  const MonotonicClock clock;
+  const std::int64_t end_us = clock.now_us() + static_cast<std::int64_t>(given.seconds * 1e6);
+  while (clock.now_us() < end_us) {
+    pause_s(kLookEvery_s);
+  }
+  const TrackerView view = link.view();
+  if (given.json) {
+    printJson(trackerJson(view));
+  } else {
+    printTracker(view);
+  }
+  if (view.counts.received == 0) {
+    throw Error(ErrorCode::kDevice,
+                view.trouble.empty() ? Text::verbatim("no pose of an instrument came") : view.trouble,
+                given.place.address + ":" + std::to_string(given.place.port),
+                Text::verbatim("Look whether the tracker runs, and at address, port and instrument"));
+  }
+}
+
+void remember(const TrackerArguments& given, bool outlet) {
+  TrackerChoice choice = rememberedTracker();
+  if (outlet) {
+    choice.outletPort = given.none ? std::uint16_t{0} : given.outletPort;
+    choice.outletAddress = given.outletAddress;
+  } else {
+    choice.tracker = given.none ? std::nullopt : std::optional(given.place);
+  }
+  rememberTracker(choice);
+  const TrackerChoice kept = rememberedTracker();
+  std::cout << "Tracker of the real arm: "
+            << (kept.tracker ? kept.tracker->address + ":" + std::to_string(kept.tracker->port)
+                             : std::string("none"))
+            << "\nThe simulator's instrument is offered: "
+            << (kept.outletPort != 0 ? "at " + kept.outletAddress + ":" + std::to_string(kept.outletPort)
+                                     : std::string("nowhere"))
+            << "\n";
+}
+
+/// As fast as it was recorded.
+void send(const TrackerArguments& given) {
+  requireTime(given.seconds, kLongestWatch_s, Text::verbatim("the time to wait"));
+  const std::vector<Sample> samples = decodeTrial(loadStoredTrial(given.database.locator(), given.run));
+  InstrumentOutlet outlet(given.outletAddress, given.outletPort);
+  const MonotonicClock clock;
+  const std::int64_t patience_us = clock.now_us() + static_cast<std::int64_t>(given.seconds * 1e6);
+  while (outlet.view().watchers == 0) {
+    if (clock.now_us() > patience_us) {
+      const OutletView view = outlet.view();
+      throw Error(ErrorCode::kDevice,
+                  view.trouble.empty() ? Text::verbatim("nobody has connected") : view.trouble,
+                  given.outletAddress + ":" + std::to_string(given.outletPort),
+                  Text::verbatim("Connect the other program within --wait seconds"));
+    }
+    pause_s(kLookEvery_s);
+  }
+  const std::int64_t began_us = clock.now_us();
+  const std::int64_t first_us = samples.empty() ? 0 : samples.front().device.time_us;
+  std::int64_t due_us = 0;
+  ExercisePhase phase = ExercisePhase::kTracking;
+  for (const Sample& sample : samples) {
+    const std::int64_t at_us = sample.device.time_us - first_us;
+    if (at_us < due_us && sample.phase == phase) {
+      continue;
+    }
+    phase = sample.phase;
+    due_us = at_us + kSendEvery_us;
+    std::this_thread::sleep_for(std::chrono::microseconds(began_us + at_us - clock.now_us()));
+    outlet.show(liveStateOf(sample));
+  }
+  pause_s(kLookEvery_s);
+  const OutletView view = outlet.view();
+  if (given.json) {
+    printJson(nlohmann::ordered_json{{"sent", view.sent}, {"left_out", view.left}});
+  } else {
+    std::cout << "Sent " << view.sent << " poses, left out " << view.left << "\n";
+  }
+}
+
+void addPlace(CLI::App& command, TrackerArguments& given) {
+  command.add_option("--address", given.place.address, "Of the tracker; with --listen of this computer")
+      ->capture_default_str();
+  command.add_option("--port", given.place.port, "Its port")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 65535));
+  command.add_option("--instrument", given.place.instrument,
+                     "Name of the instrument as the tracker says it; else the first that comes");
+  command.add_flag("--listen", given.place.listens, "Wait for the tracker to call");
+}
+
+void addOutlet(CLI::App& command, TrackerArguments& given) {
+  command.add_option("--port", given.outletPort, "Where others connect")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 65535));
+  command
+      .add_option("--address", given.outletAddress,
+                  "Of this computer; 0.0.0.0 offers it to the whole network")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addTracker(CLI::App& program) {
+  auto given = std::make_shared<TrackerArguments>();
+  CLI::App* tracker = program.add_subcommand("tracker", "OpenIGTLink: a tracker on the real arm, and Slicer");
+  tracker->require_subcommand(1);
+
+  CLI::App* command = tracker->add_subcommand(
+      "watch", "Shows what a tracker sends; exit code 12 when no pose of the instrument comes");
+  addPlace(*command, *given);
+  command->add_option("--seconds", given->seconds, "How long")->capture_default_str();
+  command->add_flag("--json", given->json, "Print JSON");
+  command->callback([given] { watch(*given); });
+
+  command = tracker->add_subcommand("choose", "Remembers the tracker of this station's real arm");
+  addPlace(*command, *given);
+  command->add_flag("--none", given->none, "There is none any more");
+  command->callback([given] { remember(*given, false); });
+
+  command =
+      tracker->add_subcommand("offer", "Offers the simulator's instrument to other programs from now on");
+  addOutlet(*command, *given);
+  command->add_flag("--none", given->none, "Not any more");
+  command->callback([given] { remember(*given, true); });
+
+  command = tracker->add_subcommand("send", "Sends the instrument of a recorded run once, for a check");
+  command->add_option("RUN", given->run, "Id of the run, or its first characters")->required();
+  addDatabaseOption(*command, given->database);
+  addOutlet(*command, *given);
+  command->add_option("--wait", given->seconds, "Seconds to wait for the other program")
+      ->capture_default_str();
+  command->add_flag("--json", given->json, "Print JSON");
+  command->callback([given] { send(*given); });
+}
+
+}  // namespace torsio::cli

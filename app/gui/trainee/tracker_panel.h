@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QWidget>
+
+#include "app/gui/widgets/card.h"
+#include "app/tracker/tracker_link.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// The tracker on the instrument of the real arm: where it is, whether its poses come, and what they came to.
+/// GUI thread; the connection has a thread of its own.
+class TrackerPanel : public Card {
+  Q_OBJECT
+
+ public:
+  explicit TrackerPanel(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Shows this place and connects; empty: the usual one, without connecting.
+  void begin(const std::optional<TrackerPlace>& place);
+  /// Null: not connected.
+  [[nodiscard]] TrackerLink* link() const noexcept { return link_.get(); }
+  /// Shows how it stands now; call it a few times a second.
+  void follow(bool recording);
+  void retranslate();
+
+ Q_SIGNALS:
+  /// The link is about to go.
+  void lettingGo();
+
+ private:
+  void toggle();
+  void showPlace(const TrackerPlace& place);
+  [[nodiscard]] TrackerPlace shownPlace() const;
+  void showLink(bool recording);
+
+  ShellContext& shell_;
+  std::unique_ptr<TrackerLink> link_;
+  bool recording_ = false;
+  QLabel* addressLabel_ = nullptr;
+  QLineEdit* address_;
+  QLabel* portLabel_ = nullptr;
+  QSpinBox* port_;
+  QLabel* instrumentLabel_ = nullptr;
+  QLineEdit* instrument_;
+  QCheckBox* listens_;
+  QPushButton* connect_;
+  QLabel* status_;
+  QLabel* pose_;
+  QLabel* counts_;
+};
+
+}  // namespace torsio::gui
