@@ -127,20 +127,6 @@ SceneDescription describeOwn(const SceneRequest& request, const UsersOrgan& orga
   refusePattern(Text::tr("no scene has a pattern '%1'", request.pattern), known);
 }
 
-/// The scene asked for.
-SceneDescription describe(const SceneRequest& request) {
-  SceneDescription scene = readSceneFile(request.assets, request.id);
-  if (scene.organ.empty()) {
-    throw Error(ErrorCode::kFileMissing,
-                Text::tr("this was done on a mesh of the user's, which is not given"), "",
-                Text::tr("Give the mesh or organ file"));
-  }
-  if (!hasPattern(scene, request.pattern)) {
-    refusePattern(Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern), idsOf(scene));
-  }
-  return scene;
-}
-
 /// An organ of the user's: its ends are found unless they are given.
 void replaceOrgan(SceneDescription& scene, const SceneRequest& request, const UsersOrgan& organ) {
   scene.organ = *request.organFile;
@@ -178,6 +164,37 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
     }
     scene.material = findMaterial(request.assets, request.material, ErrorCode::kBadParameter, "");
   }
+}
+
+/// Tells whether a recording with these parameters was made on the scene.
+bool madeOn(SceneDescription scene, const SceneRequest& request) {
+  const std::size_t place = placeOfPattern(scene, request.pattern);
+  if (place >= scene.patterns.size()) {
+    return false;
+  }
+  applyWishes(scene, request);
+  return parametersText(scene, scene.patterns[place].pattern, false, request.tissue) == request.recorded;
+}
+
+/// The scene asked for, or its former state where a recording was made on that.
+SceneDescription describe(const SceneRequest& request, bool& former) {
+  SceneDescription scene = readSceneFile(request.assets, request.id);
+  if (request.former || (!request.recorded.empty() && !madeOn(scene, request))) {
+    std::optional<SceneDescription> before = readFormerScene(request.assets, request.id);
+    former = before && (request.former || madeOn(*before, request));
+    if (former) {
+      scene = std::move(*before);
+    }
+  }
+  if (scene.organ.empty()) {
+    throw Error(ErrorCode::kFileMissing,
+                Text::tr("this was done on a mesh of the user's, which is not given"), "",
+                Text::tr("Give the mesh or organ file"));
+  }
+  if (!hasPattern(scene, request.pattern)) {
+    refusePattern(Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern), idsOf(scene));
+  }
+  return scene;
 }
 
 /// The wall of an organ that came twisted; null where the pattern is to be twisted.
@@ -227,12 +244,13 @@ std::vector<std::string> patternIds(const fs::path& assets, const std::string& i
 Scene loadScene(const SceneRequest& request) {
   SceneDescription description;
   UsersOrgan own;
+  bool former = false;
   if (request.organFile) {
     own = loadUsersOrgan(request);
     description = describeOwn(request, own);
     replaceOrgan(description, request, own);
   } else {
-    description = describe(request);
+    description = describe(request, former);
     MeshImportOptions import;
     import.scale_m = description.organUnit_m;
     own.file.mesh = importMesh(description.organ, import, &own.repairs);
@@ -290,7 +308,8 @@ Scene loadScene(const SceneRequest& request) {
                request.tissue,
                std::move(hollow),
                description.organWarnings,
-               own.file.wall_m};
+               own.file.wall_m,
+               former};
 }
 
 }  // namespace torsio

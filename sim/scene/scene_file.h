@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ struct SceneDescription {
 /// naming the known scenes, {kBadData} naming file and field: malformed JSON, unknown, missing or wrong
 /// field, unknown material or instrument, number out of range.
 [[nodiscard]] SceneDescription readSceneFile(const std::filesystem::path& assets, const std::string& id);
+
+/// Reads the scene as it was before, assets/scenes/former/<id>.json: for recordings that were made on it.
+/// None where it has always been what it is. Throws as readSceneFile.
+[[nodiscard]] std::optional<SceneDescription> readFormerScene(const std::filesystem::path& assets,
+                                                              const std::string& id);
 
 /// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as
 /// readSceneFile.
