@@ -191,7 +191,9 @@ void writeMarkers(const std::filesystem::path& file, const std::vector<OrganMark
 std::vector<OrganMarker> readOrganMarkers(const std::filesystem::path& assets, const Scene& scene) {
   const std::filesystem::path file = assets / "organs" / (scene.id + "_markers.json");
   std::error_code failed;
-  return std::filesystem::exists(file, failed) ? readMarkers(file, scene) : std::vector<OrganMarker>{};
+  // A former organ has none: they lie on the organ of today.
+  return !scene.former && std::filesystem::exists(file, failed) ? readMarkers(file, scene)
+                                                                : std::vector<OrganMarker>{};
 }
 
 std::vector<OrganMarker> spreadMarkers(const Scene& scene) {

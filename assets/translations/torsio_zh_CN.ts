@@ -17399,6 +17399,86 @@ audit trail %3</source>
         <source>Too many wrong tries. Please wait %1</source>
         <translation>错误次数过多，请等待 %1</translation>
     </message>
+    <message>
+        <source>side branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move its root to where the branch leaves the organ, or turn the direction of the cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing of the organ lies beyond the cut of its side branch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the side branch is more than a tenth of the organ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place or the direction of the side branch is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cut of the side branch is no simple loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of His</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antrum, back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antrum, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antrum, greater curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body, back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body, greater curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>body, lesser curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cardia, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fundus, back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fundus, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fundus, greater curvature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>incisura angularis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pylorus, front</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

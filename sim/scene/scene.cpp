@@ -128,20 +128,6 @@ SceneDescription describeOwn(const SceneRequest& request, const UsersOrgan& orga
   refusePattern(Text::tr("no scene has a pattern '%1'", request.pattern), known);
 }
 
-/// The scene asked for.
-SceneDescription describe(const SceneRequest& request) {
-  SceneDescription scene = readSceneFile(request.assets, request.id);
-  if (scene.organ.empty()) {
-    throw Error(ErrorCode::kFileMissing,
-                Text::tr("this was done on a mesh of the user's, which is not given"), "",
-                Text::tr("Give the mesh or organ file"));
-  }
-  if (!hasPattern(scene, request.pattern)) {
-    refusePattern(Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern), idsOf(scene));
-  }
-  return scene;
-}
-
 /// An organ of the user's: its ends are found unless they are given.
 void replaceOrgan(SceneDescription& scene, const SceneRequest& request, const UsersOrgan& organ) {
   scene.organ = *request.organFile;
@@ -181,6 +167,37 @@ void applyWishes(SceneDescription& scene, const SceneRequest& request) {
   }
 }
 
+/// Tells whether a recording with these parameters was made on the scene.
+bool madeOn(SceneDescription scene, const SceneRequest& request) {
+  const std::size_t place = placeOfPattern(scene, request.pattern);
+  if (place >= scene.patterns.size()) {
+    return false;
+  }
+  applyWishes(scene, request);
+  return parametersText(scene, scene.patterns[place].pattern, false, request.tissue) == request.recorded;
+}
+
+/// The scene asked for, or its former state where a recording was made on that.
+SceneDescription describe(const SceneRequest& request, bool& former) {
+  SceneDescription scene = readSceneFile(request.assets, request.id);
+  if (request.former || (!request.recorded.empty() && !madeOn(scene, request))) {
+    std::optional<SceneDescription> before = readFormerScene(request.assets, request.id);
+    former = before && (request.former || madeOn(*before, request));
+    if (former) {
+      scene = std::move(*before);
+    }
+  }
+  if (scene.organ.empty()) {
+    throw Error(ErrorCode::kFileMissing,
+                Text::tr("this was done on a mesh of the user's, which is not given"), "",
+                Text::tr("Give the mesh or organ file"));
+  }
+  if (!hasPattern(scene, request.pattern)) {
+    refusePattern(Text::tr("scene '%1' has no pattern '%2'", scene.id, request.pattern), idsOf(scene));
+  }
+  return scene;
+}
+
 /// The wall of an organ that came twisted; null where the pattern is to be twisted.
 std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const SceneRequest& request,
                                             const TwistPattern& pattern, const TwistModel& model,
@@ -210,7 +227,8 @@ SceneDescription describedOwn(const SceneRequest& request, const UsersOrgan& own
   return description;
 }
 
-Scene builtScene(const SceneRequest& request, SceneDescription description, UsersOrgan own) {
+/// `former`: the description is that of before, for a recording that was made on it.
+Scene builtScene(const SceneRequest& request, SceneDescription description, UsersOrgan own, bool former) {
   applyWishes(description, request);
   TriangleMesh mesh = std::move(own.file.mesh);
   const SectionLattice lattice(mesh, description.lattice);
@@ -264,7 +282,8 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
                request.tissue,
                std::move(hollow),
                description.organWarnings,
-               own.file.wall_m};
+               own.file.wall_m,
+               former};
 }
 
 }  // namespace
@@ -294,13 +313,14 @@ Scene loadScene(const SceneRequest& request) {
   if (request.organFile) {
     own = loadUsersOrgan(request);
     SceneDescription theirs = describedOwn(request, own);
-    return builtScene(request, std::move(theirs), std::move(own));
+    return builtScene(request, std::move(theirs), std::move(own), false);
   }
-  SceneDescription description = describe(request);
+  bool former = false;
+  SceneDescription description = describe(request, former);
   MeshImportOptions import;
   import.scale_m = description.organUnit_m;
   own.file.mesh = importMesh(description.organ, import, &own.repairs);
-  return builtScene(request, std::move(description), std::move(own));
+  return builtScene(request, std::move(description), std::move(own), former);
 }
 
 Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ) {
@@ -308,7 +328,7 @@ Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ) {
   own.file = std::move(organ);
   own.anatomyKnown = true;
   SceneDescription description = describedOwn(request, own);
-  return builtScene(request, std::move(description), std::move(own));
+  return builtScene(request, std::move(description), std::move(own), false);
 }
 
 }  // namespace torsio

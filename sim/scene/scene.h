@@ -86,6 +86,10 @@ struct SceneRequest {
   /// The model that answers the hand. One that runs beside the servo knows no tasks of a curved organ: it
   /// twists the organ about its own axis.
   TissueModel tissue = TissueModel::kTwist;
+  /// Parameters of a recording (TrialHeader::parametersJson): where they are not those of the scene but of
+  /// its former state, that is loaded. Empty: no recording.
+  std::string recorded;
+  bool former = false;  ///< load the former state of the scene, assets/scenes/former
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.
@@ -115,6 +119,7 @@ struct Scene {
   std::shared_ptr<const HollowOrgan> hollow{};
   std::vector<OrganWarning> organWarnings{};  ///< with which a user's organ was accepted
   std::optional<double> wall_m{};             ///< of a user's organ file that says it
+  bool former = false;                        ///< the former state of the scene: SceneRequest::former
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 

@@ -61,6 +61,10 @@ LatticeOptions readLattice(JsonFields& parent) {
   if (fields.has("free_cut")) {
     lattice.freeCut = readDirection(fields, "free_cut");
   }
+  if (fields.has("branch_root_mm") || fields.has("branch_cut")) {
+    lattice.branchRoot_m = fields.vector("branch_root_mm") * kMillimetre;
+    lattice.branchCut = readDirection(fields, "branch_cut");
+  }
   lattice.capRadius_m = fields.number("cap_radius_mm", 0.0, 200.0, 0.0) * kMillimetre;
   if (fields.has("ridge_zero")) {
     lattice.ridgeZero = readDirection(fields, "ridge_zero");
@@ -250,7 +254,29 @@ std::vector<PatternDescription> readPatterns(JsonFields& scene) {
   return patterns;
 }
 
-/// What the collision needs; the rest of the file is for views.
+SceneDescription readScene(const fs::path& assets, const fs::path& file, const std::string& id) {
+  const nlohmann::json json = readJson(file);
+  JsonFields fields(json, file.string());
+  SceneDescription scene;
+  scene.id = id;
+  scene.title = fields.text("title");
+  scene.provenance = fields.text("provenance");
+  if (id != kOwnOrganScene) {
+    scene.organ = assets / fields.text("organ");
+  }
+  scene.organUnit_m = lengthUnit_m(fields.text("organ_unit", "mm"));
+  scene.lattice = readLattice(fields);
+  scene.material = findMaterial(assets, fields.text("material"), ErrorCode::kBadData, file.string());
+  scene.formulation = fields.choice("formulation", {"saint-venant", "paper"}, 0) == 0
+                          ? Formulation::kSaintVenant
+                          : Formulation::kPaper;
+  scene.model = readModel(fields, scene.formulation);
+  scene.instrument = readInstrument(assets, fields.text("instrument"));
+  scene.restraints = readRestraints(fields);
+  scene.patterns = readPatterns(fields);
+  fields.finish();
+  return scene;
+}
 
 }  // namespace
 
@@ -320,28 +346,13 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
     throw Error(ErrorCode::kFileMissing, Text::tr("no scene is called '%1'", id),
                 (assets / "scenes").string(), Text::tr("Choose one of %1.", listed(known)));
   }
-  const fs::path file = assets / "scenes" / (own ? "own" : "") / (id + ".json");
-  const nlohmann::json json = readJson(file);
-  JsonFields fields(json, file.string());
-  SceneDescription scene;
-  scene.id = id;
-  scene.title = fields.text("title");
-  scene.provenance = fields.text("provenance");
-  if (!own) {
-    scene.organ = assets / fields.text("organ");
-  }
-  scene.organUnit_m = lengthUnit_m(fields.text("organ_unit", "mm"));
-  scene.lattice = readLattice(fields);
-  scene.material = findMaterial(assets, fields.text("material"), ErrorCode::kBadData, file.string());
-  scene.formulation = fields.choice("formulation", {"saint-venant", "paper"}, 0) == 0
-                          ? Formulation::kSaintVenant
-                          : Formulation::kPaper;
-  scene.model = readModel(fields, scene.formulation);
-  scene.instrument = readInstrument(assets, fields.text("instrument"));
-  scene.restraints = readRestraints(fields);
-  scene.patterns = readPatterns(fields);
-  fields.finish();
-  return scene;
+  return readScene(assets, assets / "scenes" / (own ? "own" : "") / (id + ".json"), id);
+}
+
+std::optional<SceneDescription> readFormerScene(const fs::path& assets, const std::string& id) {
+  const fs::path file = assets / "scenes" / "former" / (id + ".json");
+  std::error_code failed;
+  return fs::exists(file, failed) ? std::optional(readScene(assets, file, id)) : std::nullopt;
 }
 
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,11 @@ inline constexpr InstrumentRange kInstrumentReach_mm{0.5, 30.0};
 
 /// Reads assets/instruments/<id>.json, as far as the collision needs it. Throws as readSceneFile().
 [[nodiscard]] Instrument readInstrument(const std::filesystem::path& assets, const std::string& id);
+
+/// Reads the scene as it was before, assets/scenes/former/<id>.json: for recordings that were made on it.
+/// None where it has always been what it is. Throws as readSceneFile.
+[[nodiscard]] std::optional<SceneDescription> readFormerScene(const std::filesystem::path& assets,
+                                                              const std::string& id);
 
 /// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as
 /// readSceneFile.

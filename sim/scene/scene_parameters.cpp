@@ -38,15 +38,20 @@ Json toJson(const Vec3& v) {
 }
 
 Json toJson(const LatticeOptions& lattice) {
-  return {{"mode", nameOf(kModes, lattice.mode)},
-          {"spacing", nameOf(kSpacings, lattice.spacing)},
-          {"fixed_end_m", toJson(lattice.fixedEnd_m)},
-          {"free_end_m", toJson(lattice.freeEnd_m)},
-          {"fixed_cut", toJson(lattice.fixedCut)},
-          {"free_cut", toJson(lattice.freeCut)},
-          {"cap_radius_m", lattice.capRadius_m},
-          {"ridge_zero", toJson(lattice.ridgeZero)},
-          {"ridge_zero_fraction", lattice.ridgeZeroFraction}};
+  Json json{{"mode", nameOf(kModes, lattice.mode)},
+            {"spacing", nameOf(kSpacings, lattice.spacing)},
+            {"fixed_end_m", toJson(lattice.fixedEnd_m)},
+            {"free_end_m", toJson(lattice.freeEnd_m)},
+            {"fixed_cut", toJson(lattice.fixedCut)},
+            {"free_cut", toJson(lattice.freeCut)},
+            {"cap_radius_m", lattice.capRadius_m},
+            {"ridge_zero", toJson(lattice.ridgeZero)},
+            {"ridge_zero_fraction", lattice.ridgeZeroFraction}};
+  if (lattice.branchCut != Vec3{}) {  // of none nothing is said, so that the hashes of older trials stay true
+    json["branch_root_m"] = toJson(lattice.branchRoot_m);
+    json["branch_cut"] = toJson(lattice.branchCut);
+  }
+  return json;
 }
 
 Json toJson(const TurnTask& task) {
@@ -272,6 +277,7 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
   }
   try {
     SceneRequest request;
+    request.recorded = parametersJson;
     request.formulation = json.at("formulation") == nameOf(kFormulations, Formulation::kPaper)
                               ? Formulation::kPaper
                               : Formulation::kSaintVenant;

@@ -112,14 +112,15 @@ std::vector<ArmMarker> placeMarkers(const ArmShape& shape, const TriangleMesh& s
 
 }  // namespace
 
-Arm makeArm(const ArmMeasures& measures) {
+Arm makeArm(const ArmMeasures& measures, double edges) {
   const ArmShape shape(measures);
   TriangleMesh fine = fineSurface(shape);
   constexpr int kSmoothing = 6;
   smooth(fine, kSmoothing);
   Arm arm;
   const double websZ = shape.wristZ() + measures.palmLength_mm;
-  arm.surface = remeshed(fine, [&](const Vec3& p) { return edgeLength_mm(p, shape.wristZ(), websZ); });
+  arm.surface =
+      remeshed(fine, [&](const Vec3& p) { return edges * edgeLength_mm(p, shape.wristZ(), websZ); });
   constexpr double kOnPlane_mm = 1e-6;
   for (Vec3& v : arm.surface.vertices_m) {
     if (std::abs(v.z) < kOnPlane_mm) {
@@ -131,6 +132,11 @@ Arm makeArm(const ArmMeasures& measures) {
   arm.ridgeZero = {1, 0, 0};
   arm.markers = placeMarkers(shape, arm.surface);
   arm.freeEnd_m = arm.markers.back().position_m;
+  for (const Vec3& v : arm.surface.vertices_m) {
+    const double turn = portableAtan2(v.y, v.x) / (2.0 * kPi);
+    arm.texture.push_back(
+        {static_cast<float>(v.z / arm.freeEnd_m.z), static_cast<float>(turn - std::floor(turn))});
+  }
   return arm;
 }
 

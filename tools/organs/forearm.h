@@ -15,11 +15,17 @@ namespace torsio {
 struct ArmMeasures {
   double forearmLength_mm = 262.0;  ///< elbow crease to wrist crease
   std::array<double, 9> girth_mm{265, 278, 285, 268, 240, 210, 183, 172, 176};  ///< along the forearm
+  /// Width over thickness there.
+  std::array<double, 9> widthToDepth{1.10, 1.12, 1.15, 1.18, 1.22, 1.30, 1.36, 1.42, 1.42};
   double palmLength_mm = 116.0;  ///< wrist crease to middle finger crease
   double handBreadth_mm = 88.0;  ///< at the knuckles
   double handThickness_mm = 29.0;
   std::array<double, 5> fingerLength_mm{54, 69, 77, 71, 58};  ///< thumb to little finger
 };
+
+/// Gives the arm a wrist of this width and thickness: the girths of the whole forearm follow in proportion,
+/// its flatness towards the wrist only.
+void setWrist(ArmMeasures& measures, double width_mm, double thickness_mm);
 
 /// A named point on the skin.
 struct ArmMarker {
@@ -39,8 +45,10 @@ struct Arm {
   Vec3 freeEnd_m;   ///< tip of the middle finger
   Vec3 ridgeZero;   ///< radial
   std::vector<ArmMarker> markers;
+  std::vector<std::array<float, 2>> texture;  ///< TubeOrgan::texture, about the forearm's axis
 };
 
-[[nodiscard]] Arm makeArm(const ArmMeasures& measures = {});
+/// Draws it. `edges`: as for makeIntestine().
+[[nodiscard]] Arm makeArm(const ArmMeasures& measures = {}, double edges = 1.0);
 
 }  // namespace torsio

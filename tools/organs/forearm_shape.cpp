@@ -2,6 +2,7 @@
 #include "tools/organs/forearm_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double kExponent = 2.3;  // of the superellipse
 constexpr std::array<double, 9> kGirthAt{0, .10, .22, .35, .50, .65, .80, .92, 1};
-constexpr std::array<double, 9> kWidthToDepth{1.10, 1.12, 1.15, 1.18, 1.22, 1.30, 1.36, 1.42, 1.42};
 
 double power(double x, double exponent) {
   return x > 0.0 ? portableExp(exponent * portableLog(x)) : 0.0;
@@ -61,13 +61,13 @@ MonotoneCurve alongArm(const ArmMeasures& m, const std::function<double(std::siz
 
 MonotoneCurve halfWidths(const ArmMeasures& m) {
   return alongArm(
-      m, [&m](std::size_t i) { return kWidthToDepth[i] * m.girth_mm[i] / unitGirth(kWidthToDepth[i]); },
+      m, [&m](std::size_t i) { return m.widthToDepth[i] * m.girth_mm[i] / unitGirth(m.widthToDepth[i]); },
       [&m](const PalmRow& row) { return 0.5 * row.breadth * m.handBreadth_mm; });
 }
 
 MonotoneCurve halfDepths(const ArmMeasures& m) {
   return alongArm(
-      m, [&m](std::size_t i) { return m.girth_mm[i] / unitGirth(kWidthToDepth[i]); },
+      m, [&m](std::size_t i) { return m.girth_mm[i] / unitGirth(m.widthToDepth[i]); },
       [&m](const PalmRow& row) { return 0.5 * row.thickness * m.handThickness_mm; });
 }
 
@@ -95,6 +95,18 @@ std::vector<RoundCone> finger(const Vec3& crease, double splay_rad, double lengt
 }
 
 }  // namespace
+
+void setWrist(ArmMeasures& measures, double width_mm, double thickness_mm) {
+  constexpr double kFlatFrom = 0.5;  // of the way to the wrist
+  const double ratio = width_mm / thickness_mm;
+  const double flatter = ratio / measures.widthToDepth.back();
+  const double thicker = 0.5 * thickness_mm * unitGirth(ratio) / measures.girth_mm.back();
+  for (std::size_t i = 0; i < kGirthAt.size(); ++i) {
+    const double share = std::clamp((kGirthAt[i] - kFlatFrom) / (1.0 - kFlatFrom), 0.0, 1.0);
+    measures.widthToDepth[i] *= 1.0 + share * (flatter - 1.0);
+    measures.girth_mm[i] *= thicker;
+  }
+}
 
 ArmShape::ArmShape(const ArmMeasures& m)
     : wristZ_(m.forearmLength_mm), halfWidth_(halfWidths(m)), halfDepth_(halfDepths(m)), palmEndZ_(0.0) {

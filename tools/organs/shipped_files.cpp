@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
@@ -12,17 +15,20 @@
 #include "tools/organs/grasper.h"
 #include "tools/organs/stomach.h"
 #include "tools/organs/volvulus_organs.h"
+#include "tools/organs/whole_stomach.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kProvenance =
-    "synthetic: drawn by torsio_make_organs (assets/organs/generate), no patient data";
+constexpr const char* kProvenance = "synthetic: drawn by torsio_make_organs (tools/organs), no patient data";
 constexpr const char* kLicence = "CC0-1.0 or GPL-3.0-or-later, as you like";
 
-std::string ply(const TriangleMesh& mesh, const std::string& what, const std::string& dimensions) {
+std::string ply(const TriangleMesh& mesh, const std::string& what, const std::string& dimensions,
+                std::span<const std::array<float, 2>> texture = {}) {
   MeshExportOptions options;
+  options.texture = texture;
+  options.normals = !texture.empty();
   options.comments = {"Torsio: " + what, kProvenance, "dimensions: " + dimensions,
                       std::string("licence: ") + kLicence};
   return plyBytes(mesh, options);
@@ -63,6 +69,69 @@ class JsonObject {
   std::string indent_;
   std::string body_;
 };
+
+std::string ply(const TubeOrgan& organ, const std::string& what, const std::string& dimensions) {
+  return ply(organ.surface, what, dimensions, organ.texture);
+}
+
+std::string linesOf(const std::vector<std::string>& entries) {
+  std::string text = "[";
+  for (const std::string& entry : entries) {
+    text += (text.size() > 1 ? ",\n    " : "\n    ") + entry;
+  }
+  return text + "\n  ]";
+}
+
+std::string polyline(const std::vector<Vec3>& points_m) {
+  std::vector<std::string> points;
+  points.reserve(points_m.size());
+  for (const Vec3& p : points_m) {
+    points.push_back(millimetres(p));
+  }
+  return linesOf(points);
+}
+
+std::string placesJson(const std::vector<StomachPlace>& places) {
+  std::vector<std::string> entries;
+  for (const StomachPlace& place : places) {
+    JsonObject one("      ");
+    one.raw("number", std::to_string(entries.size() + 1))
+        .text("name", place.name)
+        .raw("position_mm", millimetres(place.position_m))
+        .raw("arc_mm", hundredths(place.arc_mm))
+        .raw("angle_deg", hundredths(place.angle_deg));
+    entries.push_back(one.lines());
+  }
+  return linesOf(entries);
+}
+
+std::string stomachJson(const WholeStomach& stomach) {
+  std::vector<std::string> wall;
+  for (const WallThickness& at : stomach.wall) {
+    std::string pair = "[";
+    pair.append(hundredths(at.share)).append(", ").append(hundredths(at.thickness_mm)).append("]");
+    wall.push_back(std::move(pair));
+  }
+  JsonObject json;
+  json.text("organ", "stomach.ply").text("provenance", kProvenance).text("licence", kLicence);
+  json.text(
+      "frame",
+      "LPS; arc_mm along the centreline from the pylorus towards the top of the fundus; angles about it, "
+      "right-handed in that direction, from the lesser curvature over the front and the greater curvature to "
+      "the back");
+  json.raw("fixed_end_mm", millimetres(stomach.organ.fixedEnd_m));
+  json.raw("free_end_mm", millimetres(stomach.organ.freeEnd_m));
+  json.raw("ridge_zero", vectorText(stomach.organ.ridgeZero));
+  json.raw("length_mm", hundredths(stomach.length_mm));
+  json.raw("cardia_mm", millimetres(stomach.cardia_m)).raw("oesophagus", vectorText(stomach.oesophagus));
+  json.raw("wall_mm", linesOf(wall));
+  json.raw("zero_line_mm", polyline(stomach.zeroLine_m));
+  json.raw("greater_omentum_mm", polyline(stomach.greaterOmentum_m));
+  json.raw("lesser_omentum_mm", polyline(stomach.lesserOmentum_m));
+  json.raw("markers", placesJson(stomach.markers));
+  json.raw("landmarks", placesJson(stomach.landmarks));
+  return json.lines() + "\n";
+}
 
 std::string markersJson(const Arm& arm) {
   std::string markers = "[";
@@ -112,24 +181,32 @@ std::string grasperJson(const Grasper& g) {
 
 std::vector<ShippedFile> shippedFiles() {
   const Arm arm = makeArm();
+  const WholeStomach stomach = makeWholeStomach();
   const Grasper grasper = makeGrasper();
   const std::string grasperSize = "a usual 5 mm laparoscopic grasper";
   return {
       {"organs/forearm.ply",
        ply(arm.surface, "right forearm and hand, straight, supinated",
-           "a man's means of ANSUR II (2012); fingers after Chatzioglou 2024, Anat Cell Biol 57:172")},
+           "a man's means of ANSUR II (2012); fingers after Chatzioglou 2024, Anat Cell Biol 57:172",
+           arm.texture)},
       {"organs/forearm_markers.json", markersJson(arm)},
       {"organs/stomach.ply",
+       ply(stomach.organ, "stomach with oesophagus, cardia, fundus, antrum, pylorus and bulb",
+           "centreline 267 mm, 0.73 l, moderately full; curvatures, widths and wall after sources on the "
+           "page of "
+           "organ dimensions")},
+      {"organs/stomach_markers.json", stomachJson(stomach)},
+      {"organs/former/stomach.ply",
        ply(makeStomach().surface, "J-shaped stomach, moderately full",
            "centreline 267 mm, 0.71 l, section widths after the BodyParts3D stomach and MRI of "
            "fed adults")},
       {"organs/intestine.ply",
-       ply(makeIntestine().surface, "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
-      {"organs/testis.ply", ply(makeTestis().surface, "left testis on its cord",
-                                "testis 50 x 30 x 20 mm, cord 60 mm long, 12 mm wide")},
-      {"organs/sigmoid.ply", ply(makeSigmoid().surface, "omega loop of sigmoid colon, dilated",
+       ply(makeIntestine(), "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
+      {"organs/testis.ply",
+       ply(makeTestis(), "left testis on its cord", "testis 50 x 30 x 20 mm, cord 60 mm long, 12 mm wide")},
+      {"organs/sigmoid.ply", ply(makeSigmoid(), "omega loop of sigmoid colon, dilated",
                                  "limbs 200 mm long on a root of 40 mm, 60 to 80 mm wide; assumed")},
-      {"organs/midgut.ply", ply(makeMidgut().surface, "pack of small-bowel coils on its stalk",
+      {"organs/midgut.ply", ply(makeMidgut(), "pack of small-bowel coils on its stalk",
                                 "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
       {"instruments/grasper.json", grasperJson(grasper)},
       {"instruments/gloved_hand.ply", ply(makeGlovedHand(), "gloved right hand about the end of a shaft",
@@ -138,6 +215,18 @@ std::vector<ShippedFile> shippedFiles() {
       {"instruments/grasper_jaw_upper.ply", ply(grasper.upperJaw, "upper jaw of a grasper", grasperSize)},
       {"instruments/grasper_jaw_lower.ply", ply(grasper.lowerJaw, "lower jaw of a grasper", grasperSize)},
   };
+}
+
+std::vector<ShippedFile> fineOrgans() {
+  // Edges by the root of the triangles' number.
+  const std::string dimensions = "as the shipped mesh";
+  const Arm arm = makeArm({}, 0.43);
+  return {{"forearm.ply", ply(arm.surface, "right forearm and hand", dimensions, arm.texture)},
+          {"stomach.ply", ply(makeWholeStomach(0.45).organ, "stomach", dimensions)},
+          {"intestine.ply", ply(makeIntestine(0.26), "loop of small intestine", dimensions)},
+          {"testis.ply", ply(makeTestis(0.46), "left testis on its cord", dimensions)},
+          {"sigmoid.ply", ply(makeSigmoid(0.465), "omega loop of sigmoid colon", dimensions)},
+          {"midgut.ply", ply(makeMidgut(0.433), "pack of small-bowel coils", dimensions)}};
 }
 
 }  // namespace torsio

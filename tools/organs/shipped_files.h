@@ -15,4 +15,7 @@ struct ShippedFile {
 /// All that torsio_make_organs writes. Some seconds.
 [[nodiscard]] std::vector<ShippedFile> shippedFiles();
 
+/// Draws the organs anew in about a hundred thousand triangles each; they are not shipped.
+[[nodiscard]] std::vector<ShippedFile> fineOrgans();
+
 }  // namespace torsio

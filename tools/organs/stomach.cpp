@@ -102,7 +102,7 @@ TubeOrgan makeStomach() {
   return organ;
 }
 
-TubeOrgan makeIntestine() {
+TubeOrgan makeIntestine(double edges) {
   // A loop in the frontal plane, slightly out of it, 200 mm long; mm, LPS.
   const SplineCurve centreline(
       {{-84, 0, 0}, {-61, 3, 26}, {-30.5, 4, 40}, {0, 2, 44.5}, {30.5, -2, 40}, {61, -5, 26}, {84, -4, 0}});
@@ -123,8 +123,10 @@ TubeOrgan makeIntestine() {
     return fade(share) * folds + wavesAt(kUneven, share, angle);
   };
   TubeOrgan organ;
-  organ.surface = inMetres(
-      remeshed(closedTube(frames, kAround, kDomes, size, bump), [](const Vec3&) { return kEdge_mm; }));
+  const TriangleMesh surface = remeshed(closedTube(frames, kAround, kDomes, size, bump),
+                                        [edges](const Vec3&) { return edges * kEdge_mm; });
+  organ.texture = textureAlong(surface, frames);
+  organ.surface = inMetres(surface);
   organ.fixedEnd_m = kMillimetre_m * frames.front().centre;
   organ.freeEnd_m = kMillimetre_m * frames.back().centre;
   organ.ridgeZero = frames.front().e1;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "sim/base/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
@@ -12,13 +15,18 @@ struct TubeOrgan {
   Vec3 fixedEnd_m;
   Vec3 freeEnd_m;
   Vec3 ridgeZero;  ///< direction from the axis in which ridge 0 lies
+  /// Of each vertex: share of the length along the organ, and of a turn about it from ridge 0; both 0..1. The
+  /// second jumps from 1 to 0 at ridge 0: unwrap it within a triangle.
+  std::vector<std::array<float, 2>> texture;
 };
 
-/// The default J-shaped stomach: pylorus fixed, fundus free, ridge 0 on the lesser curvature. Centreline
-/// 267 mm, about 710 ml; about ten thousand triangles.
+/// A J-shaped stomach without oesophagus: pylorus fixed, fundus free, ridge 0 on the lesser curvature.
+/// Centreline 267 mm, about 710 ml; about ten thousand triangles. Older recordings were made on it;
+/// makeWholeStomach() draws the one that is used now.
 [[nodiscard]] TubeOrgan makeStomach();
 
-/// A loop of small intestine, 200 mm long and about 27 mm wide, with gentle waves.
-[[nodiscard]] TubeOrgan makeIntestine();
+/// A loop of small intestine, 200 mm long and about 27 mm wide, with gentle waves. `edges`: length of the
+/// triangles' edges over that of the shipped mesh.
+[[nodiscard]] TubeOrgan makeIntestine(double edges = 1.0);
 
 }  // namespace torsio

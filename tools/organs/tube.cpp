@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/organs/tube.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/portable_math.h"
@@ -69,6 +70,24 @@ TriangleMesh closedTube(const std::vector<CurveFrame>& frames, std::size_t aroun
     mesh.triangles.push_back({last + i, last + next, ringCount * n + 1});
   }
   return mesh;
+}
+
+std::vector<std::array<float, 2>> textureAlong(const TriangleMesh& surface,
+                                               const std::vector<CurveFrame>& frames) {
+  std::vector<std::array<float, 2>> texture;
+  texture.reserve(surface.vertices_m.size());
+  for (const Vec3& p : surface.vertices_m) {
+    const auto nearest =
+        std::min_element(frames.begin(), frames.end(), [&p](const CurveFrame& a, const CurveFrame& b) {
+          return dot(p - a.centre, p - a.centre) < dot(p - b.centre, p - b.centre);
+        });
+    const Vec3 from = p - nearest->centre;
+    const double angle_rad = portableAtan2(dot(from, nearest->e2), dot(from, nearest->e1));
+    const double turn = angle_rad / (2.0 * kPi);
+    texture.push_back(
+        {static_cast<float>(nearest->arc / frames.back().arc), static_cast<float>(turn - std::floor(turn))});
+  }
+  return texture;
 }
 
 }  // namespace torsio

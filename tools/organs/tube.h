@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -29,5 +30,10 @@ struct Domes {
                                       const Domes& domes,
                                       const std::function<SectionSize(double share)>& size,
                                       const std::function<double(double share, double angle_rad)>& bump);
+
+/// Computes the texture coordinates of a surface about `frames` (TubeOrgan::texture), in the unit of the
+/// frames: the share of the length from the first frame, and of a turn from e1 over e2.
+[[nodiscard]] std::vector<std::array<float, 2>> textureAlong(const TriangleMesh& surface,
+                                                             const std::vector<CurveFrame>& frames);
 
 }  // namespace torsio

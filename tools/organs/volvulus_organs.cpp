@@ -34,6 +34,7 @@ double band(double angle_rad, double middle_rad, double halfWidth_rad) {
 TubeOrgan organOf(const TriangleMesh& fine, double edge_mm, const std::vector<CurveFrame>& frames) {
   TubeOrgan organ;
   organ.surface = remeshed(fine, [edge_mm](const Vec3&) { return edge_mm; });
+  organ.texture = textureAlong(organ.surface, frames);
   for (Vec3& v : organ.surface.vertices_m) {
     v *= kMillimetre_m;
   }
@@ -97,7 +98,7 @@ double coils_mm(const Vec3& p) {
 
 }  // namespace
 
-TubeOrgan makeTestis() {
+TubeOrgan makeTestis(double edges) {
   constexpr double kCord_mm = 6.0;
   constexpr double kLength_mm = 110.0;
   constexpr double kPole = 60.0 / kLength_mm;  // where the cord ends, as a share of the length
@@ -124,10 +125,10 @@ TubeOrgan makeTestis() {
         epididymis(share) * (1.3 * band(angle, back_rad, 0.62) - 0.3 * band(angle, back_rad, 0.95));
     return strands + ridge;
   };
-  return organOf(closedTube(frames, kAround, kDomes, size, bump), kEdge_mm, frames);
+  return organOf(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames);
 }
 
-TubeOrgan makeSigmoid() {
+TubeOrgan makeSigmoid(double edges) {
   // From the patient's left foot of the loop over its top to the right one; mm, LPS.
   const SplineCurve centreline({{28, 0, 0},
                                 {31, -2, 40},
@@ -163,10 +164,10 @@ TubeOrgan makeSigmoid() {
     const double ends = rise(share, 0.01, 0.06) * (1.0 - rise(share, 0.94, 0.99));
     return ends * (1.5 - 3.0 * valley - 4.0 * fold * (1.0 - valley));
   };
-  return organOf(closedTube(frames, kAround, kDomes, size, bump), kEdge_mm, frames);
+  return organOf(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames);
 }
 
-TubeOrgan makeMidgut() {
+TubeOrgan makeMidgut(double edges) {
   constexpr double kStalk_mm = 8.0;
   constexpr double kLength_mm = 130.0;
   constexpr double kPole = 60.0 / kLength_mm;
@@ -199,7 +200,7 @@ TubeOrgan makeMidgut() {
     const double share = (70.0 - v.y) / kLength_mm;
     v += outwards * (rise(share, kPole + 0.02, kPole + 0.12) * coils_mm(v));
   }
-  return organOf(fine, kEdge_mm, frames);
+  return organOf(fine, edges * kEdge_mm, frames);
 }
 
 }  // namespace torsio

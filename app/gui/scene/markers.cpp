@@ -44,6 +44,9 @@ using Attribute = QQuick3DGeometry::Attribute;
 }  // namespace
 
 std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets) {
+  if (scene.former) {
+    return {};  // they lie on the organ of today
+  }
   const std::filesystem::path path = assets / "organs" / (scene.id + "_markers.json");
   QFile file(QString::fromStdString(path.string()));
   if (!file.open(QIODevice::ReadOnly)) {

@@ -97,29 +97,41 @@ void drawBowel(QPainter& painter, double left, double right, double top, double 
   }
 }
 
+/// How much of its neighbours a stomach brings along.
+struct EndsOfStomach {
+  bool own = false;             ///< it has a stub of the oesophagus and the bulb of the duodenum
+  bool pylorusInPlace = false;  ///< else the antrum is turned away
+};
+
 /// What a stomach hangs between: the oesophagus, which comes from below the liver to the cardia, and the
-/// duodenum, which leads from the pylorus up to the gallbladder, round and behind the colon. Where the antrum
-/// is turned away, no open end is left in its place: the duodenum then comes from behind the gallbladder.
-void drawEndsOfStomach(QPainter& painter, const Theme& theme, bool pylorusInPlace) {
+/// duodenum, which leads from the pylorus up to the gallbladder, round and behind the colon. What the stomach
+/// has of them is not drawn a second time. Where the antrum is turned away, no open end is left in its place:
+/// the duodenum then comes from behind the gallbladder.
+void drawEndsOfStomach(QPainter& painter, const Theme& theme, const EndsOfStomach& ends) {
   const Tone tone = toneOf(theme, 8);
   QPainterPath duodenum(QPointF(-1.04, -0.14));
-  if (pylorusInPlace) {
-    duodenum = QPainterPath(QPointF(-0.58, -0.46));
-    duodenum.cubicTo(-0.68, -0.18, -0.88, -0.10, -1.04, -0.14);
+  if (ends.pylorusInPlace) {
+    duodenum = QPainterPath(ends.own ? QPointF(-0.72, -0.30) : QPointF(-0.58, -0.46));
+    duodenum.cubicTo(ends.own ? QPointF(-0.80, -0.14) : QPointF(-0.68, -0.18), QPointF(-0.88, -0.10),
+                     QPointF(-1.04, -0.14));
   }
   duodenum.cubicTo(-1.18, -0.40, -1.18, -1.15, -0.70, -1.25);
   drawTube(painter, duodenum, 0.25, tone);
   QPainterPath oesophagus(QPointF(-0.24, 1.45));
-  oesophagus.cubicTo(-0.24, 1.00, -0.18, 0.62, 0.10, 0.36);
+  if (ends.own) {
+    oesophagus.cubicTo(-0.24, 1.30, -0.22, 1.10, -0.16, 0.86);
+  } else {
+    oesophagus.cubicTo(-0.24, 1.00, -0.18, 0.62, 0.10, 0.36);
+  }
   drawTube(painter, oesophagus, 0.19, tone);
 }
 
-void drawUpperAbdomen(QPainter& painter, const Theme& theme, bool pylorusInPlace) {
+void drawUpperAbdomen(QPainter& painter, const Theme& theme, const EndsOfStomach& ends) {
   QPainterPath spleen(QPointF(1.25, 1.30));
   spleen.cubicTo(1.95, 1.45, 2.1, 0.55, 1.62, -0.05);
   spleen.cubicTo(1.32, 0.2, 1.2, 0.8, 1.25, 1.30);
   drawBody(painter, spleen, toneOf(theme, 320));
-  drawEndsOfStomach(painter, theme, pylorusInPlace);
+  drawEndsOfStomach(painter, theme, ends);
   QPainterPath colon(QPointF(-2.0, -0.75));
   colon.cubicTo(-1.2, -1.45, 0.9, -1.5, 1.9, -0.55);
   drawColon(painter, colon, 0.46, toneOf(theme, 20));
@@ -157,7 +169,12 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
       return;
     case Surroundings::kStomach:
     case Surroundings::kTurnedAntrum:
-      drawUpperAbdomen(painter, theme, kind == Surroundings::kStomach);
+    case Surroundings::kBareStomach:
+    case Surroundings::kBareTurnedAntrum:
+      drawUpperAbdomen(
+          painter, theme,
+          {.own = kind == Surroundings::kStomach || kind == Surroundings::kTurnedAntrum,
+           .pylorusInPlace = kind == Surroundings::kStomach || kind == Surroundings::kBareStomach});
       return;
     case Surroundings::kPelvis:
       drawPelvis(painter, theme);

@@ -138,12 +138,12 @@ void drawRing(QPainter& painter, const Theme& theme) {
 
 }  // namespace
 
-Surroundings surroundingsOf(std::string_view sceneId) {
+Surroundings surroundingsOf(std::string_view sceneId, bool former) {
   if (sceneId == "gastric-mesentero-axial") {
-    return Surroundings::kTurnedAntrum;
+    return former ? Surroundings::kBareTurnedAntrum : Surroundings::kTurnedAntrum;
   }
   if (sceneId == "stomach" || sceneId.starts_with("gastric")) {
-    return Surroundings::kStomach;
+    return former ? Surroundings::kBareStomach : Surroundings::kStomach;
   }
   if (sceneId == "sigmoid") {
     return Surroundings::kPelvis;

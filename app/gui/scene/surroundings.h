@@ -13,15 +13,19 @@ struct Theme;
 
 /// What lies behind an organ in the operating room.
 enum class Surroundings : std::uint8_t {
-  kDrape,         ///< a limb or a testis on a draped table
-  kStomach,       ///< the opened abdomen: oesophagus, duodenum, liver, spleen and colon in outline
-  kTurnedAntrum,  ///< the same without the way from pylorus to duodenum
-  kIntestine,     ///< the opened abdomen: loops of bowel in outline
-  kPelvis,        ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
+  kDrape,             ///< a limb or a testis on a draped table
+  kStomach,           ///< the opened abdomen about a stomach with oesophagus and bulb: where both go on, and
+                      ///< liver, spleen and colon in outline
+  kTurnedAntrum,      ///< the same without the way from the bulb into the duodenum
+  kBareStomach,       ///< the opened abdomen about a stomach without them: they are drawn up to it
+  kBareTurnedAntrum,  ///< the same without the way from pylorus to duodenum
+  kIntestine,         ///< the opened abdomen: loops of bowel in outline
+  kPelvis,  ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
 };
 
-/// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape.
-[[nodiscard]] Surroundings surroundingsOf(std::string_view sceneId);
+/// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape. `former`: the former
+/// state of the scene (SceneRequest::former).
+[[nodiscard]] Surroundings surroundingsOf(std::string_view sceneId, bool former = false);
 
 /// Half of the side of the painted square, in radii of the organ.
 inline constexpr float kSurroundingsReach = 3.2F;

@@ -10,7 +10,7 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   ViewScene view;
   const std::string& tissueId = tissue.empty() ? scene->id : tissue;
   view.look = tissueLook(tissueId);
-  view.surroundings = surroundingsOf(tissueId);
+  view.surroundings = surroundingsOf(tissueId, scene->former);
   view.surface = OrganSurface(scene->mesh);
   if (SceneCanvas::platformCanRender()) {
     view.skin = std::make_shared<const TissueSkin>(paintSkin(*scene, view.look));

@@ -471,6 +471,7 @@ void SimulationController::openReplay(const Trial& trial) {
   request.assets = request_.assets;
   request.id = trial.header.sceneId;
   request.pattern = trial.header.patternId;
+  request.recorded = trial.header.parametersJson;
   if (scene() != nullptr && scene()->organHash == trial.header.organHash) {
     request.organFile = request_.organFile;
     request.organScale_m = request_.organScale_m;

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/lattice/lattice_field.h"
+#include "sim/geometry/lattice/side_branch.h"
 
 namespace torsio {
 
@@ -76,7 +77,10 @@ std::vector<LatticeCoordinate> vertexCoordinatesOf(const LatticeField& field, co
 
 SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& options) : options_(options) {
   check(options);
-  LatticeField field = buildLatticeField(mesh, options);
+  if (options.branchCut != Vec3{}) {
+    trimmed_ = std::make_shared<const TrimmedOrgan>(mesh, options.branchRoot_m, options.branchCut);
+  }
+  LatticeField field = buildLatticeField(trimmed_ ? trimmed_->mesh() : mesh, options);
   centreline_ = field.centreline;
 
   const auto count = static_cast<std::size_t>(sections());
@@ -113,6 +117,10 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   }
   coordinates_ = vertexCoordinatesOf(field, outlines.front(), outlines.back());
   parts_ = field.parts;
+  if (trimmed_) {
+    coordinates_ = trimmed_->toWhole(coordinates_);
+    parts_ = trimmed_->toWhole(parts_);
+  }
   for (SectionOutline& outline : outlines) {
     keyPoints_m_.insert(keyPoints_m_.end(), outline.ridges_m.begin(), outline.ridges_m.end());
     outlines_m_.push_back(std::move(outline.points_m));
@@ -165,7 +173,9 @@ LatticePoint SectionLattice::surfacePoint(const LatticeCoordinate& coordinate) c
   TORSIO_EXPECTS(std::isfinite(coordinate.arc_m) && std::isfinite(coordinate.angle_rad));
   const double arc = std::clamp(coordinate.arc_m, 0.0, length_m());
   const LevelLoop loop = field_->loopAt(arc, "the section of the asked-for point");
-  return pointOnLoop(loop, frameAt(arc), field_->rule, coordinate.angle_rad, field_->mesh);
+  const LatticePoint point =
+      pointOnLoop(loop, frameAt(arc), field_->rule, coordinate.angle_rad, field_->mesh);
+  return trimmed_ ? trimmed_->toWhole(point) : point;
 }
 
 }  // namespace torsio

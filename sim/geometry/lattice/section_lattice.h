@@ -68,6 +68,11 @@ struct LatticeOptions {
   /// Ridge 0 starts nearest to this direction (world frame); zero: the frame's e1.
   Vec3 ridgeZero;
   double ridgeZeroFraction = 0.0;  ///< where along the length `ridgeZero` is meant, 0..1
+  /// What hangs on the side of the organ, as the oesophagus on the stomach: the piece beyond the plane
+  /// through `branchRoot_m` with the outward direction `branchCut`. It belongs to the surface but to no
+  /// section, and follows the places of the organ that it stands on. Zero: none.
+  Vec3 branchRoot_m;
+  Vec3 branchCut;
 };
 
 /// A point of the organ's surface at rest, as a point of one of its triangles.
@@ -78,6 +83,7 @@ struct LatticePoint {
 };
 
 struct LatticeField;
+class TrimmedOrgan;
 
 /// The paper's lattice of N ridges and M sections on the real outline (section 3.1, Eqs. 13, 14). Section
 /// index j counts from the fixed end (j = 0, the clamp) to the free end (j = M - 1); the paper's label i is M
@@ -120,6 +126,7 @@ class SectionLattice {
 
   /// Returns the surface point with these coordinates (inverse of vertexCoordinates on the side of the
   /// organ). `arc_m` is clamped to [0, length]; allocates, not for the tick.
+  /// Where a branch leaves the organ, the point of its rim that is nearest.
   [[nodiscard]] LatticePoint surfacePoint(const LatticeCoordinate& coordinate) const;
 
   /// Tells whether all sections are parallel planes (kStraightAxis, or kAutomatic on a straight bar).
@@ -138,6 +145,7 @@ class SectionLattice {
   RidgeSpacing spacing_ = RidgeSpacing::kArcLength;
   Centreline centreline_;
   std::shared_ptr<const LatticeField> field_;       // mesh with its two coordinates: surfacePoint
+  std::shared_ptr<const TrimmedOrgan> trimmed_;     // null without a branch
   std::vector<Vec3> keyPoints_m_;                   // [j * N + ridge]
   std::vector<std::vector<Point2>> outlines_m_;     // [j]
   std::vector<std::vector<double>> outlineAngles_;  // [j]

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdio>
+#include <vector>
 
 #include "sim/base/contracts.h"
 #include "sim/base/file_io.h"
@@ -24,12 +25,23 @@ std::array<float, 3> millimetres(const Vec3& v) {
           static_cast<float>(v.z * kMillimetres)};
 }
 
-void appendText(std::string& out, const std::array<float, 3>& p) {
-  std::array<char, 64> text{};
-  // Nine digits give back the same float.
-  std::snprintf(text.data(), text.size(), "%.9g %.9g %.9g", static_cast<double>(p[0]),
-                static_cast<double>(p[1]), static_cast<double>(p[2]));
-  out += text.data();
+void appendText(std::string& out, std::span<const float> numbers) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    std::array<char, 32> text{};
+    // Nine digits give back the same float.
+    std::snprintf(text.data(), text.size(), k == 0 ? "%.9g" : " %.9g", static_cast<double>(numbers[k]));
+    out += text.data();
+  }
+}
+
+void appendNumbers(std::string& out, std::span<const float> numbers, bool binary) {
+  if (!binary) {
+    appendText(out, numbers);
+    return;
+  }
+  for (const float x : numbers) {
+    appendLittleEndian(out, std::bit_cast<std::uint32_t>(x));
+  }
 }
 
 std::string safeComment(std::string text) {
@@ -51,6 +63,12 @@ std::string plyHeader(const TriangleMesh& mesh, const MeshExportOptions& options
   out += "comment unit millimetre, axes LPS (x left, y back, z up)\n";
   out += "element vertex " + std::to_string(mesh.vertices_m.size()) + "\n";
   out += "property float x\nproperty float y\nproperty float z\n";
+  if (options.normals) {
+    out += "property float nx\nproperty float ny\nproperty float nz\n";
+  }
+  if (!options.texture.empty()) {
+    out += "property float s\nproperty float t\n";
+  }
   if (!options.colours.empty()) {
     out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   }
@@ -63,17 +81,22 @@ std::string plyHeader(const TriangleMesh& mesh, const MeshExportOptions& options
 
 std::string plyBytes(const TriangleMesh& mesh, const MeshExportOptions& options) {
   TORSIO_EXPECTS(options.colours.empty() || options.colours.size() == mesh.vertices_m.size());
+  TORSIO_EXPECTS(options.texture.empty() || options.texture.size() == mesh.vertices_m.size());
   const bool binary = options.format == PlyFormat::kBinary;
+  const std::vector<Vec3> normals = options.normals ? vertexNormals(mesh) : std::vector<Vec3>{};
   std::string out = plyHeader(mesh, options);
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     const std::array<float, 3> p = millimetres(mesh.vertices_m[i]);
-    if (binary) {
-      for (const float x : p) {
-        appendLittleEndian(out, std::bit_cast<std::uint32_t>(x));
-      }
-    } else {
-      appendText(out, p);
+    std::vector<float> numbers(p.begin(), p.end());
+    if (options.normals) {
+      const Vec3& n = normals[i];
+      numbers.insert(numbers.end(),
+                     {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
     }
+    if (!options.texture.empty()) {
+      numbers.insert(numbers.end(), options.texture[i].begin(), options.texture[i].end());
+    }
+    appendNumbers(out, numbers, binary);
     if (!options.colours.empty()) {
       for (const std::uint8_t c : options.colours[i]) {
         if (!binary) {

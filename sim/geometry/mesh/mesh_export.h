@@ -19,6 +19,9 @@ struct MeshExportOptions {
   std::vector<std::string> comments;      ///< lines for the head of the file
   /// Colours, red, green and blue, one a vertex, or empty. PLY only.
   std::span<const std::array<std::uint8_t, 3>> colours;
+  bool normals = false;  ///< of the vertices, outwards. PLY only
+  /// Texture coordinates s and t, one pair a vertex, or empty. PLY only.
+  std::span<const std::array<float, 2>> texture{};
 };
 
 /// Writes a mesh as the bytes of a PLY file: single precision, millimetres, little endian when binary; the

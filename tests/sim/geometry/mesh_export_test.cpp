@@ -57,6 +57,24 @@ TEST(MeshExport, WritesColoursWithEachVertex) {
       ContractError);
 }
 
+TEST(MeshExport, WritesNormalsAndTextureCoordinatesWithEachVertex) {
+  const std::vector<std::array<float, 2>> texture{{0.0F, 0.25F}, {0.5F, 0.0F}, {1.0F, 0.75F}};
+  MeshExportOptions options;
+  options.format = PlyFormat::kAscii;
+  options.normals = true;
+  options.texture = texture;
+  TriangleMesh flat;
+  flat.vertices_m = {{0, 0, 0}, {0.001, 0, 0}, {0, 0.002, 0}};
+  flat.triangles = {{0, 1, 2}};
+
+  const std::string text = plyBytes(flat, options);
+
+  EXPECT_THAT(text, HasSubstr("property float nz\nproperty float s\nproperty float t\nelement face"));
+  EXPECT_THAT(text, HasSubstr("\n0 0 0 0 0 1 0 0.25\n1 0 0 0 0 1 0.5 0\n0 2 0 0 0 1 1 0.75\n3 0 1 2\n"));
+  options.texture = std::span(texture).first(2);
+  EXPECT_THROW((void)plyBytes(flat, options), ContractError);
+}
+
 TEST(MeshExport, WritesObjWithIndicesFromOne) {
   EXPECT_EQ(objText(oneTriangle()),
             "# unit millimetre, axes LPS (x left, y back, z up)\nv 0 0 0\nv 1.5 0 0\nv 0 -2 100\nf 1 2 3\n");

@@ -103,9 +103,11 @@ INSTANTIATE_TEST_SUITE_P(
     Shipped, OrganFile,
     ::testing::Values(
         // Sources: docs of the assets. Forearm 262 mm and hand 193 mm with bent fingers; forearm and hand of
-        // a man hold 1.3 to 2 litres. Stomach: checked box 166 x 99 x 189 mm, 711 ml.
+        // a man hold 1.3 to 2 litres. Stomach without oesophagus: checked box 166 x 99 x 189 mm, 711 ml.
         OrganCase{"forearm.ply", 1300, 2000, 446, 15000, 20000},
-        OrganCase{"stomach.ply", 690, 730, 189, 9000, 11000},
+        OrganCase{"former/stomach.ply", 690, 730, 189, 9000, 11000},
+        // The same curve a little wider, with stub, pylorus and bulb.
+        OrganCase{"stomach.ply", 690, 790, 198, 19000, 23000},
         OrganCase{"intestine.ply", 90, 115, 190, 5000, 9000},
         // Testis: an ellipsoid of 50 x 30 x 20 mm (15.7 ml), a cord of 60 mm and radius 6 (6.8 ml),
         // epididymis.
@@ -114,7 +116,10 @@ INSTANTIATE_TEST_SUITE_P(
         OrganCase{"sigmoid.ply", 1900, 2400, 309, 15000, 25000},
         // Midgut: an ellipsoid of 124 x 70 x 104 mm (473 ml) less the grooves, and a stalk of 12 ml.
         OrganCase{"midgut.ply", 380, 490, 134, 15000, 25000}),
-    [](const auto& test) { return fs::path(test.param.file).stem().string(); });
+    [](const auto& test) {
+      const fs::path file(test.param.file);
+      return file.parent_path().string() + file.stem().string();
+    });
 
 TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
   const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "forearm_markers.json"));

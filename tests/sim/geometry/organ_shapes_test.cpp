@@ -167,5 +167,30 @@ TEST(MakeArm, FollowsThePersonsMeasures) {
   EXPECT_NEAR(report.boxMin_m.z, 0.0, 2e-5);  // the elbow's disc; smoothing moves its rim by some micrometres
 }
 
+TEST(MakeArm, HasTheWristThatItIsGiven) {
+  ArmMeasures slim;
+  setWrist(slim, 56.0, 40.0);
+
+  const Arm arm = makeArm(slim);
+
+  const CollisionMesh skin(arm.surface);
+  const auto reach_mm = [&skin, &arm](const Vec3& way) {
+    double inside_m = 0.0;
+    double outside_m = 0.06;
+    for (int i = 0; i < 40; ++i) {
+      const double r = 0.5 * (inside_m + outside_m);
+      // Below the wrist bones.
+      (skin.closest(arm.wrist_m + Vec3{0, 0, -0.045} + r * way).distance_m < 0.0 ? inside_m : outside_m) = r;
+    }
+    return 1000.0 * inside_m;
+  };
+  EXPECT_NEAR(reach_mm({0, 1, 0}) + reach_mm({0, -1, 0}), 40.0, 2.5);
+  EXPECT_NEAR(reach_mm({1, 0, 0}) + reach_mm({-1, 0, 0}), 56.0, 3.0);
+  // A slimmer wrist belongs to a slimmer forearm.
+  ArmMeasures usual;
+  EXPECT_NEAR(slim.girth_mm[2] / usual.girth_mm[2], slim.girth_mm[8] / usual.girth_mm[8], 1e-12);
+  EXPECT_EQ(slim.widthToDepth[0], usual.widthToDepth[0]);
+}
+
 }  // namespace
 }  // namespace torsio

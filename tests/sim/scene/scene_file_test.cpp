@@ -74,7 +74,10 @@ TEST_F(SceneFile, IsReadInFull) {
   EXPECT_EQ(scene.id, "stomach");
   EXPECT_EQ(scene.organ, assets_ / "organs/stomach.ply");
   EXPECT_EQ(scene.lattice.mode, LatticeMode::kHarmonic);
-  EXPECT_NEAR(scene.lattice.fixedEnd_m.x, -0.049, 1e-12);
+  EXPECT_NEAR(scene.lattice.fixedEnd_m.x, -0.047, 1e-12);
+  EXPECT_NEAR(scene.lattice.branchRoot_m.z, 0.0404, 1e-12);
+  EXPECT_NEAR(norm(scene.lattice.branchCut), 1.0, 1e-12);
+  EXPECT_LT(scene.lattice.branchCut.x, 0.0);
   EXPECT_EQ(scene.material.id, "stomach-filled");
   EXPECT_EQ(scene.instrument.id, "grasper");
   EXPECT_EQ(scene.patterns.size(), 4U);

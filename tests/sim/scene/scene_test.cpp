@@ -102,6 +102,41 @@ TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
   }
 }
 
+TEST(Scene, RecordingsFindTheOrganThatTheyWereMadeOn) {
+  SceneRequest before = shipped("stomach", "partial");
+  before.former = true;
+  const Scene former = loadScene(before);
+  const Scene now = loadScene(shipped("stomach", "partial"));
+  ASSERT_TRUE(former.former);
+  EXPECT_FALSE(now.former);
+  // Of the version in which the stomach had no oesophagus.
+  EXPECT_EQ(former.organHash, "3e0358cdb25a1ef8a1a63d42fd9a7291e81a9cd9cfd2cd7c5ed75f9a845975f1");
+  EXPECT_NE(former.organHash, now.organHash);
+
+  for (const Scene* recorded : {&former, &now}) {
+    SceneRequest request = sceneRequestFor(recorded->parametersJson);
+    request.assets = kShippedAssets;
+    request.id = "stomach";
+
+    const Scene found = loadScene(request);
+
+    EXPECT_EQ(found.organHash, recorded->organHash);
+    EXPECT_EQ(found.parameterHash, recorded->parameterHash);
+    EXPECT_EQ(found.former, recorded->former);
+    EXPECT_EQ(found.id, "stomach");
+  }
+}
+
+TEST(Scene, HasAFormerStateOnlyWhereSomethingWasChanged) {
+  for (const char* id : {"stomach", "gastric-organo-axial", "gastric-mesentero-axial"}) {
+    const std::optional<SceneDescription> former = readFormerScene(kShippedAssets, id);
+    ASSERT_TRUE(former) << id;
+    EXPECT_EQ(former->id, id);
+    EXPECT_NE(former->organ, readSceneFile(kShippedAssets, id).organ) << id;
+  }
+  EXPECT_FALSE(readFormerScene(kShippedAssets, "forearm"));
+}
+
 TEST(Scene, HasTheFourGastricPatterns) {
   EXPECT_THAT(patternIds(kShippedAssets, "stomach"),
               ElementsAre("organo-axial", "mesentero-axial", "combined", "partial"));
@@ -139,7 +174,7 @@ TEST(Scene, HoldsTheCardiaOfTheStomachInEveryTask) {
 
     const Vec3 moved_m = scene.toDeformed_m(cardia_m, scene.stateAt(scene.pattern.targetAngle_rad));
 
-    EXPECT_LT(norm(moved_m - cardia_m), 0.005) << pattern;
+    EXPECT_LT(norm(moved_m - cardia_m), 0.006) << pattern;
   }
 }
 
