@@ -169,9 +169,10 @@ void turnAcross(ToolFrame& frame, const Vec3& towards) {
 
 ToolFrame frameOf(const WorkGrid& grid, const ToolVoxels& voxels, const ToolRequest& request) {
   const auto all = [](const Vec3&) { return true; };
-  auto [middle, direction] = lineThrough(voxels, request.shaft.value_or(Vec3{0, 0, 1}), all);
+  const auto whole = lineThrough(voxels, request.shaft.value_or(Vec3{0, 0, 1}), all);
+  Vec3 middle = whole.first;
   ToolFrame frame;
-  frame.z = fromTipToHand(grid, voxels, request, middle, direction);
+  frame.z = fromTipToHand(grid, voxels, request, middle, whole.second);
   for (int round = 0; round < 3; ++round) {  // the line of the shaft alone, without the jaws
     const double least = reachAlong(voxels, middle, frame.z).first;
     const auto [shaftMiddle, shaft] = lineThrough(voxels, frame.z, [&](const Vec3& place_mm) {
