@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kResolution_dpi = 600;
 constexpr double kChartHeight_mm = 61.0;
-constexpr double kCloudHeight_mm = 92.0;  // flat, a cloud hides its shape
+constexpr double kCloudHeight_mm = 84.0;  // flat, a cloud hides its shape; thirty values fit beneath
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend round the rows
 constexpr double kTallestChart_mm = 170.0;

@@ -4,11 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include "app/recording/pipeline.h"
 #include "app/review/rater_calibration.h"
 #include "assessment/rating/campaign.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/app/web/served_desk.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::web {
 namespace {
@@ -144,6 +149,7 @@ TEST(WebPages, TraineesReadTheirOwnRecordAndNobodyElses) {
   const WebAnswer run = one.get(path);
   ASSERT_EQ(run.status, 200) << run.body;
   EXPECT_TRUE(run.json().at("twists").is_array());
+  EXPECT_TRUE(run.json().at("verdict").is_null()) << "of no exercise: nobody is held to be able by it";
   EXPECT_EQ(one.get(path + "/recording").status, 200);
   EXPECT_EQ(two.get(path).status, 403);
   EXPECT_EQ(two.get(path + "/recording").status, 403);
@@ -151,6 +157,81 @@ TEST(WebPages, TraineesReadTheirOwnRecordAndNobodyElses) {
   EXPECT_EQ(transcript.status, 200);
   EXPECT_NE(transcript.body.find(own.at("code").get<std::string>()), std::string::npos);
   EXPECT_EQ(one.send("POST", "/api/own/remarks/x/reply", {{"text", "thank you"}}).status, 403);
+}
+
+/// A run of the first trainee at the only module of a curriculum that runs.
+void addRunAtAModule(ServedDesk& served) {
+  Connection& connection = served.centre.connection();
+  const Cohort cohort = StudyRepository(connection).cohorts().front();
+  CurriculumVersion version;
+  version.id = "version";
+  version.curriculumId = "curriculum";
+  version.createdUtc_us = cohort.createdUtc_us;
+  TrainingModule module;
+  module.id = "module";
+  module.code = "first";
+  module.title = "Quarter turn";
+  module.sceneId = "bar";
+  module.patternId = "bar";
+  module.mode = AttemptMode::kPractice;
+  module.tolerance_rad = 0.1;
+  version.modules.push_back(module);
+  StudyArm arm;  // of the only group
+  arm.id = "arm";
+  arm.code = "G1";
+  arm.label = "virtual";
+  version.arms.push_back(arm);
+  CurriculumRepository curricula(connection);
+  curricula.addCurriculum({version.curriculumId, "Twist basics", "", cohort.createdUtc_us, false});
+  curricula.addVersion(version, "office");
+  curricula.moveTo(version.id, CurriculumState::kRunning, "office", cohort.createdUtc_us);
+  curricula.assign(cohort.id, version.id);
+  const Enrolment enrolment = StudyRepository(connection).enrolments(cohort.id).front();
+  ScriptedTrial trial;
+  trial.recording = {.trialId = "run-at-a-module",
+                     .traineeCode = enrolment.traineeCode,
+                     .startedUtc_us = cohort.createdUtc_us + 1,
+                     .context = {.station = "station-7",
+                                 .enrolmentId = enrolment.id,
+                                 .moduleId = module.id,
+                                 .attemptMode = AttemptMode::kPractice}};
+  trial.duration_s = 0.5;
+  TrialRepository sink(connection, trial.recording.context);
+  recordScriptedTrial(barScene(), trial, sink);
+}
+
+TEST(WebPages, PassedAndMasteredNeverStandWithoutTheirErrorRates) {
+  ServedDesk served;
+  addRunAtAModule(served);
+  Connection& connection = served.centre.connection();
+  const Cohort cohort = StudyRepository(connection).cohorts().front();
+  const Enrolment enrolment = StudyRepository(connection).enrolments(cohort.id).front();
+  AccessRepository access(connection, PasswordCost::kTest);
+  access.addUser({.id = "u-one", .login = "one", .personId = enrolment.traineeId, .roles = {"trainee"}},
+                 kWebPassword);
+  access.setPassword("u-one", access.sealPassword("one", kWebPassword), false);
+  WebClient client = served.client();
+  ASSERT_TRUE(client.signIn("one", kWebPassword));
+
+  const json own = client.get("/api/own").json();
+  const json transcript = client.get("/api/own/transcript").json();
+
+  const auto hasRates = [](const json& verdict) {
+    return verdict.at("errors").get<std::string>().find("(false pass)") != std::string::npos;
+  };
+  ASSERT_EQ(own.at("modules").size(), 1U) << own.dump();
+  EXPECT_TRUE(hasRates(own.at("modules")[0].at("verdict")));
+  EXPECT_TRUE(hasRates(transcript.at("modules")[0].at("verdict")));
+  int atTheModule = 0;
+  for (const json& listed : own.at("runs")) {
+    const json run = client.get("/api/own/runs/" + listed.at("run").get<std::string>()).json();
+    EXPECT_TRUE(run.at("passed").is_boolean());
+    if (listed.at("title") == "Quarter turn") {
+      ++atTheModule;
+      EXPECT_TRUE(hasRates(run.at("verdict"))) << run.at("verdict");
+    }
+  }
+  EXPECT_EQ(atTheModule, 1);
 }
 
 TEST(WebPages, AdministratorsSeeTheDayAndWhoHasScored) {
