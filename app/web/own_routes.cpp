@@ -10,6 +10,7 @@
 #include "app/recording/competence_text.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
+#include "app/training/debrief_words.h"
 #include "app/training/next_steps.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
@@ -133,6 +134,31 @@ json twistJson(const TwistResult& twist) {
           {"passed", twist.passed}};
 }
 
+json findingJson(const Call& call, const DebriefFinding& finding, bool strength) {
+  return {{"text", said(call, findingText(finding, strength))},
+          {"advice", strength ? "" : said(call, adviceText(finding.metric))},
+          {"from_s", finding.when.from_s}};
+}
+
+/// What was asked for and what was good and bad of it, in the words of the window.
+json toldJson(const Call& call, const Debrief& shown) {
+  json checks = json::array();
+  for (const TargetCheck& check : shown.checks) {
+    checks.push_back({{"text", said(call, checkText(check, shown.twists.size()))}, {"passed", check.passed}});
+  }
+  json strengths = json::array();
+  for (const DebriefFinding& finding : shown.strengths) {
+    strengths.push_back(findingJson(call, finding, true));
+  }
+  json weaknesses = json::array();
+  for (const DebriefFinding& finding : shown.weaknesses) {
+    weaknesses.push_back(findingJson(call, finding, false));
+  }
+  return {{"checks", std::move(checks)},
+          {"strengths", std::move(strengths)},
+          {"weaknesses", std::move(weaknesses)}};
+}
+
 HttpResponse answerRun(Call& call) {
   const Debrief shown = debrief(call.context, runOf(call), assetsFolder());
   json twists = json::array();
@@ -152,6 +178,7 @@ HttpResponse answerRun(Call& call) {
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},
                      {"unfinished", shown.unfinishedTwists},
+                     {"told", toldJson(call, shown)},
                      {"twists", std::move(twists)},
                      {"bookmarks", std::move(bookmarks)}});
 }
