@@ -20,7 +20,6 @@
 #include "app/web/router.h"
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
-#include "assessment/metrics/metric_cards.h"
 #include "assessment/rating/written_words.h"
 #include "sim/base/angle.h"
 #include "sim/base/refusal.h"
@@ -81,7 +80,12 @@ json trendJson(const Call& call, const Trend& trend) {
   for (const TrendCurvePoint& point : trend.curve) {
     curve.push_back({point.attempt, scale * point.value, scale * point.lower, scale * point.upper});
   }
-  return {{"metric", said(call, Text(metricTitle(trend.metric)))},
+  const auto inWords = [&](const std::optional<double>& value) {
+    return value ? json(said(call, quantityText(trend.metric, *value))) : json(nullptr);
+  };
+  return {{"metric", said(call, metricName(trend.metric))},
+          {"last", inWords(trend.points.empty() ? std::nullopt : trend.points.back().value)},
+          {"wanted", inWords(trend.threshold)},
           {"unit", trend.unit == "rad" ? "\u00b0"
                    : trend.unit == "1" ? ""
                                        : trend.unit},
