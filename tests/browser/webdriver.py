@@ -100,7 +100,7 @@ class Browser:
             time.sleep(0.03)
 
     def text(self, css):
-        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css)
+        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css) or ""  # null while a page goes
 
     def says(self, css, text):
         return self.until(f"{css} says {text!r}", lambda: text in self.text(css))
