@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/browser_sessions.h"
 
+#include "db/connection/connection.h"
 #include "db/repository/people/access_repository.h"
 
 namespace torsio {
@@ -11,6 +12,14 @@ std::string passwordStamp(SessionContext& session, const UserId& userId) {
 
 void requireSessionsOfOthers(SessionContext& session) {
   session.require(Operation::kUserManage);
+}
+
+void endBrowserSessions(SessionContext& session, const UserId& userId) {
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  AccessRepository(session.connection()).endSessions(userId);
+  noteEndedSessions(session, userId);
+  transaction.commit();
 }
 
 void noteEndedSessions(SessionContext& session, const UserId& userId) {

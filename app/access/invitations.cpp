@@ -123,6 +123,64 @@ std::vector<Invitation> invite(SessionContext& session, std::span<const UserId> 
   return made;
 }
 
+std::vector<HandedInvitation> inviteOrAsk(SessionContext& session, std::span<const UserId> userIds,
+                                          const std::string& reason) {
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  const std::vector<UserAccount> users = AccessRepository(session.connection()).users();
+  std::vector<UserId> alone;
+  std::vector<HandedInvitation> handed;
+  for (const UserId& id : userIds) {
+    const UserAccount user = accountToInvite(session, users, id);
+    if (passwordNeedsTwo(session, user)) {
+      const std::string code =
+          askSecondPerson(session, {.act = DutyAct::kInvite, .subject = id, .reason = reason});
+      handed.push_back({.userId = id, .login = user.login, .code = code});
+    } else {
+      alone.push_back(id);
+    }
+  }
+  if (!alone.empty() || userIds.empty()) {
+    for (const Invitation& one : invite(session, alone)) {
+      handed.push_back({one.userId, one.login, one.secret, "", one.expiresUtc_us});
+    }
+  }
+  transaction.commit();
+  return handed;
+}
+
+HandedInvitation confirmInvitation(SessionContext& session, const std::string& requestId) {
+  session.require(Operation::kUserManage);
+  for (const OpenRequest& open : openRequests(session)) {
+    if (open.request.id == requestId && open.request.act == DutyAct::kInvite) {
+      return {.userId = UserId(open.request.subject),
+              .login = open.shown,
+              .secret = confirmRequest(session, requestId),
+              .expiresUtc_us = session.now_us() + kInvitationLife_us};
+    }
+  }
+  refuseParameter(Text::tr("nobody asks for this invitation any more"), "", Text::tr("Read the list again"));
+}
+
+Text invitationSubject(const std::string& centre) {
+  return Text::tr("Invitation to Torsio at %1", centre);
+}
+
+Text invitationWords(const std::string& centre, const std::string& login, const std::string& link,
+                     const std::string& until) {
+  return Text::tr(
+      "You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a "
+      "password:\n%2\nYour sign-in name is %3. The link is good once, until %4, and for you alone: please do "
+      "not pass it on.",
+      centre, link, login, until);
+}
+
+Text invitationCodeWords(const std::string& centre, const std::string& code) {
+  return Text::tr(
+      "The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.", centre,
+      code);
+}
+
 std::size_t revokeInvitations(SessionContext& session, std::span<const UserId> userIds,
                               const std::string& reason) {
   session.require(Operation::kUserManage);

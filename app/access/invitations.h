@@ -10,6 +10,7 @@
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
 #include "sim/base/ids.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -43,6 +44,29 @@ struct Invitation {
 /// asks for it (askSecondPerson) and hands over the code, another confirms it (confirmRequest) and hands over
 /// the link, which is of no use without the code.
 [[nodiscard]] std::vector<Invitation> invite(SessionContext& session, std::span<const UserId> userIds);
+/// What is handed over to somebody who was invited, shown once: a link, or the code of a link that another
+/// administrator hands over.
+struct HandedInvitation {
+  UserId userId{};
+  std::string login{};
+  std::string secret{};            ///< of invitationLink(); empty: somebody else gets it
+  std::string code{};              ///< empty: none is needed, or somebody else has it
+  std::int64_t expiresUtc_us = 0;  ///< of the link
+};
+/// Invites by whatever the centre's rule asks: where two people are needed, asks for the second one and
+/// returns the code. Audited. kUserManage. Throws as invite() and askSecondPerson().
+[[nodiscard]] std::vector<HandedInvitation> inviteOrAsk(SessionContext& session,
+                                                        std::span<const UserId> userIds,
+                                                        const std::string& reason);
+/// Confirms what somebody else asked for by inviteOrAsk(). Audited. kUserManage. Throws Error as
+/// confirmRequest().
+[[nodiscard]] HandedInvitation confirmInvitation(SessionContext& session, const std::string& requestId);
+/// The words that go with a link or with a code, to be sent or read out. `until`: as the reader writes a
+/// time.
+[[nodiscard]] Text invitationSubject(const std::string& centre);
+[[nodiscard]] Text invitationWords(const std::string& centre, const std::string& login,
+                                   const std::string& link, const std::string& until);
+[[nodiscard]] Text invitationCodeWords(const std::string& centre, const std::string& code);
 /// Takes the links of these users back. Audited. kUserManage. Returns how many were open. Throws
 /// Error{kBadParameter} without a reason.
 std::size_t revokeInvitations(SessionContext& session, std::span<const UserId> userIds,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <csignal>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <pthread.h>
 #include <string>
 #include <utility>
@@ -27,6 +29,7 @@ struct ServeArguments {
   std::string certificate;
   std::string key;
   std::string publicUrl;
+  bool quiet = false;
 };
 
 /// Names and marks travel: off this machine only encrypted, by this server or by a proxy before it.
@@ -60,6 +63,13 @@ sigset_t endingSignals() {
   return signals;
 }
 
+/// One line at a time, to standard error: a service's log keeps it, with its own time.
+void writeAccess(const std::string& line) {
+  static std::mutex one;
+  const std::lock_guard lock(one);
+  std::cerr << line << "\n";
+}
+
 void serve(const ServeArguments& arguments) {
   const web::HttpAddress address = web::addressOf(arguments.listen);
   requireEncryption(arguments, address);
@@ -70,7 +80,10 @@ void serve(const ServeArguments& arguments) {
   const std::string locator = arguments.database.locator();
   (void)openDatabase(locator, OpenMode::kReadWrite);  // no new centre is founded here
   const sigset_t signals = endingSignals();
-  web::WebDesk desk({.locator = locator, .assets = assetsFolder(), .publicUrl = arguments.publicUrl});
+  web::WebDesk desk({.locator = locator,
+                     .assets = assetsFolder(),
+                     .publicUrl = arguments.publicUrl,
+                     .accessLog = arguments.quiet ? std::function<void(const std::string&)>() : writeAccess});
   const web::HttpServer server(address, tls, {},
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
                                  desk.handle(std::move(request), std::move(reply));
@@ -95,6 +108,7 @@ void addServe(CLI::App& program) {
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,
                       "https://... as browsers reach it through a proxy");
+  command->add_flag("--quiet", arguments->quiet, "Writes no line for each answer");
   command->callback([arguments] { serve(*arguments); });
 }
 

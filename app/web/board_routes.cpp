@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include <QDateTime>
+
+#include "app/study/alert_words.h"
 #include "app/study/cohort_service.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
@@ -38,6 +41,15 @@ CohortId cohortOf(const Call& call) {
   return CohortId(what.substr(std::string(kCohort).size()));
 }
 
+/// "14:05", with its day where that is not today; by the clock of the server's place, as at a station there.
+std::string hourOf(std::int64_t utc_us) {
+  const QDateTime time = QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
+  return time
+      .toString(time.date() == QDate::currentDate() ? QStringLiteral("HH:mm")
+                                                    : QStringLiteral("yyyy-MM-dd HH:mm"))
+      .toStdString();
+}
+
 json stationJson(const StationState& station, std::int64_t asOfUtc_us) {
   return {{"station", station.station},
           {"trainee", station.ended ? "" : station.traineeCode},
@@ -68,8 +80,15 @@ HttpResponse answerBoard(Call& call) {
   for (const StationState& station : board.stations) {
     stations.push_back(stationJson(station, board.asOfUtc_us));
   }
-  return jsonAnswer(
-      {{"name", board.cohortName}, {"rows", std::move(rows)}, {"stations", std::move(stations)}});
+  json alerts = json::array();
+  for (const RunDayAlert& alert : runDayAlerts(board)) {
+    alerts.push_back(
+        call.wording(alertText(alert, hourOf(alert.sinceUtc_us), Text(alert.occasion.label))).toStdString());
+  }
+  return jsonAnswer({{"name", board.cohortName},
+                     {"alerts", std::move(alerts)},
+                     {"rows", std::move(rows)},
+                     {"stations", std::move(stations)}});
 }
 
 HttpResponse answerScored(Call& call) {

@@ -10,6 +10,7 @@
 #include "app/recording/competence_text.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
+#include "app/training/debrief_words.h"
 #include "app/training/next_steps.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
@@ -19,7 +20,6 @@
 #include "app/web/router.h"
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
-#include "assessment/metrics/metric_cards.h"
 #include "assessment/rating/written_words.h"
 #include "sim/base/angle.h"
 #include "sim/base/refusal.h"
@@ -80,7 +80,12 @@ json trendJson(const Call& call, const Trend& trend) {
   for (const TrendCurvePoint& point : trend.curve) {
     curve.push_back({point.attempt, scale * point.value, scale * point.lower, scale * point.upper});
   }
-  return {{"metric", said(call, Text(metricTitle(trend.metric)))},
+  const auto inWords = [&](const std::optional<double>& value) {
+    return value ? json(said(call, quantityText(trend.metric, *value))) : json(nullptr);
+  };
+  return {{"metric", said(call, metricName(trend.metric))},
+          {"last", inWords(trend.points.empty() ? std::nullopt : trend.points.back().value)},
+          {"wanted", inWords(trend.threshold)},
           {"unit", trend.unit == "rad" ? "\u00b0"
                    : trend.unit == "1" ? ""
                                        : trend.unit},
@@ -133,6 +138,31 @@ json twistJson(const TwistResult& twist) {
           {"passed", twist.passed}};
 }
 
+json findingJson(const Call& call, const DebriefFinding& finding, bool strength) {
+  return {{"text", said(call, findingText(finding, strength))},
+          {"advice", strength ? "" : said(call, adviceText(finding.metric))},
+          {"from_s", finding.when.from_s}};
+}
+
+/// What was asked for and what was good and bad of it, in the words of the window.
+json toldJson(const Call& call, const Debrief& shown) {
+  json checks = json::array();
+  for (const TargetCheck& check : shown.checks) {
+    checks.push_back({{"text", said(call, checkText(check, shown.twists.size()))}, {"passed", check.passed}});
+  }
+  json strengths = json::array();
+  for (const DebriefFinding& finding : shown.strengths) {
+    strengths.push_back(findingJson(call, finding, true));
+  }
+  json weaknesses = json::array();
+  for (const DebriefFinding& finding : shown.weaknesses) {
+    weaknesses.push_back(findingJson(call, finding, false));
+  }
+  return {{"checks", std::move(checks)},
+          {"strengths", std::move(strengths)},
+          {"weaknesses", std::move(weaknesses)}};
+}
+
 HttpResponse answerRun(Call& call) {
   const Debrief shown = debrief(call.context, runOf(call), assetsFolder());
   json twists = json::array();
@@ -154,6 +184,7 @@ HttpResponse answerRun(Call& call) {
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},
                      {"unfinished", shown.unfinishedTwists},
+                     {"told", toldJson(call, shown)},
                      {"twists", std::move(twists)},
                      {"bookmarks", std::move(bookmarks)}});
 }

@@ -68,6 +68,8 @@ class Router {
 [[nodiscard]] std::vector<Route> signInRoutes();
 /// Who is signed in with a browser (session_routes.cpp).
 [[nodiscard]] std::vector<Route> sessionRoutes();
+/// Links of invitation (invitation_routes.cpp).
+[[nodiscard]] std::vector<Route> invitationRoutes();
 /// The form of an evaluation, calibration and own severity, own records, the boards (the files of these
 /// names).
 [[nodiscard]] std::vector<Route> evaluationRoutes();

@@ -35,8 +35,8 @@ std::size_t workersFor(const DeskSettings& settings) {
 
 std::vector<Route> allRoutes() {
   std::vector<Route> routes;
-  for (auto* const part :
-       {signInRoutes, sessionRoutes, caseRoutes, evaluationRoutes, raterRoutes, ownRoutes, boardRoutes}) {
+  for (auto* const part : {signInRoutes, sessionRoutes, caseRoutes, evaluationRoutes, raterRoutes, ownRoutes,
+                           boardRoutes, invitationRoutes}) {
     std::vector<Route> some = part();
     std::move(some.begin(), some.end(), std::back_inserter(routes));
   }
@@ -186,23 +186,35 @@ bool WebDesk::fromOwnPage(const HttpRequest& request) const {
   if (!site.empty()) {
     return site == "same-origin";
   }
+  return request.header("origin") == addressFor(request);
+}
+
+std::string WebDesk::addressFor(const HttpRequest& request) const {
   const std::string scheme = request.encrypted ? "https://" : "http://";
-  const std::string own = settings_.publicUrl.empty() ? scheme + request.header("host") : settings_.publicUrl;
-  return request.header("origin") == own;
+  return settings_.publicUrl.empty() ? scheme + request.header("host") : settings_.publicUrl;
 }
 
 void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   const Wording& wording = wordingFor(request);
-  const auto finish = [reply](HttpResponse response) {
+  Router::Match match = router_.find(request.method, request.path);
+  const auto finish = [this, reply, begun = std::chrono::steady_clock::now(),
+                       what = match.route == nullptr ? std::string("-")
+                                                     : match.route->method + " " + match.route->path](
+                          HttpResponse response, const char* page = nullptr) {
     addSecurityHeaders(response);
+    if (settings_.accessLog) {
+      const auto took = std::chrono::steady_clock::now() - begun;
+      settings_.accessLog(
+          (page == nullptr ? what : page) + (" " + std::to_string(response.status) + " ") +
+          std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(took).count()) + " ms");
+    }
     reply(std::move(response));
   };
   if (request.method == "GET") {
     if (auto page = pages_.answer(request)) {
-      return finish(std::move(*page));
+      return finish(std::move(*page), "GET a page");
     }
   }
-  Router::Match match = router_.find(request.method, request.path);
   if (match.route == nullptr) {
     return finish(refused(match.otherMethod ? 405 : 404, wording));
   }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,6 +28,9 @@ struct DeskSettings {
   std::string publicUrl{};
   std::size_t workers = 0;                              ///< 0: as many as the engine of the record can use
   PasswordCost passwordCost = PasswordCost::kModerate;  ///< of what is hashed here; tests use a cheap one
+  /// Hears of each answer: "GET /api/cases/* 200 3 ms". Of an address only what the route says of it,
+  /// nobody's name, no handle. Several threads at once; empty: nobody listens.
+  std::function<void(const std::string& line)> accessLog{};
 };
 
 /// The review desk for browsers: sign-in, sessions, and which request goes to which service. Every rule lies
@@ -48,6 +52,8 @@ class WebDesk {
   [[nodiscard]] PictureCache& pictures() noexcept { return pictures_; }
   [[nodiscard]] const std::map<std::string, Wording>& languages() const noexcept { return languages_; }
 
+  /// "https://desk.example.org": as the browser of this request reaches the desk.
+  [[nodiscard]] std::string addressFor(const HttpRequest& request) const;
   /// Held while a password is hashed, which takes a quarter of a gigabyte: one at a time, and only few wait.
   /// False: too many wait already.
   [[nodiscard]] bool enterHashing();

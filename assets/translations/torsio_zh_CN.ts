@@ -70,38 +70,6 @@
         <translation>未分组：%1</translation>
     </message>
     <message>
-        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
-        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
-    </message>
-    <message>
-        <source>%1 does not answer since %2.</source>
-        <translation>%1 自 %2 起无响应。</translation>
-    </message>
-    <message>
-        <source>%1: the device is not fit for graded runs: %2.</source>
-        <translation>%1：设备不可用于计分操作：%2。</translation>
-    </message>
-    <message>
-        <source>%1, last run: %2. %3.</source>
-        <translation>%1，上次操作：%2。%3。</translation>
-    </message>
-    <message>
-        <source>%1 was expected at %2, %3, and has not begun.</source>
-        <translation>%1 应于 %2 在 %3 开始，但尚未开始。</translation>
-    </message>
-    <message>
-        <source>%1 has rested longer than allowed.</source>
-        <translation>%1 的休息超过规定时间。</translation>
-    </message>
-    <message>
-        <source>%1: sheets still missing: %2.</source>
-        <translation>%1：仍缺评分表：%2。</translation>
-    </message>
-    <message>
-        <source>Trainees without a group: %1. Draw them under Allocation.</source>
-        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
-    </message>
-    <message>
         <source>What needs attention</source>
         <translation>需要注意的事项</translation>
     </message>
@@ -1378,91 +1346,6 @@
 <context>
     <name>StationLabels</name>
     <message>
-        <source>Twists on target</source>
-        <translation>达标扭转</translation>
-    </message>
-    <message>
-        <source>Targets reached</source>
-        <translation>达到目标次数</translation>
-    </message>
-    <message>
-        <source>Time of a twist</source>
-        <translation>单次扭转时间</translation>
-    </message>
-    <message>
-        <source>Time to target</source>
-        <translation>到达目标时间</translation>
-    </message>
-    <message>
-        <source>Settling time</source>
-        <translation>稳定时间</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>超调</translation>
-    </message>
-    <message>
-        <source>Steadiness of the hold</source>
-        <translation>保持稳定度</translation>
-    </message>
-    <message>
-        <source>Smoothness</source>
-        <translation>平滑度</translation>
-    </message>
-    <message>
-        <source>Smoothness (jerk)</source>
-        <translation>平滑度（急动度）</translation>
-    </message>
-    <message>
-        <source>Economy of turning</source>
-        <translation>转动经济性</translation>
-    </message>
-    <message>
-        <source>Sub-movements</source>
-        <translation>子动作数</translation>
-    </message>
-    <message>
-        <source>Angular path</source>
-        <translation>角路径</translation>
-    </message>
-    <message>
-        <source>Tracking error</source>
-        <translation>跟踪误差</translation>
-    </message>
-    <message>
-        <source>Excursions</source>
-        <translation>越界次数</translation>
-    </message>
-    <message>
-        <source>Path of the tip</source>
-        <translation>尖端路径</translation>
-    </message>
-    <message>
-        <source>Peak force</source>
-        <translation>最大力</translation>
-    </message>
-    <message>
-        <source>Mean force</source>
-        <translation>平均力</translation>
-    </message>
-    <message>
-        <source>Force violations</source>
-        <translation>超力次数</translation>
-    </message>
-    <message>
-        <source>Peak torque</source>
-        <translation>最大扭矩</translation>
-    </message>
-    <message>
-        <source>Abruptness of release</source>
-        <translation>松开的突然程度</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>value and unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1 分钟</translation>
     </message>
@@ -1524,92 +1407,8 @@
         <translation>解锁：%1</translation>
     </message>
     <message>
-        <source>Shortest hold on target: %1 s, wanted %2 s</source>
-        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
-    </message>
-    <message>
-        <source>Hold on target: none, wanted %1 s</source>
-        <translation>目标处保持：无，要求 %1 秒</translation>
-    </message>
-    <message>
-        <source>Peak force: not measured, limit %1 N</source>
-        <translation>最大力：未测得，限值 %1 N</translation>
-    </message>
-    <message>
-        <source>Peak torque: %1 N m, limit %2 N m</source>
-        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
-    </message>
-    <message>
-        <source>Peak torque: not measured, limit %1 N m</source>
-        <translation>最大扭矩：未测得，限值 %1 N m</translation>
-    </message>
-    <message>
         <source>not measured</source>
         <translation>未测得</translation>
-    </message>
-    <message>
-        <source>%1: %2, at least %3</source>
-        <translation>%1：%2，至少 %3</translation>
-    </message>
-    <message>
-        <source>%1: %2, at most %3</source>
-        <translation>%1：%2，至多 %3</translation>
-    </message>
-    <message>
-        <source>%1 (%2 in a row, %3 needed)</source>
-        <translation>%1（已连续 %2 次，需要 %3 次）</translation>
-    </message>
-    <message>
-        <source>%1: %2, better than the expert (%3)</source>
-        <translation>%1：%2，优于专家（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, as good as the expert (%3)</source>
-        <translation>%1：%2，与专家相当（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, close to the expert (%3)</source>
-        <translation>%1：%2，接近专家（%3）</translation>
-    </message>
-    <message>
-        <source>%1: %2, the expert had %3</source>
-        <translation>%1：%2，专家为 %3</translation>
-    </message>
-    <message>
-        <source>Turn in one decided movement instead of feeling your way.</source>
-        <translation>果断地一次转动，不要边试边转。</translation>
-    </message>
-    <message>
-        <source>Slow down before the target, then stay.</source>
-        <translation>到目标前放慢，然后停住。</translation>
-    </message>
-    <message>
-        <source>Begin to slow down ten degrees before the target.</source>
-        <translation>在目标前十度开始放慢。</translation>
-    </message>
-    <message>
-        <source>Rest your forearm while you hold.</source>
-        <translation>保持时让前臂有支撑。</translation>
-    </message>
-    <message>
-        <source>Let speed rise and fall once, without stops.</source>
-        <translation>速度一次上升、一次下降，中途不停。</translation>
-    </message>
-    <message>
-        <source>Avoid turning back and forth.</source>
-        <translation>避免来回转动。</translation>
-    </message>
-    <message>
-        <source>One push instead of many small ones.</source>
-        <translation>一次发力，不要多次小动作。</translation>
-    </message>
-    <message>
-        <source>Press less while you turn; the grip holds the tissue.</source>
-        <translation>转动时少用压力，夹持已固定组织。</translation>
-    </message>
-    <message>
-        <source>Turn back a little before you open the jaw.</source>
-        <translation>张开钳口前先稍微转回。</translation>
     </message>
     <message>
         <source>Learning</source>
@@ -1664,82 +1463,6 @@
         <translation>未就绪</translation>
     </message>
     <message>
-        <source>Undone</source>
-        <translation>已复位</translation>
-    </message>
-    <message>
-        <source>Time until blood flows</source>
-        <translation>恢复血流的时间</translation>
-    </message>
-    <message>
-        <source>Ischaemic dose</source>
-        <translation>缺血剂量</translation>
-    </message>
-    <message>
-        <source>Ischaemic dose when blood flows</source>
-        <translation>恢复血流时的缺血剂量</translation>
-    </message>
-    <message>
-        <source>Twist that remains</source>
-        <translation>残余扭转</translation>
-    </message>
-    <message>
-        <source>Relapse</source>
-        <translation>复发</translation>
-    </message>
-    <message>
-        <source>First turn the right way</source>
-        <translation>首次转动方向正确</translation>
-    </message>
-    <message>
-        <source>Turned the wrong way</source>
-        <translation>反向转动</translation>
-    </message>
-    <message>
-        <source>Re-grips</source>
-        <translation>重新夹持次数</translation>
-    </message>
-    <message>
-        <source>Least number of re-grips</source>
-        <translation>最少重新夹持次数</translation>
-    </message>
-    <message>
-        <source>Slipped back</source>
-        <translation>回滑</translation>
-    </message>
-    <message>
-        <source>Peak pressure of the jaw</source>
-        <translation>钳口压强峰值</translation>
-    </message>
-    <message>
-        <source>Peak shear of the wall</source>
-        <translation>壁的剪应力峰值</translation>
-    </message>
-    <message>
-        <source>Time of overload</source>
-        <translation>超负荷时间</translation>
-    </message>
-    <message>
-        <source>Least patency</source>
-        <translation>最小通畅度</translation>
-    </message>
-    <message>
-        <source>Let out first</source>
-        <translation>先行减压</translation>
-    </message>
-    <message>
-        <source>Undone, open and supplied with hands off: not measured</source>
-        <translation>松手后已复位、通畅且有血供：未测量</translation>
-    </message>
-    <message>
-        <source>Undone, open and supplied with hands off: yes</source>
-        <translation>松手后已复位、通畅且有血供：是</translation>
-    </message>
-    <message>
-        <source>Undone, open and supplied with hands off: no</source>
-        <translation>松手后已复位、通畅且有血供：否</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
@@ -1768,33 +1491,9 @@
         <translation>无定义</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>是</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>否</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>quantity and value</comment>
         <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1: %2, wanted %3</source>
-        <translation>%1：%2，要求 %3</translation>
-    </message>
-    <message>
-        <source>Peak force of the device</source>
-        <translation>设备输出的最大力</translation>
-    </message>
-    <message>
-        <source>Twists completed: %1 of %2</source>
-        <translation>已完成的扭转：%1 / %2</translation>
-    </message>
-    <message>
-        <source>Peak force on the tissue: %1 N, limit %2 N</source>
-        <translation>组织所受最大力：%1 N，限值 %2 N</translation>
     </message>
     <message>
         <source>Measured before by version %1 of the definitions: peak force %2, within the limits. That is kept and no longer counts.</source>
@@ -1820,18 +1519,6 @@
         <source>Able before, not now. Practise until the level is steady again.</source>
         <translation>此前已胜任，现在不再是。请练习到水平重新稳定。</translation>
     </message>
-    <message>
-        <source>Longest turn without a rest</source>
-        <translation>未停歇的最大复位转角</translation>
-    </message>
-    <message>
-        <source>Undone in stages</source>
-        <translation>分阶段复位</translation>
-    </message>
-    <message>
-        <source>Peak force of one twist</source>
-        <translation>单次扭转的最大力</translation>
-    </message>
     <message numerus="yes">
         <source>%n day(s)</source>
         <translation>
@@ -1856,10 +1543,6 @@
             <numerusform>上次：%n 次扭转中 %1 次达标</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Twists released on target: %1 of %2, wanted %3</source>
-        <translation>达标释放：%1 / %2，要求 %3</translation>
-    </message>
     <message numerus="yes">
         <source>%n more attempt(s) until a level is shown</source>
         <translation>
@@ -1879,10 +1562,6 @@
     <message>
         <source>Level: %1. %2</source>
         <translation>水平：%1。%2</translation>
-    </message>
-    <message>
-        <source>Twists completed: %1, at least %2 wanted</source>
-        <translation>已完成的扭转：%1，要求至少 %2</translation>
     </message>
 </context>
 <context>
@@ -14424,10 +14103,6 @@ audit trail %3</source>
         <translation>两次输入尚不一致</translation>
     </message>
     <message>
-        <source>This browser draws nothing in three dimensions (no WebGL 2); the traces are complete.</source>
-        <translation>此浏览器无法显示三维画面（不支持 WebGL 2）；曲线完整。</translation>
-    </message>
-    <message>
         <source>This case is scored live; there is no recording.</source>
         <translation>此案例为现场评分，没有录制。</translation>
     </message>
@@ -17478,6 +17153,466 @@ audit trail %3</source>
     <message>
         <source>pylorus, front</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody asks for this invitation any more</source>
+        <translation>已没有人申请此登录邀请</translation>
+    </message>
+    <message>
+        <source>Invitation to Torsio at %1</source>
+        <translation>%1 的 Torsio 登录邀请</translation>
+    </message>
+    <message>
+        <source>You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a password:
+%2
+Your sign-in name is %3. The link is good once, until %4, and for you alone: please do not pass it on.</source>
+        <translation>邀请您在 %1 使用 Torsio，任何电脑的浏览器均可。请打开此链接并设置密码：
+%2
+您的登录名是 %3。链接仅供您本人使用一次，有效期至 %4：请勿转发。</translation>
+    </message>
+    <message>
+        <source>The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.</source>
+        <translation>您在 %1 使用 Torsio 的登录邀请代码是 %2。链接通过其他途径送达。</translation>
+    </message>
+    <message>
+        <source>no mail address is known</source>
+        <translation>没有邮件地址</translation>
+    </message>
+    <message>
+        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
+        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
+    </message>
+    <message>
+        <source>%1 does not answer since %2.</source>
+        <translation>%1 自 %2 起无响应。</translation>
+    </message>
+    <message>
+        <source>%1: the device is not fit for graded runs: %2.</source>
+        <translation>%1：设备不可用于计分操作：%2。</translation>
+    </message>
+    <message>
+        <source>%1, last run: %2. %3.</source>
+        <translation>%1，上次操作：%2。%3。</translation>
+    </message>
+    <message>
+        <source>%1 was expected at %2, %3, and has not begun.</source>
+        <translation>%1 应于 %2 在 %3 开始，但尚未开始。</translation>
+    </message>
+    <message>
+        <source>%1 has rested longer than allowed.</source>
+        <translation>%1 的休息超过规定时间。</translation>
+    </message>
+    <message>
+        <source>%1: sheets still missing: %2.</source>
+        <translation>%1：仍缺评分表：%2。</translation>
+    </message>
+    <message>
+        <source>Trainees without a group: %1. Draw them under Allocation.</source>
+        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
+    </message>
+    <message>
+        <source>Twists on target</source>
+        <translation>达标扭转</translation>
+    </message>
+    <message>
+        <source>Targets reached</source>
+        <translation>达到目标次数</translation>
+    </message>
+    <message>
+        <source>Time of a twist</source>
+        <translation>单次扭转时间</translation>
+    </message>
+    <message>
+        <source>Time to target</source>
+        <translation>到达目标时间</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>Steadiness of the hold</source>
+        <translation>保持稳定度</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>Smoothness (jerk)</source>
+        <translation>平滑度（急动度）</translation>
+    </message>
+    <message>
+        <source>Economy of turning</source>
+        <translation>转动经济性</translation>
+    </message>
+    <message>
+        <source>Sub-movements</source>
+        <translation>子动作数</translation>
+    </message>
+    <message>
+        <source>Angular path</source>
+        <translation>角路径</translation>
+    </message>
+    <message>
+        <source>Tracking error</source>
+        <translation>跟踪误差</translation>
+    </message>
+    <message>
+        <source>Excursions</source>
+        <translation>越界次数</translation>
+    </message>
+    <message>
+        <source>Path of the tip</source>
+        <translation>尖端路径</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>平均力</translation>
+    </message>
+    <message>
+        <source>Force violations</source>
+        <translation>超力次数</translation>
+    </message>
+    <message>
+        <source>Abruptness of release</source>
+        <translation>松开的突然程度</translation>
+    </message>
+    <message>
+        <source>Time until blood flows</source>
+        <translation>恢复血流的时间</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose</source>
+        <translation>缺血剂量</translation>
+    </message>
+    <message>
+        <source>Ischaemic dose when blood flows</source>
+        <translation>恢复血流时的缺血剂量</translation>
+    </message>
+    <message>
+        <source>Twist that remains</source>
+        <translation>残余扭转</translation>
+    </message>
+    <message>
+        <source>Relapse</source>
+        <translation>复发</translation>
+    </message>
+    <message>
+        <source>Turned the wrong way</source>
+        <translation>反向转动</translation>
+    </message>
+    <message>
+        <source>Re-grips</source>
+        <translation>重新夹持次数</translation>
+    </message>
+    <message>
+        <source>Least number of re-grips</source>
+        <translation>最少重新夹持次数</translation>
+    </message>
+    <message>
+        <source>Slipped back</source>
+        <translation>回滑</translation>
+    </message>
+    <message>
+        <source>Peak pressure of the jaw</source>
+        <translation>钳口压强峰值</translation>
+    </message>
+    <message>
+        <source>Peak shear of the wall</source>
+        <translation>壁的剪应力峰值</translation>
+    </message>
+    <message>
+        <source>Time of overload</source>
+        <translation>超负荷时间</translation>
+    </message>
+    <message>
+        <source>Least patency</source>
+        <translation>最小通畅度</translation>
+    </message>
+    <message>
+        <source>Let out first</source>
+        <translation>先行减压</translation>
+    </message>
+    <message>
+        <source>Longest turn without a rest</source>
+        <translation>未停歇的最大复位转角</translation>
+    </message>
+    <message>
+        <source>Undone in stages</source>
+        <translation>分阶段复位</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: not measured</source>
+        <translation>松手后已复位、通畅且有血供：未测量</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: yes</source>
+        <translation>松手后已复位、通畅且有血供：是</translation>
+    </message>
+    <message>
+        <source>Undone, open and supplied with hands off: no</source>
+        <translation>松手后已复位、通畅且有血供：否</translation>
+    </message>
+    <message>
+        <source>Twists completed: %1, at least %2 wanted</source>
+        <translation type="unfinished">已完成的扭转：%1，要求至少 %2</translation>
+    </message>
+    <message>
+        <source>Twists completed: %1 of %2</source>
+        <translation>已完成的扭转：%1 / %2</translation>
+    </message>
+    <message>
+        <source>Twists released on target: %1 of %2, wanted %3</source>
+        <translation>达标释放：%1 / %2，要求 %3</translation>
+    </message>
+    <message>
+        <source>Shortest hold on target: %1 s, wanted %2 s</source>
+        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
+    </message>
+    <message>
+        <source>Hold on target: none, wanted %1 s</source>
+        <translation>目标处保持：无，要求 %1 秒</translation>
+    </message>
+    <message>
+        <source>Peak force on the tissue: %1 N, limit %2 N</source>
+        <translation>组织所受最大力：%1 N，限值 %2 N</translation>
+    </message>
+    <message>
+        <source>Peak force: not measured, limit %1 N</source>
+        <translation>最大力：未测得，限值 %1 N</translation>
+    </message>
+    <message>
+        <source>Peak torque: %1 N m, limit %2 N m</source>
+        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
+    </message>
+    <message>
+        <source>Peak torque: not measured, limit %1 N m</source>
+        <translation>最大扭矩：未测得，限值 %1 N m</translation>
+    </message>
+    <message>
+        <source>%1: %2, wanted %3</source>
+        <translation>%1：%2，要求 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, at least %3</source>
+        <translation>%1：%2，至少 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, at most %3</source>
+        <translation>%1：%2，至多 %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in a row, %3 needed)</source>
+        <translation>%1（已连续 %2 次，需要 %3 次）</translation>
+    </message>
+    <message>
+        <source>Peak force of one twist</source>
+        <translation>单次扭转的最大力</translation>
+    </message>
+    <message>
+        <source>%1: %2, better than the expert (%3)</source>
+        <translation>%1：%2，优于专家（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, as good as the expert (%3)</source>
+        <translation>%1：%2，与专家相当（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, close to the expert (%3)</source>
+        <translation>%1：%2，接近专家（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, the expert had %3</source>
+        <translation>%1：%2，专家为 %3</translation>
+    </message>
+    <message>
+        <source>Turn in one decided movement instead of feeling your way.</source>
+        <translation>果断地一次转动，不要边试边转。</translation>
+    </message>
+    <message>
+        <source>Slow down before the target, then stay.</source>
+        <translation>到目标前放慢，然后停住。</translation>
+    </message>
+    <message>
+        <source>Begin to slow down ten degrees before the target.</source>
+        <translation>在目标前十度开始放慢。</translation>
+    </message>
+    <message>
+        <source>Rest your forearm while you hold.</source>
+        <translation>保持时让前臂有支撑。</translation>
+    </message>
+    <message>
+        <source>Let speed rise and fall once, without stops.</source>
+        <translation>速度一次上升、一次下降，中途不停。</translation>
+    </message>
+    <message>
+        <source>Avoid turning back and forth.</source>
+        <translation>避免来回转动。</translation>
+    </message>
+    <message>
+        <source>One push instead of many small ones.</source>
+        <translation>一次发力，不要多次小动作。</translation>
+    </message>
+    <message>
+        <source>Press less while you turn; the grip holds the tissue.</source>
+        <translation>转动时少用压力，夹持已固定组织。</translation>
+    </message>
+    <message>
+        <source>Turn back a little before you open the jaw.</source>
+        <translation>张开钳口前先稍微转回。</translation>
+    </message>
+    <message>
+        <source>%1, asked for by %2: %3</source>
+        <translation>%1，由 %2 申请：%3</translation>
+    </message>
+    <message>
+        <source>A link of their own, with which people set a password in a browser. It is good once and for a week; a link made before is of no use then.</source>
+        <translation>个人专用链接，用于在浏览器中设置密码。链接一周内可用一次；此前生成的链接随即作废。</translation>
+    </message>
+    <message>
+        <source>Another administrator asks for these invitations and has handed over a code for each. Whoever confirms one hands over the link.</source>
+        <translation>另一位管理员申请了这些邀请，并已逐一转交代码。由确认者转交链接。</translation>
+    </message>
+    <message>
+        <source>Chosen: %1</source>
+        <translation>已选：%1</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Confirm the invitation of %1</source>
+        <translation>确认 %1 的登录邀请</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Each is for one person. A code goes to its person by another way than the link that another administrator hands over.</source>
+        <translation>每张仅供一人。代码与另一位管理员转交的链接应经不同途径送达本人。</translation>
+    </message>
+    <message>
+        <source>Film strip</source>
+        <translation>关键画面</translation>
+    </message>
+    <message>
+        <source>Good once, until</source>
+        <translation>仅可使用一次，有效期至</translation>
+    </message>
+    <message>
+        <source>Invitations</source>
+        <translation>登录邀请</translation>
+    </message>
+    <message>
+        <source>Invite</source>
+        <translation>邀请登录</translation>
+    </message>
+    <message>
+        <source>Invited until</source>
+        <translation>邀请有效期</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>链接</translation>
+    </message>
+    <message>
+        <source>Moment %1</source>
+        <translation>时刻 %1</translation>
+    </message>
+    <message>
+        <source>Not sent: %1</source>
+        <translation>未发送：%1</translation>
+    </message>
+    <message>
+        <source>Password of the mail server</source>
+        <translation>邮件服务器密码</translation>
+    </message>
+    <message>
+        <source>Print the cards</source>
+        <translation>打印卡片</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Send the links by mail, too</source>
+        <translation>同时以邮件发送链接</translation>
+    </message>
+    <message>
+        <source>Sent by mail</source>
+        <translation>已以邮件发送</translation>
+    </message>
+    <message>
+        <source>Shown only now</source>
+        <translation>仅此次显示</translation>
+    </message>
+    <message>
+        <source>somebody else must confirm this</source>
+        <translation>须由他人确认</translation>
+    </message>
+    <message>
+        <source>Take the links back</source>
+        <translation>收回链接</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>The links are of no use any more</source>
+        <translation>链接已作废</translation>
+    </message>
+    <message>
+        <source>This browser draws nothing in three dimensions (no WebGL 2): a film strip shows some moments; the traces are complete.</source>
+        <translation>此浏览器不能绘制三维画面（无 WebGL 2）：以关键画面显示若干时刻；曲线完整。</translation>
+    </message>
+    <message>
+        <source>This needs two people: you get a code for each to hand over, and another administrator, who confirms it, the link.</source>
+        <translation>此操作需要两人：您得到每人的代码并转交，另一位管理员确认后得到链接。</translation>
+    </message>
+    <message>
+        <source>To be confirmed</source>
+        <translation>待确认</translation>
+    </message>
+    <message>
+        <source>What needs attention</source>
+        <translation>需要注意的事项</translation>
+    </message>
+    <message>
+        <source>What to work on</source>
+        <translation>需要改进的地方</translation>
+    </message>
+    <message>
+        <source>What went well</source>
+        <translation>做得好的地方</translation>
+    </message>
+    <message>
+        <source>Words for a mail</source>
+        <translation>邮件正文</translation>
     </message>
 </context>
 <context>
@@ -22027,18 +22162,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>For %1:</source>
         <translation>致 %1：</translation>
-    </message>
-    <message>
-        <source>The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.</source>
-        <translation>您在 %1 使用 Torsio 的登录邀请代码是 %2。链接通过其他途径送达。</translation>
-    </message>
-    <message>
-        <source>You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a password:</source>
-        <translation>%1 邀请您使用 Torsio，可在任意计算机的浏览器中进行。请打开此链接并设置密码：</translation>
-    </message>
-    <message>
-        <source>Your sign-in name is %1. The link is good once, until %2, and for you alone: please do not pass it on.</source>
-        <translation>您的登录名是 %1。链接限用一次，有效期至 %2，仅供您本人使用，请勿转发。</translation>
     </message>
 </context>
 <context>
@@ -28965,6 +29088,18 @@ T-02,master,17</translation>
     <message>
         <source>Revoke &amp;links…</source>
         <translation>撤销链接(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Sign out of browsers</source>
+        <translation>退出浏览器登录(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ends whatever the chosen users have open in browsers, within the moment of their next click.</source>
+        <translation>结束所选用户在各浏览器中的登录，下一次点击时即生效。</translation>
+    </message>
+    <message>
+        <source>Signed out of every browser: %1. Drafts are kept.</source>
+        <translation>已退出所有浏览器：%1 人。草稿保留。</translation>
     </message>
 </context>
 <context>

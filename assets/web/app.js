@@ -11,6 +11,7 @@ import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
 import { clockTime } from './numbers.js';
+import { InvitationsPage } from './invitations_page.js';
 import { OwnPage } from './own_page.js';
 import { OwnRemarksPage } from './own_remarks_page.js';
 import { problemText } from './problem.js';
@@ -58,6 +59,7 @@ const kPages = [
   { hash: '#evaluation', of: 'evaluation', title: () => t('Evaluation'), make: () => new EvaluationPage(frame) },
   { hash: '#board', of: 'board', title: () => t("Today's sessions"), make: () => new BoardPage(frame, false) },
   { hash: '#scored', of: 'board', title: () => t('Who has scored what'), make: () => new BoardPage(frame, true) },
+  { hash: '#invitations', of: 'people', title: () => t('Invitations'), make: () => new InvitationsPage(frame) },
   { hash: '#signed-in', of: 'people', title: () => t('Signed in now'), make: () => new SessionsPage(frame, true) },
   { hash: '#sessions', of: '', title: () => t('Your sessions'), make: () => new SessionsPage(frame, false) },
 ];

@@ -59,10 +59,13 @@ export class BoardPage {
     this.load().catch(() => {}); // what was shown stays
   }
 
-  #showBoard({ rows, stations }) {
+  #showBoard({ rows, stations, alerts }) {
     const missing = rows.reduce((sum, row) => sum + row.sheets_missing, 0);
     const state = (row) => (row.withdrawn ? t('withdrew') : row.station ? t('records at %1', row.station) : row.done ? t('all phases done') : row.phase || '\u2013');
+    const attention = alerts.length === 0 ? null : h('section', { class: 'card', 'aria-label': t('What needs attention') },
+      h('ul', { class: 'alerts' }, alerts.map((one) => h('li', { class: 'caution' }, `\u26a0 ${one}`))));
     this.place.replaceChildren(
+      ...(attention ? [attention] : []),
       h('p', {}, t('%1 recording now, %2 of %3 done, sheets missing: %4', figure(rows.filter((row) => row.station).length),
         figure(rows.filter((row) => row.done).length), figure(rows.length), figure(missing))),
       h('section', { class: 'card wide-table', tabindex: '0' }, table(

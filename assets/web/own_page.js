@@ -4,7 +4,7 @@ import { api } from './api.js';
 import { h } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
 import { t } from './texts.js';
-import { trendChart, withUnit } from './trend_chart.js';
+import { trendChart } from './trend_chart.js';
 
 export const kPatience_ms = 120_000; // runs that nobody has measured yet are measured first
 
@@ -39,9 +39,8 @@ export class OwnPage {
   }
 
   #module(module) {
-    const facts = [t('%1: %2', module.metric, module.points.length > 0 && module.points.at(-1).value !== null
-      ? withUnit(module.points.at(-1).value, module.unit) : '\u2013')];
-    if (module.threshold !== null) facts.push(t('wanted: %1', withUnit(module.threshold, module.unit)));
+    const facts = [t('%1: %2', module.metric, module.last ?? '\u2013')];
+    if (module.wanted !== null) facts.push(t('wanted: %1', module.wanted));
     if (module.attempts_left !== null) facts.push(t('tries left: %1', figure(module.attempts_left)));
     return h('section', { class: 'card stack' }, h('h2', {}, module.title), verdictText(module.verdict),
       h('p', {}, facts.join('  \u00b7  ')), trendChart(module));

@@ -3,6 +3,7 @@
 import { api } from './api.js';
 import { readContainer } from './container.js';
 import { button, h, say, show } from './dom.js';
+import { FilmStrip } from './film_strip.js';
 import { icon } from './icons.js';
 import { clockTime, figure, pointsText } from './numbers.js';
 import { joined, kJump_us, kStep_us, Playback } from './playback.js';
@@ -62,8 +63,10 @@ export class Player {
     const organ = readContainer(await api.file(`${this.path}/organ`));
     show(this.stagePlace, true);
     if (!this.stage.open()) {
-      show(this.stagePlace, false);
-      say(this.sentence, t('This browser draws nothing in three dimensions (no WebGL 2); the traces are complete.'));
+      this.film = new FilmStrip(recording, organ, (position_us) => this.seek(position_us));
+      this.stagePlace.replaceWith(this.film.element);
+      say(this.sentence, t('This browser draws nothing in three dimensions (no WebGL 2): a film strip shows some moments; the traces are complete.'));
+      this.#showState();
       return;
     }
     say(this.sentence, '');
@@ -197,6 +200,7 @@ export class Player {
     if (!this.ready) return;
     this.stage.setTime(this.position_us / 1e6);
     this.traces.setPosition(this.position_us);
+    this.film?.setPosition(this.position_us);
     // The last sample of 0:20 lies a tick before it.
     const whole_us = this.playback.length_us + 500_000;
     const shown_us = this.position_us < this.playback.length_us ? this.position_us : whole_us;

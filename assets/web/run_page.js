@@ -30,7 +30,7 @@ export class RunPage {
     this.element.replaceChildren(
       h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
       h('div', { class: 'halves' }, h('div', { class: 'left' }, this.player.element),
-        h('div', { class: 'right' }, this.#twists(), this.#bookmarks(), this.#verdict())));
+        h('div', { class: 'right scrolls', tabindex: '0' }, this.#told(), this.#twists(), this.#bookmarks(), this.#verdict())));
     this.#openRecording();
   }
   async #openRecording() {
@@ -62,6 +62,17 @@ export class RunPage {
     const { verdict } = this.run;
     if (!verdict) return null;
     return h('section', { class: 'card stack' }, h('h2', {}, t('By all runs')), verdictText(verdict));
+  }
+
+  /// What was asked for, what was good, what to do better: the words of the window's debrief.
+  #told() {
+    const { checks, strengths, weaknesses } = this.run.told;
+    const finding = (one) => h('li', {}, this.#goTo(one.from_s), ' ', one.text, one.advice ? h('p', { class: 'advice' }, one.advice) : null);
+    const list = (title, lines) => (lines.length === 0 ? null : h('section', { class: 'card' }, h('h2', {}, title), h('ul', { class: 'told' }, lines)));
+    return [
+      list(t('Targets'), checks.map((one) => h('li', { class: one.passed ? 'good' : 'caution' }, `${one.passed ? '\u2713' : '\u2717'} ${one.text}`))),
+      list(t('What went well'), strengths.map(finding)),
+      list(t('What to work on'), weaknesses.map(finding))];
   }
   #bookmarks() {
     const { bookmarks } = this.run;

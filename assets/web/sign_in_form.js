@@ -87,6 +87,7 @@ export function putJoinForm(place, { link, onBack, onSignedIn }) {
   if (!link || isByTwo(link)) fields.push(code);
   putNewPassword(place, {
     title: t('Welcome'),
+    heading: 'h1',
     words: t('Choose a password that only you know: at least fifteen characters, a short sentence for example. The link is good once.'),
     fields,
     send: (newPassword) => {
@@ -104,7 +105,7 @@ function isByTwo(link) {
 }
 
 /// `fields`: what is asked for besides. `send(newPassword)`.
-function putNewPassword(place, { title, words, login = '', fields = [], send, onBack, onSignedIn }) {
+function putNewPassword(place, { title, heading = 'h2', words, login = '', fields = [], send, onBack, onSignedIn }) {
   const one = { type: 'password', autocomplete: 'new-password', required: true };
   const fresh = field(t('New password'), { ...one, name: 'new' });
   const again = field(t('Repeat password'), { ...one, name: 'again' });
@@ -113,7 +114,7 @@ function putNewPassword(place, { title, words, login = '', fields = [], send, on
   const form = h(
     'form',
     { class: 'stack', novalidate: true, onsubmit: store },
-    h('h2', {}, title),
+    h(heading, {}, title),
     h('p', {}, words),
     // Keeps password managers from filing the new password under nobody.
     h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),

@@ -16,7 +16,7 @@ function svg(tag, attributes, ...children) {
   return element;
 }
 
-export function withUnit(value, unit) {
+function withUnit(value, unit) {
   const text = figure(value, Math.abs(value) >= 10 ? 0 : 2);
   return unit === '' ? text : unit === '\u00b0' ? text + unit : `${text} ${unit}`;
 }

@@ -55,7 +55,7 @@ class Statement::Query {
   enum class Start { kPrepare, kRun };
   Query(std::shared_ptr<ConnectionState> connection, std::string_view sql, Start start)
       : state(std::move(connection)), text(sql) {
-    if (std::optional<QSqlQuery> kept = start == Start::kPrepare ? state->takeKept(sql) : std::nullopt) {
+    if (const auto kept = start == Start::kPrepare ? state->takeKept(sql) : nullptr) {
       query = std::move(*kept);
       return;
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <list>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QSqlDatabase>
@@ -66,12 +68,24 @@ bool beginsAsDatabase(const fs::path& file) {
 
 }  // namespace
 
+struct ConnectionState::Kept {
+  struct One {
+    std::string sql;
+    QSqlQuery query;
+  };
+  std::list<One> all;  // the one used last first
+  [[nodiscard]] auto find(std::string_view sql) {
+    return std::find_if(all.begin(), all.end(), [sql](const One& one) { return one.sql == sql; });
+  }
+};
+
 ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busyTimeout_ms)
     : engine(locator.engine),
       location(locator.shown()),
       readOnly(mode == OpenMode::kReadOnly),
       name_(connectionName(this)),
-      thread_(std::this_thread::get_id()) {
+      thread_(std::this_thread::get_id()),
+      kept_(std::make_unique<Kept>()) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   const QString driver = engine == Engine::kSqlite ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL");
   if (!QSqlDatabase::isDriverAvailable(driver)) {
@@ -196,31 +210,33 @@ QSqlQuery ConnectionState::query() const {
   return query;
 }
 
-std::optional<QSqlQuery> ConnectionState::takeKept(std::string_view sql) {
-  const auto found =
-      std::find_if(kept_.begin(), kept_.end(), [sql](const Kept& kept) { return kept.sql == sql; });
-  if (found == kept_.end()) {
-    return std::nullopt;
+std::unique_ptr<QSqlQuery> ConnectionState::takeKept(std::string_view sql) {
+  const auto found = kept_->find(sql);
+  if (found == kept_->all.end()) {
+    return nullptr;
   }
   TORSIO_EXPECTS(std::this_thread::get_id() == thread_);
   TORSIO_EXPECTS(!broken);
-  std::optional<QSqlQuery> query(std::move(found->query));
-  kept_.erase(found);
+  auto query = std::make_unique<QSqlQuery>(std::move(found->query));
+  kept_->all.erase(found);
   return query;
 }
 
-void ConnectionState::keep(std::string sql, QSqlQuery query) {
+void ConnectionState::keep(std::string sql, QSqlQuery&& query) {
   // SQLite prepares in this process. What selects "*" would have other columns once a table has another one.
   if (engine == Engine::kSqlite || query.size() > kMostRowsKept ||
-      sql.find("SELECT *") != std::string::npos ||
-      std::any_of(kept_.begin(), kept_.end(), [&sql](const Kept& kept) { return kept.sql == sql; })) {
+      sql.find("SELECT *") != std::string::npos || kept_->find(sql) != kept_->all.end()) {
     return;
   }
   query.finish();
-  kept_.push_front({std::move(sql), std::move(query)});
-  if (kept_.size() > kMostKept) {
-    kept_.pop_back();
+  kept_->all.push_front({std::move(sql), std::move(query)});
+  if (kept_->all.size() > kMostKept) {
+    kept_->all.pop_back();
   }
+}
+
+void ConnectionState::forgetKept() noexcept {
+  kept_->all.clear();
 }
 
 void ConnectionState::run(std::string_view sql) {

@@ -2,19 +2,16 @@
 #pragma once
 
 #include <functional>
-#include <list>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
-
-#include <QSqlQuery>
 
 #include "db/connection/connection.h"
 
 class QSqlDatabase;
 class QSqlError;
+class QSqlQuery;
 
 namespace torsio {
 
@@ -28,13 +25,13 @@ class ConnectionState {
 
   /// A query of this database; our own bug when called from another thread than the opening one.
   [[nodiscard]] QSqlQuery query() const;
-  /// A prepared query that keep() was given for the same text: preparing and forgetting one on a server are
-  /// two more ways to it and back.
-  [[nodiscard]] std::optional<QSqlQuery> takeKept(std::string_view sql);
+  /// A prepared query that keep() was given for the same text, or null: preparing and forgetting one on a
+  /// server are two more ways to it and back.
+  [[nodiscard]] std::unique_ptr<QSqlQuery> takeKept(std::string_view sql);
   /// Keeps a prepared query that ran without fault, if it is worth it; the oldest of many are given up.
-  void keep(std::string sql, QSqlQuery query);
+  void keep(std::string sql, QSqlQuery&& query);
   /// After a change of tables.
-  void forgetKept() noexcept { kept_.clear(); }
+  void forgetKept() noexcept;
   /// Runs one statement just as it is, and forgets its rows.
   void run(std::string_view sql);
   /// Throws the DbError for `error`, and remembers that the open transaction is lost.
@@ -62,12 +59,9 @@ class ConnectionState {
 
   std::string name_;
   std::unique_ptr<QSqlDatabase> database_;
-  struct Kept {
-    std::string sql;
-    QSqlQuery query;
-  };
-  std::list<Kept> kept_;  // the one used last first
   std::thread::id thread_;
+  struct Kept;
+  std::unique_ptr<Kept> kept_;
 };
 
 /// "INSERT INTO trial_chunk" out of a whole statement: enough to know which, without values.

@@ -272,6 +272,7 @@ CREATE TABLE app_user (
   state TEXT NOT NULL CHECK (state IN ('active', 'disabled')),
   failed_count BIGINT NOT NULL,
   locked_until_utc_us BIGINT NOT NULL,
+  sessions_ended BIGINT, -- how often all that was open in browsers was ended; null: never
   created_utc_us BIGINT NOT NULL,
   demonstration BOOLEAN NOT NULL
 );

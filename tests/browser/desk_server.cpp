@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real review desk with a centre of made-up people, for the browser's tests: prints its port and what
-// stands in an invitation of "physician1", and ends with its standard input. `desk_server SCENE`: what the
-// recordings twist.
+// stands in an invitation of "physician1", and ends with its standard input. A number on it: the first
+// physician goes on with the draft at the desk. `desk_server SCENE`: what the recordings twist.
+#include <algorithm>
+#include <cstdint>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -12,7 +14,9 @@
 #include "app/access/invitations.h"
 #include "app/access/two_people.h"
 #include "app/base/assets.h"
+#include "app/review/case_sheet.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/people/account.h"
@@ -24,8 +28,43 @@
 #include "sim/scene/scene.h"
 #include "tests/app/support/review_centre.h"
 
+namespace {
+
+using namespace torsio;
+
+/// "50 65 -": the rows of a sheet and the overall mark.
+std::string marksOf(const Sheet& sheet) {
+  const auto said = [](const auto& steps) { return steps ? std::to_string(*steps) : std::string("-"); };
+  std::string marks;
+  for (const char* code : {"time", "accuracy"}) {
+    const auto row = std::find_if(sheet.rows.begin(), sheet.rows.end(),
+                                  [code](const SheetRow& one) { return one.code == code; });
+    marks += (row == sheet.rows.end() ? "-" : said(row->score_steps)) + " ";
+  }
+  return marks + said(sheet.overall_steps);
+}
+
+/// The physician of `session` opens the own draft, gives its second row this mark and saves. Says what was
+/// found and what was saved.
+void goOnAtTheDesk(SessionContext& session, std::int64_t steps) {
+  for (const QueueLine& line : reviewQueue(session).lines) {
+    if (line.state != SheetState::kDraft) {
+      continue;
+    }
+    OpenedSheet opened = openSheet(session, line.shown.assignmentId);
+    std::cout << marksOf(opened.sheet) << "\n";
+    std::erase_if(opened.sheet.rows, [](const SheetRow& row) { return row.code == "accuracy"; });
+    opened.sheet.rows.push_back({"accuracy", steps, ""});
+    (void)saveSheet(session, line.shown.assignmentId, opened.sheet, opened.watched);
+    std::cout << marksOf(openSheet(session, line.shown.assignmentId).sheet) << std::endl;
+    return;
+  }
+  std::cout << "no draft\nno draft" << std::endl;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace torsio;
   const QCoreApplication application(argc, argv);
   SceneRequest organ;
   organ.assets = assetsFolder();
@@ -68,7 +107,10 @@ int main(int argc, char** argv) {
                                  desk.handle(std::move(request), std::move(reply));
                                });
   std::cout << server.port() << "\n" << secret << std::endl;
-  std::string line;
-  std::getline(std::cin, line);
+  for (std::string line; std::getline(std::cin, line);) {
+    const auto physician = centre.physician(0);
+    SessionContext session({centre.locator(), "station", physician->actor()});
+    goOnAtTheDesk(session, std::stoll(line));
+  }
   return 0;
 }

@@ -61,7 +61,7 @@ def test_sign_in(browser, url, desk):
     browser.says(".figures", "3 cases fit into ten minutes")
     browser.says(".case.live", "Scored at the arm, not here")
     check("a live case cannot be opened", browser.run("return document.querySelector('.case.live').tagName") != "A")
-    browser.run("location.reload()")
+    browser.reload()
     browser.there(".cases")
     browser.click(".top button")
     browser.there("[name=login]")
@@ -230,7 +230,7 @@ def test_reload(browser, url, desk):
     browser.keys("5", "ArrowDown", "x", "hidden", "Enter")
     browser.until("saved", lambda: desk.cases["c1"].sheet["rows"][1]["not_assessable"] == "hidden")
     browser.says(".saved", "Saved")
-    browser.run("location.reload()")
+    browser.reload()
     browser.says(".saved", "Draft found and opened")
     check("the mark is there", browser.text(".row:first-child .value") == "5")
     desk.refusing = True
@@ -267,7 +267,7 @@ def test_idle_lock(browser, url, desk):
     browser.keys("5", "Tab", "Tab", "Tab", "Tab", "half a sentence")
     browser.says(".notice", "Press any key to stay")
     browser.there(".gate")
-    check("the server ended the session", not desk.sessions)
+    browser.until("the server ended the session", lambda: not desk.sessions)
     check("what was typed is stored", desk.cases["c1"].sheet["comment"] == "half a sentence")
     browser.says(".gate", "rater is signed in here")
     browser.keys(mock_server.PASSWORD, "Enter")
@@ -325,6 +325,15 @@ def test_touch(browser, url, desk):
 def test_without_webgl(browser, url, desk):
     open_case(browser, url)
     browser.says(".sentence", "This browser draws nothing in three dimensions")
+    browser.until("eight moments are drawn", lambda: browser.run("""
+      const all = [...document.querySelectorAll('.film canvas')];
+      return all.length === 8 && all.every((one) => {
+        const bytes = one.getContext('2d').getImageData(0, 0, one.width, one.height).data;
+        return bytes.filter((value, i) => i % 4 === 3 && value > 0).length > 0.02 * one.width * one.height;
+      });"""))
+    browser.click(".film li:nth-child(5) button")
+    browser.says(".time", "0:11 of 0:20")
+    check("the moment is marked", browser.run("return document.querySelector('.film [aria-current]').innerText") == "0:11")
     browser.keys("5", "Space")
     browser.says(".transport", "Pause")
     saved(browser, desk, [50, None, None, None])
@@ -469,9 +478,8 @@ def main():
     scenarios = [(name, function) for name, function in globals().items()
                  if name.startswith("test_") and (not names or any(word in name for word in names))]
     failed = 0
-    program = "firefox-esr" if kind is Firefox else "chromedriver"
-    if shutil.which(program) is None:
-        print(f"no {program} here")
+    if shutil.which(kind.PROGRAM) is None:
+        print(f"no {kind.PROGRAM} here")
         sys.exit(77)
     with kind(webgl=False) as browser:  # a processor that draws takes most of the time
         for name, function in scenarios:

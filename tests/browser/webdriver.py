@@ -24,6 +24,7 @@ class Failed(AssertionError):
 
 class Browser:
     """One window. Use as `with Browser() as browser`."""
+    PROGRAM = "chromedriver"
 
     def __init__(self, size=(1280, 800), language="en-GB", dark=False, webgl=True):
         self.size, self.language, self.dark, self.webgl = size, language, dark, webgl
@@ -69,6 +70,9 @@ class Browser:
     def open(self, url):
         self.call("POST", "/url", {"url": url})
 
+    def reload(self):
+        self.call("POST", "/refresh")
+
     def run(self, script, *arguments):
         return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
@@ -76,6 +80,10 @@ class Browser:
         """The page itself gets this size, however small: a window has a least width, a device has none."""
         self.devtools("Emulation.setDeviceMetricsOverride",
                       {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def theme(self, dark):
+        self.devtools("Emulation.setEmulatedMedia",
+                      {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
 
     def devtools(self, command, parameters):
         return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
@@ -92,7 +100,7 @@ class Browser:
             time.sleep(0.03)
 
     def text(self, css):
-        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css)
+        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css) or ""  # null while a page goes
 
     def says(self, css, text):
         return self.until(f"{css} says {text!r}", lambda: text in self.text(css))
@@ -142,8 +150,9 @@ class Browser:
 
 class Firefox(Browser):
     """Under Xvfb, for headless Firefox has no WebGL; Debian has no geckodriver, and its commands are the same."""
+    PROGRAM = "firefox-esr"
     COMMANDS = {"/url": "Navigate", "/execute/sync": "ExecuteScript", "/element": "FindElement", "/actions": "PerformActions",
-                "/screenshot": "TakeScreenshot"}
+                "/screenshot": "TakeScreenshot", "/refresh": "Refresh"}
 
     def __enter__(self):
         read, write = os.pipe()
@@ -155,7 +164,8 @@ class Firefox(Browser):
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
         preferences = {"marionette.port": port, "intl.accept_languages": self.language, "dom.disable_beforeunload": True,
-                       "webgl.disabled": not self.webgl, "browser.shell.checkDefaultBrowser": False,
+                       "webgl.disabled": not self.webgl, "ui.systemUsesDarkTheme": int(self.dark),
+                       "layout.css.prefers-color-scheme.content-override": 0 if self.dark else 1, "browser.shell.checkDefaultBrowser": False,
                        "datareporting.policy.dataSubmissionEnabled": False, "app.update.enabled": False}
         with open(f"{self.profile.name}/user.js", "w") as file:
             file.writelines(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
@@ -207,7 +217,7 @@ class Firefox(Browser):
     def call(self, method, path, body=None):
         if path.endswith("/click"):
             return self.order("ElementClick", {"id": path.split("/")[2]})
-        return self.order(self.COMMANDS[path], body or {})
+        return self.order(self.COMMANDS[path], {"full": False} if path == "/screenshot" else body or {})
 
     def resize(self, width, height):
         """The window's least width is about 450 pixels."""

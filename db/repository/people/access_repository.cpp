@@ -293,15 +293,27 @@ bool AccessRepository::useInvitation(const std::string& tokenHash, std::int64_t 
              {tokenHash, now_us}) == 1;
 }
 
+void AccessRepository::endSessions(const UserId& userId) {
+  Transaction transaction(connection_);
+  const auto ended = selectFirst(connection_, "SELECT COALESCE(sessions_ended, 0) FROM app_user WHERE id = ?",
+                                 {userId}, [](RowReader& row) { return row.int64(); });
+  connection_.execute("UPDATE app_user SET sessions_ended = ? WHERE id = ?", {ended.value_or(0) + 1, userId});
+  transaction.commit();
+}
+
 std::string AccessRepository::passwordStamp(const UserId& userId) const {
-  const auto hash =
-      selectFirst(connection_, "SELECT password_hash FROM app_user WHERE id = ? AND state = 'active'",
-                  {userId}, [](RowReader& row) { return row.text(); });
-  if (!hash) {
+  const auto stamp = selectFirst(
+      connection_,
+      "SELECT password_hash, COALESCE(sessions_ended, 0) FROM app_user WHERE id = ? AND state = 'active'",
+      {userId}, [](RowReader& row) {
+        std::string hash = row.text();
+        return hash.append(" ").append(std::to_string(row.int64()));
+      });
+  if (!stamp) {
     return {};
   }
   Digest digest;
-  digest.update(std::string_view(*hash));
+  digest.update(std::string_view(*stamp));
   return digest.hex();
 }
 

@@ -102,7 +102,9 @@ class AccessRepository {
   /// Uses a link up; false: somebody else did, or it is not open any more. Of two at once one succeeds.
   [[nodiscard]] bool useInvitation(const std::string& tokenHash, std::int64_t now_us);
 
-  /// Changes whenever the user's password does; empty for whoever may not sign in.
+  /// Whatever this user has open in browsers is over.
+  void endSessions(const UserId& userId);
+  /// Changes whenever the user's password does and with endSessions(); empty for whoever may not sign in.
   [[nodiscard]] std::string passwordStamp(const UserId& userId) const;
 
  private:

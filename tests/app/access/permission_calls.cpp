@@ -15,6 +15,7 @@
 #include "app/exchange/dataset_import.h"
 #include "app/exchange/foreign_import.h"
 #include "app/mail/mail_settings.h"
+#include "app/mail/mailed_invitations.h"
 #include "app/mail/mailed_reminders.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
@@ -359,6 +360,11 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kUserManage, "revokeKioskCodes",
        [](SessionContext& w, Path) { (void)revokeKioskCodes(w, {}, "why"); }},
       {O::kUserManage, "invite", [](SessionContext& w, Path) { (void)invite(w, {}); }},
+      {O::kUserManage, "inviteOrAsk", [](SessionContext& w, Path) { (void)inviteOrAsk(w, {}, ""); }},
+      {O::kUserManage, "confirmInvitation",
+       [](SessionContext& w, Path) { (void)confirmInvitation(w, kNoSuch); }},
+      {O::kUserManage, "canMailInvitations", [](SessionContext& w, Path) { (void)canMailInvitations(w); }},
+      {O::kUserManage, "sendInvitations", [](SessionContext& w, Path) { (void)sendInvitations(w, {}, {}); }},
       {O::kUserManage, "askSecondPerson, to invite",
        [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kInvite}); }},
       {O::kUserManage, "browserAddress", [](SessionContext& w, Path) { (void)browserAddress(w); }},
@@ -367,6 +373,7 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kUserManage, "invitationsInForce", [](SessionContext& w, Path) { (void)invitationsInForce(w); }},
       {O::kUserManage, "requireSessionsOfOthers",
        [](SessionContext& w, Path) { requireSessionsOfOthers(w); }},
+      {O::kUserManage, "endBrowserSessions", [](SessionContext& w, Path) { endBrowserSessions(w, kNoSuch); }},
       {O::kUserManage, "noteEndedSessions", [](SessionContext& w, Path) { noteEndedSessions(w, kNoSuch); }},
       {O::kSettingsEdit, "setBrowserAddress",
        [](SessionContext& w, Path) { setBrowserAddress(w, "https://desk.example.org"); }},

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -31,7 +32,11 @@ struct ServedDesk {
     desk = std::make_unique<web::WebDesk>(web::DeskSettings{.locator = centre.locator(),
                                                             .assets = assetsFolder(),
                                                             .workers = 2,
-                                                            .passwordCost = PasswordCost::kTest});
+                                                            .passwordCost = PasswordCost::kTest,
+                                                            .accessLog = [this](const std::string& line) {
+                                                              const std::lock_guard lock(logging);
+                                                              log += line + "\n";
+                                                            }});
     server = std::make_unique<web::HttpServer>(
         web::HttpAddress{"127.0.0.1", 0}, web::TlsMaterial{}, web::HttpLimits{},
         [this](web::HttpRequest request, web::HttpServer::Reply reply) {
@@ -45,6 +50,8 @@ struct ServedDesk {
     return client;
   }
 
+  std::mutex logging;
+  std::string log;  ///< of accesses
   ReviewCentre centre;
   std::unique_ptr<web::WebDesk> desk;
   std::unique_ptr<web::HttpServer> server;

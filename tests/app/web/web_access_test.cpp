@@ -195,7 +195,7 @@ const std::map<std::string, std::set<std::string>>& answersOf() {
        {"GET /api/queue", "GET /api/evaluation", "GET /api/calibration", "GET /api/severity",
         "GET /api/discrepancies"}},
       {"trainee", {"GET /api/evaluation", "GET /api/own", "GET /api/own/remarks", "GET /api/own/transcript"}},
-      {"administrator", {"GET /api/all-sessions", "GET /api/cohorts"}}};
+      {"administrator", {"GET /api/all-sessions", "GET /api/cohorts", "GET /api/invitations"}}};
   return kAnswers;
 }
 

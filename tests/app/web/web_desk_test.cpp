@@ -193,9 +193,9 @@ TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
   Served served({.raters = 2, .trainees = 3, .trial_s = 0.5, .live = true, .dueByTrainee = true});
   WebClient client = served.physician(0);
   std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
-  for (const char* path :
-       {"/api/evaluation", "/api/calibration", "/api/severity", "/api/discrepancies", "/api/sessions",
-        "/api/own", "/api/own/remarks", "/api/own/transcript", "/api/cohorts", "/api/all-sessions"}) {
+  for (const char* path : {"/api/evaluation", "/api/calibration", "/api/severity", "/api/discrepancies",
+                           "/api/sessions", "/api/own", "/api/own/remarks", "/api/own/transcript",
+                           "/api/cohorts", "/api/all-sessions", "/api/invitations"}) {
     answers.push_back(client.get(path));
   }
   const json queue = answers.front().json();
@@ -227,6 +227,13 @@ TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
     }
     EXPECT_EQ(answer.headers.count("last-modified"), 0U);
     EXPECT_EQ(answer.headers.count("etag"), 0U);
+  }
+  const std::lock_guard lock(served.logging);
+  EXPECT_NE(served.log.find("GET /api/cases/*/recording 200"), std::string::npos) << served.log;
+  secrets.push_back("physician");
+  secrets.push_back(queue.at("lines").at(0).at("case"));
+  for (const std::string& secret : secrets) {
+    EXPECT_EQ(served.log.find(secret), std::string::npos) << secret << " in the log of accesses";
   }
 }
 

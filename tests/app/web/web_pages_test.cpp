@@ -150,6 +150,9 @@ TEST(WebPages, TraineesReadTheirOwnRecordAndNobodyElses) {
   ASSERT_EQ(run.status, 200) << run.body;
   EXPECT_TRUE(run.json().at("twists").is_array());
   EXPECT_TRUE(run.json().at("verdict").is_null()) << "of no exercise: nobody is held to be able by it";
+  const json told = run.json().at("told");
+  EXPECT_FALSE(told.at("checks").empty());
+  EXPECT_NE(told.at("checks").at(0).at("text"), "");
   EXPECT_EQ(one.get(path + "/recording").status, 200);
   EXPECT_EQ(two.get(path).status, 403);
   EXPECT_EQ(two.get(path + "/recording").status, 403);
@@ -243,7 +246,9 @@ TEST(WebPages, AdministratorsSeeTheDayAndWhoHasScored) {
   const json cohorts = office.get("/api/cohorts").json();
   ASSERT_EQ(cohorts.at("cohorts").size(), 1U);
   const std::string path = "/api/cohorts/" + cohorts.at("cohorts").at(0).at("cohort").get<std::string>();
-  EXPECT_EQ(office.get(path + "/board").json().at("rows").size(), 1U);
+  const json board = office.get(path + "/board").json();
+  EXPECT_EQ(board.at("rows").size(), 1U);
+  EXPECT_EQ(board.at("alerts"), json{"Trainees without a group: 1. Draw them under Allocation."});
   const WebAnswer scored = office.get(path + "/scored");
   ASSERT_EQ(scored.status, 200) << scored.body;
   EXPECT_EQ(scored.json().at("lines").at(0).at("cells"), (json{"submitted", "open"}));

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/invitations.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
@@ -51,22 +52,11 @@ QString InvitationsDialog::copied() const {
   QStringList mails;
   for (const InvitationCardText& card : cards_) {
     const QString greeting = tr("For %1:").arg(toQString(card.login)) + QLatin1Char('\n');
-    if (card.link.empty()) {
-      mails << greeting +
-                   tr("The code that goes with your invitation to Torsio at %1 is %2. The link comes by "
-                      "another way.")
-                       .arg(toQString(centre_), toQString(card.code));
-      continue;
-    }
     mails << greeting +
-                 tr("You are asked to work with Torsio at %1, in the browser of any computer. Open this "
-                    "link and choose a password:")
-                     .arg(toQString(centre_)) +
-                 QLatin1Char('\n') + toQString(card.link) + QLatin1Char('\n') +
-                 tr("Your sign-in name is %1. The link is good once, until %2, and for you alone: please do "
-                    "not "
-                    "pass it on.")
-                     .arg(toQString(card.login), shownTime(card.expiresUtc_us, locale()));
+                 toQString(card.link.empty()
+                               ? invitationCodeWords(centre_, card.code)
+                               : invitationWords(centre_, card.login, card.link,
+                                                 shownTime(card.expiresUtc_us, locale()).toStdString()));
   }
   return mails.join(QStringLiteral("\n\n"));
 }

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/access/browser_sessions.h"
 #include "app/access/first_run.h"
 #include "app/access/invitations.h"
 #include "app/access/kiosk_codes.h"
@@ -73,7 +74,9 @@ UsersPage::UsersPage(ShellContext& shell)
       cards_(listButton(table_)),
       revoke_(listButton(table_)),
       invite_(listButton(table_)),
-      uninvite_(listButton(table_)) {
+      uninvite_(listButton(table_)),
+      endSessions_(listButton(table_)) {
+  endSessions_->setObjectName(QStringLiteral("endBrowserSessions"));
   invite_->setObjectName(QStringLiteral("inviteUsers"));
   uninvite_->setObjectName(QStringLiteral("revokeInvitations"));
   cards_->setObjectName(QStringLiteral("makeKioskCards"));
@@ -98,6 +101,7 @@ UsersPage::UsersPage(ShellContext& shell)
   connect(revoke_, &QPushButton::clicked, this, &UsersPage::revokeKioskCards);
   connect(invite_, &QPushButton::clicked, this, &UsersPage::inviteChosen);
   connect(uninvite_, &QPushButton::clicked, this, &UsersPage::revokeInvitations);
+  connect(endSessions_, &QPushButton::clicked, this, &UsersPage::endSessions);
   connect(table_, &DataTable::currentChanged, this, &UsersPage::showButtons);
   connect(table_, &DataTable::activated, this, &UsersPage::changeRoles);
   retranslate();
@@ -133,6 +137,9 @@ void UsersPage::retranslate() {
   invite_->setToolTip(
       tr("A link for each of the chosen users, with which they set a password in a browser."));
   uninvite_->setText(tr("Revoke &links\u2026"));
+  endSessions_->setText(tr("&Sign out of browsers"));
+  endSessions_->setToolTip(
+      tr("Ends whatever the chosen users have open in browsers, within the moment of their next click."));
   table_->setColumns({{tr("Sign-in name")},
                       {tr("Person")},
                       {tr("Roles")},
@@ -185,6 +192,7 @@ void UsersPage::showButtons() {
   revoke_->setEnabled(
       std::any_of(chosen.begin(), chosen.end(), [&](const UserId& id) { return kioskCodes_.contains(id); }));
   invite_->setEnabled(!chosen.empty());
+  endSessions_->setEnabled(!chosen.empty());
   uninvite_->setEnabled(
       std::any_of(chosen.begin(), chosen.end(), [&](const UserId& id) { return invitations_.contains(id); }));
   active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
@@ -237,9 +245,8 @@ void UsersPage::revokeKioskCards() {
 void UsersPage::inviteChosen() {
   const std::vector<UserId> ids = chosenUsers();
   attempt(shell(), [&] {
-    std::vector<UserId> alone;
-    std::vector<const UserAccount*> byTwo;
     std::map<UserId, std::string> codes;
+    bool byTwo = false;
     QStringList logins;
     for (const UserAccount& user : users_) {
       if (std::find(ids.begin(), ids.end(), user.id) == ids.end()) {
@@ -247,14 +254,10 @@ void UsersPage::inviteChosen() {
       }
       logins << toQString(user.login);
       codes[user.id] = personCodes_[user.personId].empty() ? user.login : personCodes_[user.personId];
-      if (passwordNeedsTwo(shell().session(), user)) {
-        byTwo.push_back(&user);
-      } else {
-        alone.push_back(user.id);
-      }
+      byTwo = byTwo || passwordNeedsTwo(shell().session(), user);
     }
     const std::string known = browserAddress(shell().session());
-    const std::optional<InvitationWish> wish = askInvitation(this, firstFew(logins), known, !byTwo.empty());
+    const std::optional<InvitationWish> wish = askInvitation(this, firstFew(logins), known, byTwo);
     if (!wish) {
       return;
     }
@@ -263,19 +266,12 @@ void UsersPage::inviteChosen() {
     }
     const std::string address = browserAddress(shell().session());
     std::vector<InvitationCardText> cards;
-    if (!alone.empty()) {
-      for (const Invitation& one : invite(shell().session(), alone)) {
-        cards.push_back({.personCode = codes[one.userId],
-                         .login = one.login,
-                         .link = invitationLink(address, one.secret, false),
-                         .expiresUtc_us = one.expiresUtc_us});
-      }
-    }
-    for (const UserAccount* user : byTwo) {
-      const DutyWish duty{.act = DutyAct::kInvite, .subject = user->id, .reason = wish->reason};
-      cards.push_back({.personCode = codes[user->id],
-                       .login = user->login,
-                       .code = askSecondPerson(shell().session(), duty)});
+    for (const HandedInvitation& one : inviteOrAsk(shell().session(), ids, wish->reason)) {
+      cards.push_back({.personCode = codes[one.userId],
+                       .login = one.login,
+                       .link = one.secret.empty() ? "" : invitationLink(address, one.secret, false),
+                       .code = one.code,
+                       .expiresUtc_us = one.expiresUtc_us});
     }
     InvitationsDialog(std::move(cards), centreSign(shell().session().connectionWithoutRight()).name, this)
         .exec();
@@ -294,6 +290,16 @@ void UsersPage::revokeInvitations() {
     const std::size_t revoked = torsio::revokeInvitations(shell().session(), ids, *reason);
     enter({});
     shell().notify(tr("Invitations revoked: %1").arg(revoked));
+  });
+}
+
+void UsersPage::endSessions() {
+  const std::vector<UserId> ids = chosenUsers();
+  attempt(shell(), [&] {
+    for (const UserId& id : ids) {
+      endBrowserSessions(shell().session(), id);
+    }
+    shell().notify(tr("Signed out of every browser: %1. Drafts are kept.").arg(ids.size()));
   });
 }
 

@@ -47,6 +47,7 @@ class UsersPage : public Page {
   void revokeKioskCards();
   void inviteChosen();
   void revokeInvitations();
+  void endSessions();
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
@@ -66,6 +67,7 @@ class UsersPage : public Page {
   QPushButton* revoke_;
   QPushButton* invite_;
   QPushButton* uninvite_;
+  QPushButton* endSessions_;
 };
 
 }  // namespace torsio::gui

@@ -16,6 +16,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/study/alert_words.h"
 
 namespace torsio::gui {
 
@@ -75,33 +76,10 @@ AlertPanel::AlertPanel(QWidget* parent)
 }
 
 QString AlertPanel::textOf(const RunDayAlert& alert) const {
-  using Kind = RunDayAlert::Kind;
-  switch (alert.kind) {
-    case Kind::kTrialOpen:
-      return AlertWords::tr("%1 was recording at %2, which does not answer since %3. Go and look.")
-          .arg(toQString(alert.subject), toQString(alert.station), shownTime(alert.sinceUtc_us, locale()));
-    case Kind::kStationSilent:
-      return AlertWords::tr("%1 does not answer since %2.")
-          .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
-    case Kind::kDeviceUnfit:
-      return AlertWords::tr("%1: the device is not fit for graded runs: %2.")
-          .arg(toQString(alert.subject), toQString(alert.reason));
-    case Kind::kServoUneven:
-      return AlertWords::tr("%1, last run: %2. %3.")
-          .arg(toQString(alert.subject), toQString(alert.reason), toQString(alert.remedy));
-    case Kind::kSlotOverdue:
-      return AlertWords::tr("%1 was expected at %2, %3, and has not begun.")
-          .arg(toQString(alert.subject), slotTime(alert.sinceUtc_us, locale()), toQString(alert.station));
-    case Kind::kRestTooLong:
-      return AlertWords::tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
-    case Kind::kSheetsMissing:
-      return AlertWords::tr("%1: sheets still missing: %2.")
-          .arg(occasionName(alert.occasion))
-          .arg(alert.count);
-    case Kind::kNoGroup:
-      return AlertWords::tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
-  }
-  return {};
+  const QString since = alert.kind == RunDayAlert::Kind::kSlotOverdue
+                            ? slotTime(alert.sinceUtc_us, locale())
+                            : shownTime(alert.sinceUtc_us, locale());
+  return toQString(alertText(alert, since.toStdString(), Text(occasionName(alert.occasion).toStdString())));
 }
 
 void AlertPanel::showAlerts(const std::vector<RunDayAlert>& alerts) {

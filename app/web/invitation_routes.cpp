@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Links of invitation: who has one, made, confirmed, sent, taken back. A link or code is in one answer and
+// never again.
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QDateTime>
+
+#include "app/access/access_service.h"
+#include "app/access/first_run.h"
+#include "app/access/invitations.h"
+#include "app/access/two_people.h"
+#include "app/mail/mailed_invitations.h"
+#include "app/web/router.h"
+#include "app/web/web_desk.h"
+#include "sim/base/refusal.h"
+
+namespace torsio::web {
+
+namespace {
+
+using nlohmann::json;
+
+const char* const kUser = "user ";
+const char* const kRequest = "request ";
+constexpr std::size_t kMostUsers = 1000;
+constexpr std::size_t kLongestReason = 1000;
+constexpr std::size_t kLongestPassword = 1024;
+constexpr std::size_t kLongestHandle = 100;
+
+HttpResponse answerInvitations(Call& call) {
+  const std::map<UserId, std::int64_t> until = invitationsInForce(call.context);
+  json people = json::array();
+  for (const UserAccount& user : users(call.context)) {
+    if (!user.active || user.id == call.context.actor().userId) {
+      continue;
+    }
+    const auto open = until.find(user.id);
+    people.push_back({{"user", call.session->handleFor(kUser + user.id.text())},
+                      {"login", user.login},
+                      {"by_two", passwordNeedsTwo(call.context, user)},
+                      {"until_utc_us", open == until.end() ? json(nullptr) : json(open->second)}});
+  }
+  json waiting = json::array();
+  for (const OpenRequest& open : openRequests(call.context)) {
+    if (open.request.act == DutyAct::kInvite) {
+      waiting.push_back({{"request", call.session->handleFor(kRequest + open.request.id)},
+                         {"login", open.shown},
+                         {"by", open.requestedBy},
+                         {"reason", open.request.reason},
+                         {"own", open.own}});
+    }
+  }
+  return jsonAnswer({{"people", std::move(people)},
+                     {"waiting", std::move(waiting)},
+                     {"mail", canMailInvitations(call.context)}});
+}
+
+std::vector<UserId> usersOf(const Call& call) {
+  std::vector<UserId> ids;
+  for (const JsonBody& one : call.body.objects("users", kMostUsers)) {
+    const std::string what = call.session->whatOf(one.text("user", kLongestHandle));
+    if (what.rfind(kUser, 0) != 0) {
+      refuseParameter(Text::tr("there is no such user"), "", Text::tr("Load the page again"));
+    }
+    ids.emplace_back(what.substr(std::string(kUser).size()));
+  }
+  return ids;
+}
+
+/// "2026-12-03 14:05".
+std::string timeText(std::int64_t utc_us) {
+  return QDateTime::fromMSecsSinceEpoch(utc_us / 1000)
+      .toString(QStringLiteral("yyyy-MM-dd HH:mm"))
+      .toStdString();
+}
+
+/// Where browsers find the desk: as the centre has set it, else as this one came in.
+std::string deskAddress(const Call& call) {
+  const std::string set = browserAddress(call.context);
+  return set.empty() ? call.desk.addressFor(call.request) : set;
+}
+
+/// What is handed over, with its words, and sent where that is wished: the answer's `problem` says why a mail
+/// did not go out, empty: it did.
+HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed, bool confirmed) {
+  const std::string centre = centreSign(call.context.connectionWithoutRight()).name;
+  const std::string address = deskAddress(call);
+  const auto said = [&call](const Text& text) { return call.wording(text).toStdString(); };
+  json cards = json::array();
+  std::vector<MailedInvitation> mails;
+  std::vector<std::size_t> whose;
+  for (const HandedInvitation& one : handed) {
+    const std::string link = one.secret.empty() ? "" : invitationLink(address, one.secret, confirmed);
+    const std::string until = one.secret.empty() ? "" : timeText(one.expiresUtc_us);
+    const std::string words = said(link.empty() ? invitationCodeWords(centre, one.code)
+                                                : invitationWords(centre, one.login, link, until));
+    if (!link.empty()) {
+      mails.push_back({one.userId, said(invitationSubject(centre)), words});
+      whose.push_back(cards.size());
+    }
+    cards.push_back({{"login", one.login},
+                     {"link", link},
+                     {"code", one.code},
+                     {"until", until},
+                     {"words", words},
+                     {"mail", nullptr}});
+  }
+  if (call.body.has("mail_password") && !mails.empty()) {
+    const std::string password = call.body.textOrNone("mail_password", kLongestPassword);
+    std::vector<Text> problems(mails.size());
+    try {
+      problems = sendInvitations(call.context, password, mails);
+    } catch (const Error& error) {  // the links were made, and are shown all the same
+      std::fill(problems.begin(), problems.end(), error.happenedText());
+    }
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      cards[whose[i]]["mail"] = said(problems[i]);
+    }
+  }
+  return jsonAnswer({{"centre", centre}, {"cards", std::move(cards)}});
+}
+
+HttpResponse answerInvite(Call& call) {
+  return handedOver(
+      call, inviteOrAsk(call.context, usersOf(call), call.body.textOrNone("reason", kLongestReason)), false);
+}
+
+HttpResponse answerConfirm(Call& call) {
+  const std::string what = call.session->whatOf(call.body.text("request", kLongestHandle));
+  const std::string id = what.rfind(kRequest, 0) == 0 ? what.substr(std::string(kRequest).size()) : "";
+  return handedOver(call, {confirmInvitation(call.context, id)}, true);
+}
+
+HttpResponse answerRevoke(Call& call) {
+  const std::vector<UserId> ids = usersOf(call);
+  (void)revokeInvitations(call.context, ids, call.body.textOrNone("reason", kLongestReason));
+  return answerInvitations(call);
+}
+
+}  // namespace
+
+std::vector<Route> invitationRoutes() {
+  constexpr auto kIn = RouteAccess::kSignedIn;
+  // What may send mail waits for a server elsewhere.
+  return {{"GET", "/api/invitations", kIn, answerInvitations},
+          {"POST", "/api/invitations", kIn, answerInvite, true},
+          {"POST", "/api/invitations/confirm", kIn, answerConfirm, true},
+          {"POST", "/api/invitations/revoke", kIn, answerRevoke}};
+}
+
+}  // namespace torsio::web

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moments of a recording as small pictures, where a browser has no WebGL. A click seeks.
+import { h } from './dom.js';
+import { addNormals, Morph } from './morph.js';
+import { clockTime } from './numbers.js';
+import { OrbitCamera } from './orbit.js';
+import { rasterPicture } from './raster.js';
+import { t } from './texts.js';
+import { poseMatrix } from './tool_pose.js';
+
+const kMoments = 8;
+const kWidth = 200;
+const kHeight = 130;
+const kSteel = [178, 183, 188];
+
+export class FilmStrip {
+  element = h('ol', { class: 'film' });
+  #moments = [];
+
+  /// Containers of the recording and the organ. `onSeek(position_us)`.
+  constructor(recording, organ, onSeek) {
+    this.element.setAttribute('aria-label', t('Film strip'));
+    Object.assign(this, { recording, morph: new Morph(organ), onSeek });
+    const { tool_index: index, tool_mean: mean } = organ.arrays;
+    this.tool = { index, vertices: new Float32Array(2 * mean.length), colour: kSteel };
+    for (let i = 0; i < mean.length; ++i) this.tool.vertices[6 * Math.floor(i / 3) + (i % 3)] = mean[i];
+    addNormals(index, this.tool.vertices);
+    const { length_us } = recording.meta;
+    for (let i = 0; i < kMoments; ++i) this.#add((i * length_us) / (kMoments - 1));
+    this.#drawFrom(0);
+  }
+  /// The moment that the playhead has passed last.
+  setPosition(position_us) {
+    const present = this.#moments.findLast((one) => one.at_us <= position_us + 1);
+    for (const one of this.#moments) {
+      if (one === present) one.button.setAttribute('aria-current', 'true');
+      else one.button.removeAttribute('aria-current');
+    }
+  }
+
+  #add(at_us) {
+    const canvas = h('canvas', { width: kWidth, height: kHeight });
+    const button = h('button', { type: 'button', class: 'moment', 'aria-label': t('Moment %1', clockTime(at_us)), onclick: () => this.onSeek(at_us),
+      onmousedown: (event) => event.preventDefault() }, // the keyboard stays in the sheet
+      canvas, h('span', { 'aria-hidden': 'true' }, clockTime(at_us)));
+    this.#moments.push({ at_us, canvas, button });
+    this.element.append(h('li', {}, button));
+  }
+  /// One after the other, so that the page answers meanwhile.
+  #drawFrom(number) {
+    if (number >= this.#moments.length) return;
+    const { at_us, canvas } = this.#moments[number];
+    const time_s = at_us / 1e6;
+    const { morph } = this;
+    const vertices = morph.evaluate(time_s);
+    this.camera ??= new OrbitCamera();
+    this.camera.frame(morph.ball(), kWidth / kHeight);
+    const bytes = rasterPicture([{ index: morph.index, vertices, colour: morph.colour },
+      { ...this.tool, model: poseMatrix(this.recording, time_s) }], this.camera, kWidth, kHeight);
+    canvas.getContext('2d').putImageData(new ImageData(bytes, kWidth, kHeight), 0, 0);
+    setTimeout(() => this.#drawFrom(number + 1));
+  }
+}
