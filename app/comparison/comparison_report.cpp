@@ -23,6 +23,9 @@ Text shortName(const ModelResult& model) {
   if (model.id == "paper") {
     return Text::tr("PM as printed");
   }
+  if (model.id == "rod") {
+    return Text::tr("rod");
+  }
   return model.id == "pm"    ? Text::verbatim("PM")
          : model.id == "fem" ? Text::verbatim("FEM")
                              : Text::verbatim("MSM");

@@ -7,6 +7,7 @@
 #include <QBarCategoryAxis>
 #include <QCategoryAxis>
 #include <QChart>
+#include <QString>
 #include <QValueAxis>
 
 #include "app/report/category_labels.h"
@@ -16,6 +17,15 @@
 namespace torsio {
 
 namespace {
+
+/// An axis takes no name twice, and would leave the mark of the second one bare.
+void appendTo(QCategoryAxis& axis, QString name, double at) {
+  constexpr QChar kNothing(0x200B);  // has no width
+  while (axis.categoriesLabels().contains(name)) {
+    name += kNothing;
+  }
+  axis.append(name, at);
+}
 
 /// From one mark to the next: a whole number, of few enough marks.
 double wholeStep(double span) {
@@ -165,7 +175,7 @@ QCategoryAxis* ChartAxes::addCategories() {
   }
   const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
   for (qsizetype i = 0; i < names.size(); ++i) {
-    axis->append(names[i], static_cast<double>(i + 1));
+    appendTo(*axis, names[i], static_cast<double>(i + 1));
   }
   axis->setLabelsFont(letters);
   axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
@@ -208,7 +218,7 @@ QCategoryAxis* ChartAxes::addRows() {
   auto* axis = styled(new QCategoryAxis, figure_.xLabel);
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
-    axis->append(say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+    appendTo(*axis, say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
   }
   axis->setRange(0.4, rows + 0.6);
   axis->setReverse(true);  // first row on top

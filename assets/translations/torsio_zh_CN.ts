@@ -17614,6 +17614,38 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>Words for a mail</source>
         <translation>邮件正文</translation>
     </message>
+    <message>
+        <source>Skills lab (demonstration)</source>
+        <translation>技能实验室（演示）</translation>
+    </message>
+    <message>
+        <source>Paper protocol: three arms (demonstration)</source>
+        <translation>论文方案：三组（演示）</translation>
+    </message>
+    <message>
+        <source>Volvulus and torsion: undo it (demonstration)</source>
+        <translation>肠胃扭转与睾丸扭转：复位（演示）</translation>
+    </message>
+    <message>
+        <source>Twist on the arm (demonstration)</source>
+        <translation>手臂上的扭转（演示）</translation>
+    </message>
+    <message>
+        <source>Overall mark on the real arm (demonstration)</source>
+        <translation>实物手臂总分（演示）</translation>
+    </message>
+    <message>
+        <source>proposed model (Kriging + membrane)</source>
+        <translation>所提模型（Kriging + 膜）</translation>
+    </message>
+    <message>
+        <source>finite elements</source>
+        <translation>有限元</translation>
+    </message>
+    <message>
+        <source>mass-spring</source>
+        <translation>质点弹簧</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -17884,10 +17916,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>学员</translation>
     </message>
     <message>
-        <source>Expected in the groups</source>
-        <translation>各组预期人数</translation>
-    </message>
-    <message>
         <source>Usual difference</source>
         <translation>平均差</translation>
     </message>
@@ -17968,6 +17996,10 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>Allocations</source>
         <translation>分组记录</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>各组预期人数</translation>
     </message>
 </context>
 <context>
@@ -18649,6 +18681,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Choose an evaluation.</source>
         <translation>请选择一项评价。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -19555,8 +19591,8 @@ MSM = 质点弹簧</translation>
         <translation>您之前同意的是另一份文本（%1）。现在的文本是 %2，请阅读。</translation>
     </message>
     <message>
-        <source>&amp;Keep these decisions</source>
-        <translation>保存这些决定(&amp;K)</translation>
+        <source>&amp;Save these decisions</source>
+        <translation>保存这些决定(&amp;S)</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,15 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "Simulated trainees after section 6 of the paper"),
     QT_TRANSLATE_NOOP("Text", "Simulated trainees who undo organs that come twisted"),
     QT_TRANSLATE_NOOP("Text", "untwisting"),
+    QT_TRANSLATE_NOOP("Text", "Skills lab (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "Paper protocol: three arms (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "Volvulus and torsion: undo it (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "Twist on the arm (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "Overall mark on the real arm (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "proposed model (Kriging + membrane)"),
+    QT_TRANSLATE_NOOP("Text", "finite elements"),
+    QT_TRANSLATE_NOOP("Text", "mass-spring"),
+    QT_TRANSLATE_NOOP("Text", "demonstration"),
     QT_TRANSLATE_NOOP("Text", "Right forearm: Pronation, 60 degrees"),  // the exercise of the demonstration
 };
 

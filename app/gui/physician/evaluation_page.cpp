@@ -58,6 +58,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   middle->addStretch(0);
   column->addLayout(middle, 1);
   auto* foot = new QHBoxLayout;
+  foot->addWidget(replay_->proof());
   foot->addWidget(said_, 1);
   foot->addWidget(submit_);
   column->addLayout(foot);

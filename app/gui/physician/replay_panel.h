@@ -57,6 +57,8 @@ class ReplayPanel : public QWidget {
   void showSentence(const QString& sentence);
   /// Null: nothing to show.
   void show(std::shared_ptr<LoadedRecording> recording);
+  /// Says what proves the recording, below the panel unless a page puts it where it has more room.
+  [[nodiscard]] QLabel* proof() noexcept { return digest_; }
   /// Allowed speeds, rising. One: locked.
   void setSpeeds(std::vector<double> speeds);
   void setBookmarks(std::vector<std::int64_t> times_us) { traces_->setBookmarks(std::move(times_us)); }

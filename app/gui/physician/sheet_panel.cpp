@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
@@ -57,6 +58,9 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
 }
 
 bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == scroll_ && event->type() == QEvent::Resize) {
+    QTimer::singleShot(0, this, &SheetPanel::showCurrentRow);  // when the rows have their places
+  }
   if (watched == scroll_ && event->type() == QEvent::KeyPress) {
     event->ignore();  // the arrows belong to the rows, not to the scroll bar
     return true;
@@ -210,10 +214,17 @@ void SheetPanel::setCurrentRow(const std::string& row) {
     typed_points_.reset();
   }
   current_ = row;
+  for (ScoreRow* line : rows_) {
+    line->setCurrent(line->code() == current_);
+  }
+  showCurrentRow();
+  Q_EMIT rowChanged();
+}
+
+void SheetPanel::showCurrentRow() {
   const bool still =
       std::any_of(rows_.begin(), rows_.end(), [](const ScoreRow* line) { return line->underFinger(); });
   for (ScoreRow* line : rows_) {
-    line->setCurrent(line->code() == current_);
     if (line->code() != current_ || !scroll_->isAncestorOf(line)) {
       continue;
     }
@@ -225,7 +236,6 @@ void SheetPanel::setCurrentRow(const std::string& row) {
       scroll_->ensureWidgetVisible(line, 0, kSpace);
     }
   }
-  Q_EMIT rowChanged();
 }
 
 void SheetPanel::takeFocus() {

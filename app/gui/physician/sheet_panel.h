@@ -52,6 +52,8 @@ class SheetPanel : public QWidget {
   [[nodiscard]] bool readOnly() const noexcept { return readOnly_; }
   [[nodiscard]] const std::string& currentRow() const noexcept { return current_; }
   void setCurrentRow(const std::string& row);
+  /// Scrolls no further than it takes to see the current row whole.
+  void showCurrentRow();
   /// Digits, arrows, N, Backspace, Delete. False: not a key of the sheet.
   bool handleKey(int key, Qt::KeyboardModifiers modifiers);
   /// Puts the keyboard on the marked row.

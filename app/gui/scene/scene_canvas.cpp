@@ -351,7 +351,7 @@ void SceneCanvas::castShadow(const OrganSurface& organ) {
 
 void SceneCanvas::setTheme(const Theme& theme) {
   if (quick_ != nullptr) {
-    quick_->setClearColor(theme.backdropBottom);  // beside the painted square
+    quick_->setClearColor(theme.backdrop);  // beside the painted square
   }
   set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
   set("latticeColour", theme.lattice);

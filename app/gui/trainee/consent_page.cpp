@@ -149,11 +149,11 @@ void ConsentPage::showState() {
     state_->setText(tr("You have not agreed so far."));
   } else if (record->textVersion != asked_.id) {
     state_->setText(tr("You have agreed before, to another text (%1). This is %2: please read it.")
-                        .arg(toQString(record->textVersion), toQString(asked_.id)));
+                        .arg(toQString(Text(record->textVersion)), toQString(asked_.id)));
   } else {
     state_->setText(tr("You have agreed before."));
   }
-  agree_->setText(given ? tr("&Keep these decisions") : tr("I &agree to the training record"));
+  agree_->setText(given ? tr("&Save these decisions") : tr("I &agree to the training record"));
   decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
 }
 

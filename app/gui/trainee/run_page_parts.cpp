@@ -134,6 +134,7 @@ QWidget* RunPage::createPanel() {
   torque_ = new LevelBar(QString(), QString(), 3, load_);
   force_ = new LevelBar(QString(), QString(), 2, load_);
   warning_ = plainLabel(load_, "caution");
+  warning_->setObjectName(QStringLiteral("warning"));
   load_->content()->addWidget(torque_);
   load_->content()->addWidget(force_);
   load_->content()->addWidget(warning_);

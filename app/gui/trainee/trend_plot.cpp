@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <QLocale>
 #include <QPainter>
@@ -87,11 +88,7 @@ double TrendPlot::yOf(double value) const {
   return height() - kTrendBottom - (value - low_) / (high_ - low_) * (height() - kTrendTop - kTrendBottom);
 }
 
-void TrendPlot::drawGrid(QPainter& painter) const {
-  QFont small = font();
-  small.setPointSizeF(kSmallText_pt);
-  painter.setFont(small);
-  const bool answer = isAnswerMetric(trend_.metric);
+std::vector<double> TrendPlot::marks() const {
   const double power = std::pow(10.0, std::floor(std::log10((high_ - low_) / 4.0)));
   double step = power;
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
@@ -100,9 +97,26 @@ void TrendPlot::drawGrid(QPainter& painter) const {
       break;
     }
   }
-  step = answer || isCountMetric(trend_.metric) ? std::max(1.0, std::round(step)) : step;
+  if (isAnswerMetric(trend_.metric) || isCountMetric(trend_.metric)) {
+    step = std::max(1.0, std::round(step));
+  }
+  std::vector<double> all;
+  for (auto at = static_cast<std::int64_t>(std::ceil(low_ / step)); static_cast<double>(at) * step <= high_;
+       ++at) {
+    all.push_back(static_cast<double>(at) * step);
+  }
+  return all;
+}
+
+void TrendPlot::drawGrid(QPainter& painter) const {
+  QFont small = font();
+  small.setPointSizeF(kSmallText_pt);
+  painter.setFont(small);
+  const bool answer = isAnswerMetric(trend_.metric);
+  const std::vector<double> values = marks();
+  const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-  for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
+  for (const double v : values) {
     painter.setPen(theme_->line);
     painter.drawLine(QPointF(kTrendLeft, yOf(v)), QPointF(width() - kTrendRight, yOf(v)));
     painter.setPen(theme_->quietText);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
@@ -19,6 +21,9 @@ class TrendPlot : public QWidget {
   void setTrend(const Trend& trend);
   void setTheme(const Theme& theme);
   void retranslate();
+  /// Values at the lines of the grid, rising, in the unit that is shown: what is counted, or answered by yes
+  /// or no, has whole ones only.
+  [[nodiscard]] std::vector<double> marks() const;
   [[nodiscard]] QSize sizeHint() const override { return {640, 340}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 

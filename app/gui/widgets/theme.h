@@ -24,13 +24,12 @@ struct Theme {
   QColor disabledText;  ///< what cannot be used now: dimmer, and still legible
   QColor accent;        ///< the one colour of action and selection
   QColor onAccent;
-  QColor good;         ///< target reached
-  QColor caution;      ///< force limit: amber, never red, in a dark room
-  QColor recording;    ///< a trial is being recorded
-  QColor track;        ///< empty part of a gauge
-  QColor backdropTop;  ///< behind the organ
-  QColor backdropBottom;
-  QColor lattice;  ///< ridges and sections
+  QColor good;       ///< target reached
+  QColor caution;    ///< force limit: amber, never red, in a dark room
+  QColor recording;  ///< a trial is being recorded
+  QColor track;      ///< empty part of a gauge
+  QColor backdrop;   ///< round the picture of an organ
+  QColor lattice;    ///< ridges and sections
   QColor wire;
   QColor grasp;  ///< section to take hold of
   QColor shaft;  ///< sleeve of the instrument, before the lamps shine on it

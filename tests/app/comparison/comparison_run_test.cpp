@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,11 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
   }
+  std::set<std::string> names;
+  for (const Text& name : report.sections[0].figures[0].categories) {
+    EXPECT_TRUE(names.insert(name.str()).second) << "two models are called " << name;
+  }
+  EXPECT_TRUE(names.contains("rod"));
 }
 
 TEST(ComparisonRun, EndsWithinASecondOfTheListenersRefusal) {

@@ -150,6 +150,9 @@ TEST(ControllerOfAnUntwisting, ParksTheTipClearOfTheOrganAsItCame) {
 
 TEST_F(Controller, RecordsATrialFromItsFirstTick) {
   load(requestFor("bar"));
+  QString said;
+  QObject::connect(&controller_, &SimulationController::noticed, &controller_,
+                   [&said](const QString& sentence) { said = sentence; });
   const Trial trial = record(1200);
 
   EXPECT_EQ(trial.summary.samples, 1200);
@@ -158,6 +161,7 @@ TEST_F(Controller, RecordsATrialFromItsFirstTick) {
   EXPECT_EQ(trial.header.organHash, controller_.scene()->organHash);
   EXPECT_EQ(trial.header.trialId.text().size(), 36U);
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
+  EXPECT_EQ(said, QStringLiteral("Recorded: 0:01. Replay shows it again")) << "its length, and no path";
 }
 
 TEST_F(Controller, RefusesAnotherSceneWhileRecording) {

@@ -228,6 +228,26 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   EXPECT_EQ(alignmentCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
 }
 
+TEST(EvaluationPage, FitsASmallScreenBesideARecording) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  Campaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Two models";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1, centre.trialIds()[0]},
+                     {"FEM", "finite elements", "M", 2, centre.trialIds()[1]}};
+  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  DeskOf desk(centre, 0);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  auto& page = desk.open<EvaluationPage>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return child<QLabel>(page, "task").isVisible(); }, 20'000));
+
+  EXPECT_LE(page.minimumSizeHint().width(), 1146);
+  EXPECT_LE(page.minimumSizeHint().height(), 650);
+}
+
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   ReviewCentre centre(ReviewCentre::Setup{});
   Campaign campaign;

@@ -134,6 +134,25 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
   EXPECT_GT(scroll.verticalScrollBar()->value(), 0) << "by the keys, what a row says comes into sight whole";
 }
 
+TEST(SheetEditorPanel, TheRowToBeScoredIsSeenWholeOnceThereIsRoom) {
+  SheetEditorPanel panel(true);
+  panel.resize(520, 250);  // as before its page was laid out
+  panel.show();
+  panel.beginSheet(threeRows(), {});
+  QApplication::processEvents();
+  const ScoreRow& first = *panel.findChildren<ScoreRow*>().first();
+  QScrollArea& scroll = *panel.findChild<QScrollArea*>();
+  ASSERT_LT(scroll.viewport()->height(), first.height());
+  panel.setCurrentRow("time");
+  ASSERT_GT(scroll.verticalScrollBar()->value(), 0);
+
+  panel.resize(520, 250 + 2 * first.height());
+  QApplication::processEvents();
+
+  ASSERT_GT(scroll.verticalScrollBar()->maximum(), 0) << "not all rows fit";
+  EXPECT_GE(first.mapTo(scroll.viewport(), QPoint(0, 0)).y(), 0);
+}
+
 TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's way through the station with real widgets: from a locked module to the trend, on the offscreen
 // platform.
+#include <cmath>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include <QApplication>
 #include <QCheckBox>
@@ -29,6 +31,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
+#include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
@@ -436,6 +439,38 @@ TEST(StationPages, TheRunCountsItsTwists) {
     station.find<LiveScene>("scene")->frame(0.04);
   }
   EXPECT_EQ(count->text(), QStringLiteral("2 of 3 twists"));
+
+  auto* warning = station.find<QLabel>("warning");
+  LiveState pressing;
+  pressing.phase = ExercisePhase::kContact;
+  pressing.response.depth_m = 0.006;
+  Q_EMIT station.find<LiveScene>("scene")->shown(pressing);
+  EXPECT_TRUE(warning->text().contains(QStringLiteral("pressing too deep")));
+  pressing.response.depth_m = 0.004;
+  Q_EMIT station.find<LiveScene>("scene")->shown(pressing);
+  EXPECT_TRUE(warning->text().isEmpty());
+}
+
+TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
+  const auto marksOf = [](const char* metric, double most) {
+    Trend trend;
+    trend.metric = metric;
+    for (const double value : {0.0, most}) {
+      trend.points.emplace_back().value = value;
+    }
+    TrendPlot plot;
+    plot.setTrend(trend);
+    return plot.marks();
+  };
+  for (const double most : {0.0, 1.0, 2.0, 7.0, 40.0}) {
+    const std::vector<double> marks = marksOf("force.violations", most);
+    ASSERT_FALSE(marks.empty());
+    for (const double mark : marks) {
+      EXPECT_EQ(mark, std::round(mark)) << "up to " << most;
+    }
+  }
+  const std::vector<double> angles = marksOf("force.mean", 0.01);
+  EXPECT_GT(angles.size(), 2U);
 }
 
 TEST(StationPages, TheTranscriptIsAPdf) {

@@ -135,8 +135,7 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
     EXPECT_GE(contrast(mark, t.track), kMark);
   }
   for (const QColor& line : {t.grasp, t.lattice, t.wire, t.shaft}) {
-    EXPECT_GE(contrast(line, t.backdropTop), kMark);
-    EXPECT_GE(contrast(line, t.backdropBottom), kMark);
+    EXPECT_GE(contrast(line, t.backdrop), kMark);
   }
 }
 

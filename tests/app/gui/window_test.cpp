@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as widgets, on a platform that cannot draw the scene.
+#include <algorithm>
+
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
@@ -281,6 +283,21 @@ TEST_F(Window, ReadoutsFollowTheState) {
     phase = phase || label->text().contains(ReadoutPanel::phaseName(ExercisePhase::kTwisting));
   }
   EXPECT_TRUE(phase);
+
+  // A tool that is pressed in is held at the surface, and whoever holds it is told before a limit is reached.
+  const auto tells = [readout](const LiveState& shown) {
+    readout->show(shown, 31.0);
+    const QList<QLabel*> labels = readout->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->text().contains(QStringLiteral("pressing too deep"));
+    });
+  };
+  state.response.depth_m = 0.006;
+  EXPECT_FALSE(tells(state)) << "what is held may lie deep";
+  state.phase = ExercisePhase::kContact;
+  EXPECT_TRUE(tells(state));
+  state.response.depth_m = 0.004;
+  EXPECT_FALSE(tells(state));
 }
 
 TEST_F(Window, ReadoutsOfAnOrganThatCameTwistedLeaveNoRoomForTheDial) {

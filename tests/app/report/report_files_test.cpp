@@ -13,6 +13,7 @@
 #include <QBarSet>
 #include <QBoxPlotSeries>
 #include <QBoxSet>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsScene>
 #include <QGraphicsTextItem>
@@ -340,6 +341,21 @@ TEST(ChartBuilder, DrawsOneBarSetASeries) {
   ASSERT_NE(bars, nullptr);
   EXPECT_EQ(bars->barSets().size(), 3);
   EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
+}
+
+TEST(ChartBuilder, NamesEachCategoryAlsoWhereTwoAreCalledAlike) {
+  for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kPoints, FigureKind::kForest}) {
+    ReportFigure figure = figureOf(kind);
+    figure.categories[8] = figure.categories[2];
+    const std::unique_ptr<QChart> chart = buildChart(figure);
+    qsizetype named = 0;
+    for (QAbstractAxis* axis : chart->axes()) {
+      if (auto* categories = qobject_cast<QCategoryAxis*>(axis)) {
+        named = categories->categoriesLabels().size();
+      }
+    }
+    EXPECT_EQ(named, 9) << static_cast<int>(kind);
+  }
 }
 
 TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {

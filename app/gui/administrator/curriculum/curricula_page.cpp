@@ -137,7 +137,7 @@ void CurriculaPage::showContent() {
     const CurriculumVersionRow* newest = row.versions.empty() ? nullptr : &row.versions.back();
     rows.push_back(
         {toQString(row.curriculum.id),
-         {{toQString(row.curriculum.name)},
+         {{toQString(Text(row.curriculum.name))},
           {newest != nullptr ? tr("%1, %2").arg(newest->number).arg(versionStateName(newest->state))
                              : tr("none yet"),
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});

@@ -21,7 +21,7 @@ struct CurriculumState {
 QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale) {
   if (changed) {
     return CurriculumState::tr("%1: changed, not saved. The draft is also saved when you leave.")
-        .arg(toQString(row.curriculum.name));
+        .arg(toQString(Text(row.curriculum.name)));
   }
   QString next =
       CurriculumState::tr("Everything may be changed; nobody is touched until it is published as version %1.")

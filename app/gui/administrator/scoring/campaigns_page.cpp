@@ -58,7 +58,7 @@ void CampaignsPage::showContent() {
   for (const CampaignRow& row : rows_) {
     QStringList models;
     for (const CampaignModel& model : row.campaign.models) {
-      models << tr("%1 (shown as %2)").arg(toQString(model.label), toQString(model.hiddenLabel));
+      models << tr("%1 (shown as %2)").arg(toQString(Text(model.label)), toQString(model.hiddenLabel));
     }
     rows.push_back({toQString(row.campaign.id),
                     {{toQString(Text(row.campaign.name))},
@@ -67,7 +67,7 @@ void CampaignsPage::showContent() {
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
                      timeCell(row.campaign.createdUtc_us),
-                     {models.join(QStringLiteral(", "))}}});
+                     {models.join(tr(", "))}}});
   }
   table_->setRows(std::move(rows));
   showRaters();

@@ -93,7 +93,7 @@ RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<
 void RaterCalibrationDialog::createForm() {
   auto* column = static_cast<QVBoxLayout*>(layout());
   for (const RubricRow& rubric : rubrics_) {
-    rubric_->addItem(toQString(rubric.name), toQString(rubric.id));
+    rubric_->addItem(toQString(Text(rubric.name)), toQString(rubric.id));
   }
   panel_->setRange(1, kLargestPanel);
   panel_->setValue(2);

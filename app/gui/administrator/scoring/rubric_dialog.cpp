@@ -66,7 +66,7 @@ RubricDialog::RubricDialog(ShellContext& shell, QWidget* parent)
   connect(export_, &QPushButton::clicked, this, [this] {
     const QString file =
         askFileToSave(this, tr("Export the scoring sheet"),
-                      tr("%1, revision %2").arg(toQString(rubric_.name)).arg(form_->revision().number),
+                      tr("%1, revision %2").arg(toQString(Text(rubric_.name))).arg(form_->revision().number),
                       tr("Scoring sheet (*.json)"));
     if (!file.isEmpty()) {
       exportTo(toPath(file));
@@ -118,7 +118,7 @@ void RubricDialog::read() {
     const std::vector<RubricRow> all = rubrics(shell_.session());
     rubric_ = all.empty() ? RubricRow{} : all.front();
   });
-  setWindowTitle(tr("Scoring sheet: %1").arg(toQString(rubric_.name)));
+  setWindowTitle(tr("Scoring sheet: %1").arg(toQString(Text(rubric_.name))));
   {
     const QSignalBlocker quiet(revision_);
     revision_->clear();
@@ -195,7 +195,7 @@ void RubricDialog::publish() {
   const bool done = attempt(shell_, [&] {
     reviseRubric(shell_.session(), rubric_.id, form_->revision(), *note);
     shell_.notify(tr("%1: revision %2 is used from now on")
-                      .arg(toQString(rubric_.name))
+                      .arg(toQString(Text(rubric_.name)))
                       .arg(rubric_.revisions.back().number + 1));
   });
   if (done) {

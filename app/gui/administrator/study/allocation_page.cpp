@@ -98,8 +98,8 @@ AllocationPage::AllocationPage(ShellContext& shell)
   lists->addWidget(recordsTitle_, 0, 1);
   lists->addWidget(balance_, 1, 0);
   lists->addWidget(records_, 1, 1);
-  lists->setColumnStretch(0, 4);  // the differences are what one looks for
-  lists->setColumnStretch(1, 3);
+  lists->setColumnStretch(0, 1);
+  lists->setColumnStretch(1, 1);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);
@@ -347,7 +347,7 @@ void AllocationPage::retranslate() {
   balance_->setColumns({{tr("Detail")},
                         {tr("Value")},
                         {tr("Trainees"), true},
-                        {tr("Expected in the groups")},
+                        {tr("Expected")},
                         {tr("Usual difference"), true},
                         {tr("Worst"), true}});
   balance_->setEmptyText(tr("Preview the balance to see how even the groups would be."));

@@ -134,7 +134,7 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
 QString CallBar::lineText(const CalledCase& called) const {
   const QString who = tr("case %1 \u00B7 %2 \u00B7 %3 \u00B7 %4")
                           .arg(toQString(called.caseLabel), toQString(called.traineeCode),
-                               occasionName(called.occasion), toQString(called.call.room));
+                               occasionName(called.occasion), toQString(Text(called.call.room)));
   QString text = (called.call.endedUtc_us ? tr("! Late: %1") : tr("\u25CF Called: %1")).arg(who);
   text += QStringLiteral(": ") +
           tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);

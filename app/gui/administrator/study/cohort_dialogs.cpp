@@ -103,9 +103,9 @@ std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<C
   for (const CurriculumRow& row : curricula) {
     for (auto version = row.versions.rbegin(); version != row.versions.rend(); ++version) {
       if (version->state == CurriculumState::kRunning) {
-        out.emplace_back(
-            version->id,
-            CohortDialog::tr("%1, version %2").arg(toQString(row.curriculum.name)).arg(version->number));
+        out.emplace_back(version->id, CohortDialog::tr("%1, version %2")
+                                          .arg(toQString(Text(row.curriculum.name)))
+                                          .arg(version->number));
       }
     }
   }

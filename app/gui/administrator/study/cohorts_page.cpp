@@ -50,9 +50,9 @@ CohortsPage::CohortsPage(ShellContext& shell)
   membersTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
-  column->addWidget(table_, 2);
+  column->addWidget(table_, 1);
   column->addWidget(membersTitle_);
-  column->addWidget(members_, 3);
+  column->addWidget(members_, 1);
 
   connect(power_, &QPushButton::clicked, this, [this] { PowerDialog(this).exec(); });
   connect(add_, &QPushButton::clicked, this, &CohortsPage::addNew);
@@ -103,7 +103,7 @@ void CohortsPage::showContent() {
           {cohortStateName(row.cohort.state), static_cast<int>(row.cohort.state)},
           {row.curriculumName.empty()
                ? tr("none yet")
-               : tr("%1, version %2").arg(toQString(row.curriculumName)).arg(row.curriculumNumber)},
+               : tr("%1, version %2").arg(toQString(Text(row.curriculumName))).arg(row.curriculumNumber)},
           {QString::number(row.groups.size()), static_cast<qlonglong>(row.groups.size())},
           {QString::number(row.enrolled), static_cast<qlonglong>(row.enrolled)},
           {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
