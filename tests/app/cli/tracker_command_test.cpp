@@ -30,7 +30,7 @@ class TrackerCommand : public ::testing::Test {
 TEST_F(TrackerCommand, WatchShowsWhatATrackerSends) {
   FakeTracker tracker;
   auto watched = std::async(std::launch::async, [&] {
-    return run("watch --seconds 2 --json --port " + std::to_string(tracker.port()));
+    return run("watch --seconds 120 --poses 25 --json --port " + std::to_string(tracker.port()));
   });
   ASSERT_TRUE(tracker.wait());
   for (int i = 0; i < 25; ++i) {
@@ -51,7 +51,7 @@ TEST_F(TrackerCommand, WatchShowsWhatATrackerSends) {
 TEST_F(TrackerCommand, WatchWithoutAPoseIsExitCodeTwelve) {
   FakeTracker tracker;
   auto watched = std::async(
-      std::launch::async, [&] { return run("watch --seconds 1 --port " + std::to_string(tracker.port())); });
+      std::launch::async, [&] { return run("watch --seconds 6 --port " + std::to_string(tracker.port())); });
   ASSERT_TRUE(tracker.wait());
   ASSERT_TRUE(
       tracker.sendBytes("HTTP/1.1 400 Bad Request\r\nConnection: close\r\nServer: another one\r\n\r\n"));
