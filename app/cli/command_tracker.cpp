@@ -37,6 +37,7 @@ constexpr double kMillimetres = 1e3;
 struct TrackerArguments {
   TrackerPlace place;
   double seconds = 5.0;
+  std::int64_t poses = 0;  // after which watching ends; 0: it does not
   bool json = false;
   bool none = false;
   std::uint16_t outletPort = kIgtlPort;
@@ -111,7 +112,7 @@ void watch(const TrackerArguments& given) {
   const TrackerLink link(given.place);
   const MonotonicClock clock;
   const std::int64_t end_us = clock.now_us() + static_cast<std::int64_t>(given.seconds * 1e6);
-  while (clock.now_us() < end_us) {
+  while (clock.now_us() < end_us && (given.poses == 0 || link.view().counts.received < given.poses)) {
     pause_s(kLookEvery_s);
   }
   const TrackerView view = link.view();
@@ -219,6 +220,8 @@ void addTracker(CLI::App& program) {
       "watch", "Shows what a tracker sends; exit code 12 when no pose of the instrument comes");
   addPlace(*command, *given);
   command->add_option("--seconds", given->seconds, "How long")->capture_default_str();
+  command->add_option("--poses", given->poses, "No longer than until so many have come")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", given->json, "Print JSON");
   command->callback([given] { watch(*given); });
 

@@ -148,8 +148,8 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
       Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
       Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
                done.smallestBefore),
-      Text::tr("Left out: level of %1 people, sex of %2, free text of %3 entries.", done.levelsHidden,
-               done.sexesHidden, done.textsLeftOut)};
+      Text::tr("Left out: level of %1 people, sex of %2, free text of %3 entries, person of %4 deviations.",
+               done.levelsHidden, done.sexesHidden, done.textsLeftOut, done.deviationsUnlinked)};
 }
 
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,

@@ -71,6 +71,28 @@ void sortBy(std::vector<Item>& items, const Key& key) {
   std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return key(a) < key(b); });
 }
 
+/// Who has as many deviations as few others is found by counting: those stand there without their person, and
+/// with a move of their own. Returns how many.
+std::int64_t unlinkRareDeviations(std::vector<CohortDeviation>& deviations, const Pseudonyms& names) {
+  std::map<std::string, std::int64_t> ofPerson;
+  for (const CohortDeviation& one : deviations) {
+    ++ofPerson[one.trainee];
+  }
+  ofPerson.erase("");
+  std::map<std::int64_t, std::int64_t> people;  // by how many deviations they have
+  for (const auto& [person, count] : ofPerson) {
+    ++people[count];
+  }
+  std::int64_t unlinked = 0;
+  for (CohortDeviation& one : deviations) {
+    const bool rare = !one.trainee.empty() && people[ofPerson[one.trainee]] < kSmallestCell;
+    one.happenedUtc_us += names.shift_us(rare ? "deviations of " + one.trainee : one.trainee);
+    one.trainee = rare || one.trainee.empty() ? std::string() : names.of("P", one.trainee);
+    unlinked += rare ? 1 : 0;
+  }
+  return unlinked;
+}
+
 /// Trials under opaque ids, without their content's hash; each start is moved by its person's days.
 void renameTrials(std::vector<TrialSummaryRow>& trials, std::map<TrialId, std::int64_t>& startedUtc_us,
                   const Pseudonyms& names) {
@@ -141,9 +163,8 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
 
   const auto person = [&names](std::string& code) { code = code.empty() ? code : names.of("P", code); };
   const auto rater = [&names](std::string& code) { code = code.empty() ? code : names.of("R", code); };
+  report.deviationsUnlinked = unlinkRareDeviations(in.deviations, names);
   for (CohortDeviation& one : in.deviations) {
-    one.happenedUtc_us += names.shift_us(one.trainee);
-    person(one.trainee);
     if (!withFreeText && !one.description.empty()) {
       one.description.clear();
       ++report.textsLeftOut;

@@ -38,11 +38,13 @@ struct PseudonymReport {
   std::int64_t levelsHidden = 0;    ///< people whose level of training was left out
   std::int64_t sexesHidden = 0;
   std::int64_t textsLeftOut = 0;
+  std::int64_t deviationsUnlinked = 0;  ///< deviations that stand there without their person
 };
 
 /// Returns the inputs as somebody outside may have them: opaque names for trainees and raters, in the order
 /// of those names; recordings by opaque names, too; times of each person moved, those of `startedUtc_us` (by
-/// recording) as well; sex and level left out where fewer than kSmallestCell share them within their group;
+/// recording) as well; deviations of whoever has as many as fewer than kSmallestCell others without their
+/// person; sex and level left out where fewer than kSmallestCell share them within their group;
 /// the centre, hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote
 /// (names of cohort and data set, too) are left out; who froze the data has an opaque name.
 /// `report`: what was done. Numbers change in their last digits at most, because sums run in another order.

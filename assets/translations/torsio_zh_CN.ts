@@ -11861,10 +11861,6 @@
         <translation>组别、性别和培训阶段相同者至少 %1 人（处理前 %2 人）。</translation>
     </message>
     <message>
-        <source>Left out: level of %1 people, sex of %2, free text of %3 entries.</source>
-        <translation>已略去：%1 人的培训阶段、%2 人的性别、%3 条记录的自由文本。</translation>
-    </message>
-    <message>
         <source>nobody has a score that may be shown</source>
         <translation>尚无可以显示的得分</translation>
     </message>
@@ -17645,6 +17641,10 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>mass-spring</source>
         <translation>质点弹簧</translation>
+    </message>
+    <message>
+        <source>Left out: level of %1 people, sex of %2, free text of %3 entries, person of %4 deviations.</source>
+        <translation>已略去：%1 人的培训阶段、%2 人的性别、%3 条自由文本、%4 条方案偏离所涉人员。</translation>
     </message>
 </context>
 <context>

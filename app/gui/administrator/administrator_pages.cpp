@@ -77,6 +77,34 @@ std::vector<ScreenEntry> administratorScreens() {
         .setCurrentIndex(child<CurriculumEditor>(curricula, "editor").content().arms.empty() ? 0 : 1);
   };
   const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
+  return {
+      screen("administrator-run-day", PageId::kRunDay),
+      screen("administrator-roster", PageId::kRoster),
+      screen("administrator-curricula", PageId::kCurricula, fromTemplate),
+      screen("administrator-cohorts", PageId::kCohorts),
+      screen("administrator-allocation", PageId::kAllocation),
+      screen("administrator-scoring", PageId::kScoring),
+      screen("administrator-evaluation", PageId::kCampaigns),
+      screen("administrator-results-scores", PageId::kResults, shows("figure-22")),
+      screen("administrator-results-differences", PageId::kResults, shows("figure-differences")),
+      screen("administrator-results-boxes", PageId::kResults, shows("figure-19")),
+      screen("administrator-results-severity", PageId::kResults, shows("figure-severity")),
+      screen("administrator-reports", PageId::kReports, report),
+      screen("administrator-users", PageId::kUsers),
+      screen("administrator-audit", PageId::kAudit),
+      screen("administrator-maintenance", PageId::kCare),
+      screen("administrator-heads", PageId::kHeads),
+      screen("administrator-restore", PageId::kRestore),
+      screen("administrator-move", PageId::kMove,
+             [](Page& page) {
+               dynamic_cast<MovePage&>(page).setAddress(
+                   {.host = "server.hospital.example", .database = "torsio", .user = "torsio"});
+             }),
+      screen("administrator-devices", PageId::kDevices),
+  };
+}
+
+std::vector<ScreenEntry> administratorDialogs() {
   const auto exported = [](ExportDialog::Form form, bool written) {
     return [form, written](Page& page) {
       auto& reports = dynamic_cast<ReportsPage&>(page);
@@ -92,33 +120,10 @@ std::vector<ScreenEntry> administratorScreens() {
     };
   };
   return {
-      screen("administrator-run-day", PageId::kRunDay),
-      screen("administrator-roster", PageId::kRoster),
-      screen("administrator-curricula", PageId::kCurricula, fromTemplate),
-      screen("administrator-cohorts", PageId::kCohorts),
-      screen("administrator-allocation", PageId::kAllocation),
-      screen("administrator-scoring", PageId::kScoring),
-      screen("administrator-evaluation", PageId::kCampaigns),
-      screen("administrator-results-scores", PageId::kResults, shows("figure-22")),
-      screen("administrator-results-differences", PageId::kResults, shows("figure-differences")),
-      screen("administrator-results-boxes", PageId::kResults, shows("figure-19")),
-      screen("administrator-results-severity", PageId::kResults, shows("figure-severity")),
-      screen("administrator-reports", PageId::kReports, report),
       screen("administrator-export", PageId::kReports, exported(ExportDialog::Form::kWorkbook, false)),
       screen("administrator-export-dataset", PageId::kReports,
              exported(ExportDialog::Form::kFrictionless, false)),
       screen("administrator-export-written", PageId::kReports, exported(ExportDialog::Form::kR, true)),
-      screen("administrator-users", PageId::kUsers),
-      screen("administrator-audit", PageId::kAudit),
-      screen("administrator-maintenance", PageId::kCare),
-      screen("administrator-heads", PageId::kHeads),
-      screen("administrator-restore", PageId::kRestore),
-      screen("administrator-move", PageId::kMove,
-             [](Page& page) {
-               dynamic_cast<MovePage&>(page).setAddress(
-                   {.host = "server.hospital.example", .database = "torsio", .user = "torsio"});
-             }),
-      screen("administrator-devices", PageId::kDevices),
   };
 }
 

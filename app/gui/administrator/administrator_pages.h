@@ -12,5 +12,7 @@ namespace torsio::gui {
 [[nodiscard]] std::vector<PageEntry> administratorPages();
 /// Their pictures for the user guide.
 [[nodiscard]] std::vector<ScreenEntry> administratorScreens();
+/// Pictures of dialogs on their pages. A dialog keeps the language in which it was opened.
+[[nodiscard]] std::vector<ScreenEntry> administratorDialogs();
 
 }  // namespace torsio::gui

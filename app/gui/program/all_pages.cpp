@@ -39,4 +39,8 @@ std::vector<ScreenEntry> allScreens() {
   return screens;
 }
 
+std::vector<ScreenEntry> allDialogs() {
+  return administratorDialogs();
+}
+
 }  // namespace torsio::gui

@@ -13,5 +13,7 @@ namespace torsio::gui {
 
 /// Every picture of the user guide that shows a page.
 [[nodiscard]] std::vector<ScreenEntry> allScreens();
+/// Pictures of dialogs, which keep the language in which they were opened.
+[[nodiscard]] std::vector<ScreenEntry> allDialogs();
 
 }  // namespace torsio::gui

@@ -295,7 +295,12 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
   takePanels(photographer);
   takeUntwistings(photographer, request);
   std::vector<ScreenEntry> pages;
-  for (const ScreenEntry& screen : allScreens()) {
+  std::vector<ScreenEntry> screens = allScreens();
+  if (!request.look) {  // whoever looks may change the language
+    const std::vector<ScreenEntry> dialogs = allDialogs();
+    screens.insert(screens.end(), dialogs.begin(), dialogs.end());
+  }
+  for (const ScreenEntry& screen : screens) {
     if (photographer.wants(screen.name)) {
       pages.push_back(screen);
     }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <csignal>
+#include <functional>
 #include <map>
+#include <sys/resource.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -197,6 +200,45 @@ TEST(Workbook, ThatCannotBeWrittenLeavesWhatWasThere) {
     ++entries;
   }
   EXPECT_EQ(entries, 1U);
+}
+
+/// A disk that is full after so many bytes of a file.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit little{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &little);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(Exports, OnAFullDiskSayThatAndLeaveNothing) {
+  Written written;
+  const auto codeOf = [&](const std::function<void()>& write) {
+    const FullDisk full(2'000);
+    try {
+      write();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  EXPECT_EQ(codeOf([&] { written.workbook(); }), ErrorCode::kFileUnwritable);
+  for (const TableFormat format : {TableFormat::kCsv, TableFormat::kR, TableFormat::kSpss}) {
+    EXPECT_EQ(codeOf([&] { writeTables(tablesOf(written.set), format, written.folder.path() / "tables"); }),
+              ErrorCode::kFileUnwritable);
+  }
+  std::error_code none;
+  const std::filesystem::path tables = written.folder.path() / "tables";
+  EXPECT_TRUE(!std::filesystem::exists(tables) || std::filesystem::is_empty(tables, none));
+  EXPECT_FALSE(std::filesystem::exists(written.file));
 }
 
 TEST(Tables, AreReadByPsppWithTheirLabels) {

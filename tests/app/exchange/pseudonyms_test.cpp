@@ -3,7 +3,9 @@
 #include "app/exchange/pseudonyms.h"
 
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,13 +68,72 @@ TEST(Pseudonyms, MoveTimesByWholeDaysOfEachPersonAndNeverByNone) {
   EXPECT_GT(shifts.size(), 300U);
 
   const Hidden hidden;
-  ASSERT_EQ(hidden.after.deviations.size(), 3U);
-  std::map<std::string, std::vector<std::int64_t>> times;
-  for (const CohortDeviation& one : hidden.after.deviations) {
-    times[one.trainee].push_back(one.happenedUtc_us);
+  std::map<std::string, std::set<std::int64_t>> moves;  // of each person's recordings
+  for (const TrialSummaryRow& trial : hidden.before.trials) {
+    const TrialId opaque(names.of("T", trial.trialId.text()));
+    moves[trial.trainee].insert(hidden.starts.at(opaque) - hidden.startsBefore.at(trial.trialId));
   }
-  const std::string first = names.of("P", hidden.before.trainees[0].code);
-  EXPECT_EQ(times[first].at(1) - times[first].at(0), kDay_us);
+  for (const auto& [person, ofPerson] : moves) {
+    EXPECT_EQ(ofPerson, std::set<std::int64_t>{names.shift_us(person)}) << person;  // intervals stay
+  }
+}
+
+/// What somebody who knows the centre well knows of one of its people, and what stands there of one.
+struct Trace {
+  std::set<std::int64_t> days{};  ///< of recordings and deviations
+  std::set<std::string> texts{};
+  std::size_t recordings = 0;
+  std::size_t marks = 0;
+  std::size_t deviations = 0;
+
+  [[nodiscard]] auto counts() const { return std::tuple(recordings, marks, deviations); }
+};
+
+std::map<std::string, Trace> tracesIn(const CohortInputs& in, const std::map<TrialId, std::int64_t>& starts) {
+  std::map<std::string, Trace> traces;
+  for (const CohortTrainee& trainee : in.trainees) {
+    traces[trainee.code];
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    ++traces[trial.trainee].recordings;
+    traces[trial.trainee].days.insert(starts.at(trial.trialId) / kDay_us);
+  }
+  for (const TrainingMark& mark : in.trainingMarks) {
+    ++traces[mark.trainee].marks;
+  }
+  for (const CohortDeviation& one : in.deviations) {
+    if (!one.trainee.empty()) {
+      ++traces[one.trainee].deviations;
+      traces[one.trainee].days.insert(one.happenedUtc_us / kDay_us);
+      traces[one.trainee].texts.insert(one.description);
+    }
+  }
+  return traces;
+}
+
+TEST(Pseudonyms, AnAttackByDatesCountsAndTextsFindsNobody) {
+  const Hidden hidden;
+  const Pseudonyms names(kKey);
+  const std::map<std::string, Trace> known = tracesIn(hidden.before, hidden.startsBefore);
+  const std::map<std::string, Trace> found = tracesIn(hidden.after, hidden.starts);
+  ASSERT_GT(known.at(hidden.before.deviations[0].trainee).deviations, 1U);  // nobody else has two
+  for (const auto& [person, trace] : known) {
+    std::size_t sameDays = 0;
+    std::size_t sameCounts = 0;
+    std::size_t sameTexts = 0;
+    for (const auto& [opaque, other] : found) {
+      sameDays += !trace.days.empty() && other.days == trace.days ? 1 : 0;
+      sameCounts += other.counts() == trace.counts() ? 1 : 0;
+      for (const std::string& text : trace.texts) {
+        sameTexts += other.texts.contains(text) ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(sameDays, 0U) << person;
+    EXPECT_EQ(sameTexts, 0U) << person;
+    EXPECT_TRUE(sameCounts == 0 || sameCounts >= static_cast<std::size_t>(kSmallestCell))
+        << person << " is one of " << sameCounts;
+  }
+  EXPECT_EQ(hidden.report.deviationsUnlinked, 3);
 }
 
 TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {

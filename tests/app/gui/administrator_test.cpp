@@ -52,6 +52,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/job_panel.h"
 #include "app/people/people_service.h"
 #include "app/report/wording.h"
 #include "app/reporting/report_export.h"
@@ -254,7 +255,15 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     exported.writeTo(folder / "grades.csv");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
-    dialog.reject();
+    child<QCheckBox>(dialog, "pseudonymised").setChecked(false);  // all is read anew
+    EXPECT_TRUE(child<JobPanel>(dialog, "job").isVisibleTo(&dialog));
+    dialog.setResult(QDialog::Accepted);
+    dialog.reject();  // the reading is given up first
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    shell.waitForJobs();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(dialog.result(), QDialog::Rejected);
+    EXPECT_FALSE(child<JobPanel>(dialog, "job").isVisibleTo(&dialog));
   });
   press(reports, QStringLiteral("Export"));
   EXPECT_EQ(readFile(folder / "cohort.xlsx").substr(0, 2), "PK");

@@ -25,10 +25,12 @@
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/foreign_recording.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
+#include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
@@ -208,6 +210,33 @@ TEST_F(StationStartTest, AFileThatWasCutOffComesInAsInterruptedOnceItRests) {
   EXPECT_EQ(found[0].recorded_s, 3.0);
   EXPECT_EQ(found[0].exposureAdded_s, 3.0);
   EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+/// Its poses are no ticks of the simulator, and the time on the real arm has a clock of its own.
+TEST_F(StationStartTest, ARecordingOfATrackerThatWasCutOffAddsNoTimeOnTheSimulator) {
+  RecordingSpec spec = newRecording();
+  spec.context.moduleId = {};
+  spec.context.attemptMode.reset();
+  TrialHeader header = headerOf(spec);
+  header.sceneId = std::string(kForeignScene);
+  header.tickPeriod_us = 20'000;
+  std::vector<Sample> samples(1'000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].tick = static_cast<std::int64_t>(i);
+    samples[i].device.time_us = samples[i].tick * header.tickPeriod_us;
+  }
+  {
+    TrialRepository trials(centre_.connection(), spec.context);
+    trials.begin(header);
+    trials.append(encodeChunk(0, samples));
+  }
+  centre_.passTime_us(utcNow_us() - kCentreTime_us + kMinute_us);
+
+  const StationStart start = settleStation(centre_.session(), folder());
+
+  ASSERT_EQ(start.trials.size(), 1U);
+  EXPECT_EQ(start.trials[0].trial.summary.value().outcome, TrialOutcome::kInterrupted);
+  EXPECT_EQ(start.trials[0].exposureAdded_us, 0);
 }
 
 TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {

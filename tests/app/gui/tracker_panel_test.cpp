@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A phase on the real arm with a tracker of OpenIGTLink's own classes on the instrument.
+#include <chrono>
+#include <thread>
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/recording/kept_digests.h"
+#include "app/tracker/tracker_choice.h"
+#include "app/training/attempts.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/base/clock.h"
+#include "sim/base/foreign_recording.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/gui/trainee_station.h"
+#include "tests/support/fake_tracker.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::FakeTracker;
+using torsio::testing::kSecond_us;
+using torsio::testing::TrainingCentre;
+
+constexpr std::int64_t kRealTime_us = 60 * kSecond_us;
+
+TrainingCentre::Setup onTheRealArm() {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kRealTime_us}};
+  return setup;
+}
+
+/// Poses of 100 Hz on a line of 0.1 m/s.
+void sendPoses(FakeTracker& tracker, int from, int count) {
+  for (int i = from; i < from + count; ++i) {
+    ASSERT_TRUE(tracker.sendTransform("NeedleToReference", {static_cast<double>(i), 0.0, 0.0},
+                                      1'700'000'000'000'000 + i * 10'000));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
+  TrainingCentre centre(onTheRealArm());
+  FakeTracker tracker;
+  Station station(centre);
+  station.desk().tracker = TrackerPlace{.port = tracker.port()};
+  station.desk().readiness = torsio::testing::deviceWith(Light::kGreen);
+
+  station.open(PageId::kRun);
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Nothing is recorded.")));
+  ASSERT_TRUE(tracker.wait());
+  sendPoses(tracker, 0, 25);
+  ASSERT_TRUE(soon([&] {
+    station.run().tick();
+    return station.allText().contains(QStringLiteral("The instrument is seen, and recorded."));
+  }));
+  sendPoses(tracker, 25, 100);
+  ASSERT_TRUE(soon([&] {
+    station.run().tick();
+    return station.find<QLabel>("trackerCounts")->text().startsWith(QStringLiteral("Poses: 125, missing: 0"));
+  }));
+  station.train(2 * kRealTime_us);
+
+  EXPECT_EQ(station.pageId, PageId::kNextStep);
+  const std::vector<TrialListing> trials = TrialRepository(centre.connection()).list();
+  ASSERT_EQ(trials.size(), 1U);
+  const TrialListing& trial = trials[0];
+  EXPECT_TRUE(isForeign(trial.sceneId));
+  EXPECT_EQ(trial.traineeCode, nextSteps(centre.session(), centre.person()).traineeCode);
+  EXPECT_FALSE(trial.phaseId.empty());
+  EXPECT_TRUE(trial.moduleId.empty());  // no attempt at anything
+  EXPECT_TRUE(attemptsOf(centre.session(), centre.person()).empty());
+  ASSERT_TRUE(trial.summary);
+  EXPECT_EQ(trial.summary->outcome, TrialOutcome::kCompleted);
+  EXPECT_GE(trial.summary->samples, 50);
+  ExerciseRules rules;
+  const TrialDigest digest = digestOf(centre.connection(), trial, rules, 0);
+  EXPECT_GT(digest.measures.at("tip.path"), 0.04);
+  EXPECT_FALSE(digest.measures.contains("force.peak"));
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+TEST(TrackerPanel, ConnectsWhereItIsToldAndRemembersIt) {
+  const QTemporaryDir folder;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  TrainingCentre centre(onTheRealArm());
+  FakeTracker tracker;
+  Station station(centre);
+  station.desk().readiness = torsio::testing::deviceWith(Light::kGreen);
+  station.open(PageId::kRun);
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("No tracker")));
+
+  station.find<QLineEdit>("trackerInstrument")->setText(QStringLiteral("NeedleToReference"));
+  station.find<QSpinBox>("trackerPort")->setValue(tracker.port());
+  station.press("trackerConnect");
+
+  ASSERT_TRUE(tracker.wait());
+  EXPECT_FALSE(station.find<QSpinBox>("trackerPort")->isEnabled());
+  EXPECT_EQ(rememberedTracker().tracker,
+            (TrackerPlace{.port = tracker.port(), .instrument = "NeedleToReference"}));
+  ASSERT_TRUE(tracker.sendBytes("HTTP/1.1 400 Bad Request\r\n" + std::string(200, '-')));
+  ASSERT_TRUE(soon([&] {
+    station.run().tick();
+    return station.find<QLabel>("trackerStatus")->text().contains(QStringLiteral("no OpenIGTLink"));
+  }));
+  station.press("trackerConnect");
+  EXPECT_TRUE(station.find<QSpinBox>("trackerPort")->isEnabled());
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+}  // namespace
+}  // namespace torsio::gui
