@@ -9754,10 +9754,6 @@
         <translation>每帧：中位数。趋衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
     </message>
     <message>
-        <source>Stomach: mesentero-axial, 45 degrees</source>
-        <translation>胃：系膜轴型，45 度</translation>
-    </message>
-    <message>
         <source>The grasp must lie in (0, 1], as a fraction of the organ&apos;s length</source>
         <translation>夹持位置须在 (0, 1] 之内，以器官长度的比例表示</translation>
     </message>
@@ -17174,6 +17170,94 @@ audit trail %3</source>
     <message>
         <source>Open it with Torsio once, which takes the change back</source>
         <translation>请用 Torsio 打开一次，未完成的更改即会撤销</translation>
+    </message>
+    <message>
+        <source>side branch</source>
+        <translation>旁支</translation>
+    </message>
+    <message>
+        <source>Move its root to where the branch leaves the organ, or turn the direction of the cut.</source>
+        <translation>请将旁支根部移到其离开器官之处，或调整切面方向。</translation>
+    </message>
+    <message>
+        <source>nothing of the organ lies beyond the cut of its side branch</source>
+        <translation>旁支切面以外没有器官的任何部分</translation>
+    </message>
+    <message>
+        <source>the side branch is more than a tenth of the organ</source>
+        <translation>旁支超过器官的十分之一</translation>
+    </message>
+    <message>
+        <source>the place or the direction of the side branch is not finite</source>
+        <translation>旁支的位置或方向不是有限数值</translation>
+    </message>
+    <message>
+        <source>the cut of the side branch is no simple loop</source>
+        <translation>旁支的切口不是单一闭合环</translation>
+    </message>
+    <message>
+        <source>angle of His</source>
+        <translation>His 角（贲门切迹）</translation>
+    </message>
+    <message>
+        <source>antrum, back</source>
+        <translation>胃窦后壁</translation>
+    </message>
+    <message>
+        <source>antrum, front</source>
+        <translation>胃窦前壁</translation>
+    </message>
+    <message>
+        <source>antrum, greater curvature</source>
+        <translation>胃窦大弯</translation>
+    </message>
+    <message>
+        <source>body, back</source>
+        <translation>胃体后壁</translation>
+    </message>
+    <message>
+        <source>body, front</source>
+        <translation>胃体前壁</translation>
+    </message>
+    <message>
+        <source>body, greater curvature</source>
+        <translation>胃体大弯</translation>
+    </message>
+    <message>
+        <source>body, lesser curvature</source>
+        <translation>胃体小弯</translation>
+    </message>
+    <message>
+        <source>cardia, front</source>
+        <translation>贲门前壁</translation>
+    </message>
+    <message>
+        <source>fundus, back</source>
+        <translation>胃底后壁</translation>
+    </message>
+    <message>
+        <source>fundus, front</source>
+        <translation>胃底前壁</translation>
+    </message>
+    <message>
+        <source>fundus, greater curvature</source>
+        <translation>胃底大弯</translation>
+    </message>
+    <message>
+        <source>incisura angularis</source>
+        <translation>角切迹</translation>
+    </message>
+    <message>
+        <source>pylorus, front</source>
+        <translation>幽门前壁</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 40 degrees</source>
+        <translation>系膜轴型 40 度</translation>
+    </message>
+    <message>
+        <source>Stomach: mesentero-axial, 40 degrees</source>
+        <translation>胃：系膜轴型 40 度</translation>
     </message>
 </context>
 <context>
