@@ -7,6 +7,7 @@
 
 #include "app/base/assets.h"
 #include "app/cli/commands.h"
+#include "app/cli/organ_make.h"
 #include "app/cli/organ_reconstruct.h"
 #include "app/cli/organ_result.h"
 #include "sim/geometry/mesh/mesh_import.h"
@@ -57,6 +58,7 @@ void addOrgan(CLI::App& program) {
                     "Close gaps of the surface, and the ends of a tube that was drawn open");
   command->callback([arguments] { runOrganImport(*arguments); });
   addOrganReconstruct(*organ);
+  addOrganMake(*organ);
 }
 
 }  // namespace torsio::cli

@@ -9437,10 +9437,6 @@
         <translation>每帧：中位数。趋衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
     </message>
     <message>
-        <source>Stomach: mesentero-axial, 45 degrees</source>
-        <translation>胃：系膜轴型，45 度</translation>
-    </message>
-    <message>
         <source>The grasp must lie in (0, 1], as a fraction of the organ&apos;s length</source>
         <translation>夹持位置须在 (0, 1] 之内，以器官长度的比例表示</translation>
     </message>
@@ -17072,83 +17068,83 @@ audit trail %3</source>
     </message>
     <message>
         <source>side branch</source>
-        <translation type="unfinished"></translation>
+        <translation>旁支</translation>
     </message>
     <message>
         <source>Move its root to where the branch leaves the organ, or turn the direction of the cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将旁支根部移到其离开器官之处，或调整切面方向。</translation>
     </message>
     <message>
         <source>nothing of the organ lies beyond the cut of its side branch</source>
-        <translation type="unfinished"></translation>
+        <translation>旁支切面以外没有器官的任何部分</translation>
     </message>
     <message>
         <source>the side branch is more than a tenth of the organ</source>
-        <translation type="unfinished"></translation>
+        <translation>旁支超过器官的十分之一</translation>
     </message>
     <message>
         <source>the place or the direction of the side branch is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>旁支的位置或方向不是有限数值</translation>
     </message>
     <message>
         <source>the cut of the side branch is no simple loop</source>
-        <translation type="unfinished"></translation>
+        <translation>旁支的切口不是单一闭合环</translation>
     </message>
     <message>
         <source>angle of His</source>
-        <translation type="unfinished"></translation>
+        <translation>His 角（贲门切迹）</translation>
     </message>
     <message>
         <source>antrum, back</source>
-        <translation type="unfinished"></translation>
+        <translation>胃窦后壁</translation>
     </message>
     <message>
         <source>antrum, front</source>
-        <translation type="unfinished"></translation>
+        <translation>胃窦前壁</translation>
     </message>
     <message>
         <source>antrum, greater curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>胃窦大弯</translation>
     </message>
     <message>
         <source>body, back</source>
-        <translation type="unfinished"></translation>
+        <translation>胃体后壁</translation>
     </message>
     <message>
         <source>body, front</source>
-        <translation type="unfinished"></translation>
+        <translation>胃体前壁</translation>
     </message>
     <message>
         <source>body, greater curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>胃体大弯</translation>
     </message>
     <message>
         <source>body, lesser curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>胃体小弯</translation>
     </message>
     <message>
         <source>cardia, front</source>
-        <translation type="unfinished"></translation>
+        <translation>贲门前壁</translation>
     </message>
     <message>
         <source>fundus, back</source>
-        <translation type="unfinished"></translation>
+        <translation>胃底后壁</translation>
     </message>
     <message>
         <source>fundus, front</source>
-        <translation type="unfinished"></translation>
+        <translation>胃底前壁</translation>
     </message>
     <message>
         <source>fundus, greater curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>胃底大弯</translation>
     </message>
     <message>
         <source>incisura angularis</source>
-        <translation type="unfinished"></translation>
+        <translation>角切迹</translation>
     </message>
     <message>
         <source>pylorus, front</source>
-        <translation type="unfinished"></translation>
+        <translation>幽门前壁</translation>
     </message>
     <message>
         <source>nobody asks for this invitation any more</source>
@@ -17645,6 +17641,14 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>Left out: level of %1 people, sex of %2, free text of %3 entries, person of %4 deviations.</source>
         <translation>已略去：%1 人的培训阶段、%2 人的性别、%3 条自由文本、%4 条方案偏离所涉人员。</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 40 degrees</source>
+        <translation>系膜轴型 40 度</translation>
+    </message>
+    <message>
+        <source>Stomach: mesentero-axial, 40 degrees</source>
+        <translation>胃：系膜轴型 40 度</translation>
     </message>
 </context>
 <context>

@@ -112,7 +112,8 @@ ArmShape::ArmShape(const ArmMeasures& m)
     : wristZ_(m.forearmLength_mm), halfWidth_(halfWidths(m)), halfDepth_(halfDepths(m)), palmEndZ_(0.0) {
   const double z = wristZ_;
   const double palm = m.palmLength_mm;
-  const double w = m.handBreadth_mm / 88.0;  // the shape below was drawn for a breadth of 88 mm
+  const double w = m.handBreadth_mm / 88.0;    // the shape below was drawn for a breadth of 88 mm
+  const double b = m.girth_mm.back() / 176.0;  // and the bones of the wrist for this girth
   palmEndZ_ = z + 0.95 * palm;
   struct Root {
     double x, height, splay_deg, radiusRoot, radiusTip;
@@ -137,10 +138,10 @@ ArmShape::ArmShape(const ArmMeasures& m)
   thumb_ = {{base, joint, 15.0 * w, 12.2 * w},
             {joint, middle, 12.0 * w, 10.8 * w},
             {middle, tip, 10.8 * w, 8.5 * w}};
-  eminences_ = {{{w * 14, -9, z + 20}, {w * 34, -16, z + 44}, 14.0 * w, 14.5 * w},   // thenar
-                {{w * -22, -5, z + 24}, {w * -31, -3, z + 72}, 13.0 * w, 12.0 * w},  // hypothenar
-                {{w * -20, 12, z - 22}, {w * -21, 13, z - 12}, 9.5 * w, 10.5 * w},   // ulnar head
-                {{w * 24, 1, z - 16}, {w * 25, 1, z - 4}, 9.0 * w, 9.5 * w}};        // radial styloid
+  eminences_ = {{{w * 14, -9, z + 20}, {w * 34, -16, z + 44}, 14.0 * w, 14.5 * w},          // thenar
+                {{w * -22, -5, z + 24}, {w * -31, -3, z + 72}, 13.0 * w, 12.0 * w},         // hypothenar
+                {{b * -20, b * 12, z - 22}, {b * -21, b * 13, z - 12}, 9.5 * b, 10.5 * b},  // ulnar head
+                {{b * 24, b * 1, z - 16}, {b * 25, b * 1, z - 4}, 9.0 * b, 9.5 * b}};       // radial styloid
 }
 
 double ArmShape::tube(const Vec3& p) const {

@@ -54,8 +54,8 @@ TriangleMesh stomachTube(const std::vector<CurveFrame>& frames) {
   // off like a paraboloid.
   const std::vector<double> at{0,   8,   21,  43,  72,    107,   147, 168, 192,
                                219, 240, 252, 260, 266.0, 271.0, 278, 283, length};
-  std::vector<double> half{3,    19.5, 32,   39.5, 42,   39.5, 33.2, 29.5, 28,
-                           23.8, 18.2, 14.8, 12.6, 11.6, 12.2, 14.5, 14.5, 11.5};
+  std::vector<double> half{3,    19.5, 32,   39.5, 42,   39.5, 33.2, 29.5, 27,
+                           22.6, 17.2, 14.2, 12.6, 11.6, 12.2, 14.5, 14.5, 11.5};
   for (double& h : half) {
     h *= h;
   }

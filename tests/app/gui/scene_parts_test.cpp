@@ -53,13 +53,16 @@ TEST(Surroundings, AreThoseOfTheOrganAndNeverLookLikeTissueItself) {
   EXPECT_EQ(surroundingsOf("stomach"), Surroundings::kStomach);
   EXPECT_EQ(surroundingsOf("gastric-organo-axial"), Surroundings::kStomach);
   EXPECT_EQ(surroundingsOf("gastric-mesentero-axial"), Surroundings::kTurnedAntrum);
+  EXPECT_EQ(surroundingsOf("stomach", true), Surroundings::kBareStomach);
+  EXPECT_EQ(surroundingsOf("gastric-mesentero-axial", true), Surroundings::kBareTurnedAntrum);
   EXPECT_EQ(surroundingsOf("sigmoid"), Surroundings::kPelvis);
   EXPECT_EQ(surroundingsOf("midgut"), Surroundings::kIntestine);
 
   for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
     std::vector<QImage> pictures;
     for (const Surroundings around :
-         {Surroundings::kDrape, Surroundings::kStomach, Surroundings::kTurnedAntrum, Surroundings::kIntestine,
+         {Surroundings::kDrape, Surroundings::kStomach, Surroundings::kTurnedAntrum,
+          Surroundings::kBareStomach, Surroundings::kBareTurnedAntrum, Surroundings::kIntestine,
           Surroundings::kPelvis}) {
       const QImage picture = paintSurroundings(around, theme(kind));
       int reddish = 0;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace torsio::cli {
+
+/// Adds `make arm`: an arm with the measures of a person.
+void addOrganMake(CLI::App& organ);
+
+}  // namespace torsio::cli
