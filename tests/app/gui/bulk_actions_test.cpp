@@ -205,7 +205,12 @@ TEST_F(SeveralAtOnce, EveryAlertIsThereToBeReadWithTheirNumber) {
   EXPECT_TRUE(counts.contains(QStringLiteral("without a group: 12"))) << counts.toStdString();
   page->setVisible(true);
   QApplication::processEvents();
-  auto* scroll = child<QWidget>(*page, "alertPanel").findChild<QScrollArea*>();
+  auto& panel = child<QWidget>(*page, "alertPanel");
+  auto* scroll = panel.findChild<QScrollArea*>();
+  EXPECT_FALSE(scroll->isVisible()) << "one line until somebody asks";
+  child<QPushButton>(panel, "unfold").click();
+  QApplication::processEvents();
+  EXPECT_TRUE(scroll->isVisible());
   EXPECT_LT(scroll->height(), 100) << "the board keeps its room";
   EXPECT_GT(scroll->verticalScrollBar()->maximum(), 0);
 }
