@@ -47,6 +47,7 @@ void buildProgram(CLI::App& program) {
   addExport(program);
   addDataset(program);
   addInvite(program);
+  addRoster(program);
   addLearning(program);
   addMetrics(program);
   addOrgan(program);

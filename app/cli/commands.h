@@ -25,6 +25,7 @@ void addEvaluate(CLI::App& program);
 void addExport(CLI::App& program);
 void addDataset(CLI::App& program);
 void addInvite(CLI::App& program);
+void addRoster(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addOrgan(CLI::App& program);
