@@ -201,7 +201,7 @@ QStringList cutTexts(QWidget& window) {
 QStringList doubledKeys(QWidget& window) {
   std::map<QString, QStringList> wanted;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window)) {
+    if (!widget->isVisibleTo(&window) || !widget->isEnabledTo(&window)) {
       continue;
     }
     const auto* label = qobject_cast<QLabel*>(widget);
