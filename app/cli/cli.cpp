@@ -70,6 +70,7 @@ void buildProgram(CLI::App& program) {
   addDataset(program);
   addInstrument(program);
   addInvite(program);
+  addRoster(program);
   addLearning(program);
   addMetrics(program);
   addOrgan(program);

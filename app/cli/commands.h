@@ -26,6 +26,7 @@ void addExport(CLI::App& program);
 void addDataset(CLI::App& program);
 void addInstrument(CLI::App& program);
 void addInvite(CLI::App& program);
+void addRoster(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addOrgan(CLI::App& program);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/people/import_record.h"
 #include "app/people/person_codes.h"
 #include "app/people/person_text.h"
 #include "app/people/roster_rows.h"
@@ -149,7 +150,8 @@ nlohmann::json addedJson(const Person& person, const std::string& part) {
 }
 
 /// Adds the new people; ids are random, so giving codes in their order hides the order of the roster.
-std::vector<std::string> addNew(SessionContext& session, const RosterPreview& preview, LineCount& count) {
+std::vector<std::string> addNew(SessionContext& session, const RosterPreview& preview, LineCount& count,
+                                std::vector<StoredRosterPerson>& done) {
   PeopleRepository repository(session.connection());
   const std::vector<std::string> used = repository.codes();
   PersonCodes codes({used.begin(), used.end()});
@@ -163,7 +165,7 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
   std::vector<std::string> newCodes;
   for (const auto& [id, row] : byId) {
     count.next();
-    PersonEntry entry;
+    PersonEntry entry{.trainee = trainees};
     for (const RosterField field : rosterFields(preview.kind)) {
       if (!row->values[rosterIndex(field)].empty()) {
         setValue(entry, field, row->values[rosterIndex(field)]);
@@ -188,17 +190,20 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
                   .objectId = id,
                   .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
     newCodes.push_back(person.code);
+    done.push_back({.personId = id, .afterJson = rosterJson(entry)});
   }
   return newCodes;
 }
 
-void applyChanges(SessionContext& session, const RosterPreview& preview, LineCount& count) {
+void applyChanges(SessionContext& session, const RosterPreview& preview, LineCount& count,
+                  std::vector<StoredRosterPerson>& done) {
   for (const RosterRow& row : preview.rows) {
     if (row.status != RosterStatus::kChanges) {
       continue;
     }
     count.next();
     PersonEntry entry = personEntry(session, row.personId);
+    const std::string before = rosterJson(entry);
     for (const RosterChange& change : row.changes) {
       setValue(entry, change.field, change.to);
     }
@@ -206,6 +211,7 @@ void applyChanges(SessionContext& session, const RosterPreview& preview, LineCou
       entry.trainee = true;
     }
     changePerson(session, row.personId, entry, "roster import");
+    done.push_back({row.personId, before, rosterJson(entry)});
   }
 }
 
@@ -240,8 +246,10 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
   RosterOutcome outcome;
   LineCount count(progress, mode == RosterMode::kDryRun ? Text::tr("Trying it out") : Text::tr("Importing"),
                   now.added + now.changed, kComparing, 1.0);
-  outcome.newCodes = addNew(session, now, count);
-  applyChanges(session, now, count);
+  std::vector<StoredRosterPerson> done;
+  outcome.newCodes = addNew(session, now, count, done);
+  applyChanges(session, now, count, done);
+  keepImport(session, kind, done);
   outcome.added = now.added;
   outcome.changed = now.changed;
   session.note({.action = AuditAction::kRosterImport,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "sim/base/ids.h"
 
 namespace torsio {
+
+class StudyRepository;
 
 /// A cohort as the draw sees it.
 struct DrawField {
@@ -32,5 +35,12 @@ struct DrawField {
 /// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
 /// drawn by.
 [[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
+
+/// Gives the records that were drawn, without those that were moved by hand.
+[[nodiscard]] std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records);
+/// Reads a seed as it is stored. Throws Error{kBadData} naming the design.
+[[nodiscard]] std::uint64_t seedFrom(const std::string& text, const DesignId& designId);
+/// Gives the codes of a cohort's trainees by the ids of their enrolments.
+[[nodiscard]] std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId);
 
 }  // namespace torsio

@@ -127,13 +127,6 @@
 <context>
     <name>torsio::gui::CallBar</name>
     <message numerus="yes">
-        <source>and %n more late</source>
-        <translation>
-            <numerusform>and %n more late</numerusform>
-            <numerusform>and %n more late</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 of %n sheet(s) in</source>
         <translation>
             <numerusform>%1 of %n sheet is in</numerusform>

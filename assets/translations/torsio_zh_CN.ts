@@ -17650,6 +17650,54 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>Stomach: mesentero-axial, 40 degrees</source>
         <translation>胃：系膜轴型 40 度</translation>
     </message>
+    <message>
+        <source>has signed in</source>
+        <translation>已登录过</translation>
+    </message>
+    <message>
+        <source>is enrolled in a cohort</source>
+        <translation>已在批次中登记</translation>
+    </message>
+    <message>
+        <source>has decided about a consent</source>
+        <translation>已对知情同意作出决定</translation>
+    </message>
+    <message>
+        <source>is asked for sheets</source>
+        <translation>已被要求填写评分表</translation>
+    </message>
+    <message>
+        <source>is asked for an evaluation of models</source>
+        <translation>已被邀请参加模型评价</translation>
+    </message>
+    <message>
+        <source>has asked for something about the record</source>
+        <translation>已就其记录提出请求</translation>
+    </message>
+    <message>
+        <source>has something in the record already</source>
+        <translation>在记录中已有内容</translation>
+    </message>
+    <message>
+        <source>%1 was changed since</source>
+        <translation>%1 此后被修改过</translation>
+    </message>
+    <message>
+        <source>nobody of it is left</source>
+        <translation>其中已无人留存</translation>
+    </message>
+    <message>
+        <source>the reason is missing</source>
+        <translation>缺少原因</translation>
+    </message>
+    <message>
+        <source>Nothing was taken back. Set who should not be here to &quot;left&quot;, or erase them one by one</source>
+        <translation>未撤回任何内容。请将不应在此的人员设为“已离开”，或逐个删除</translation>
+    </message>
+    <message>
+        <source>this import was taken back already, or there is no such import</source>
+        <translation>该导入已被撤回，或不存在该导入</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -18450,12 +18498,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>Somebody else than %1 stood at the arm: the sheets are closed again, what was typed is kept for the next call.</source>
         <translation>站在手臂旁的不是 %1：评分表将重新关闭，已填写的内容保留到下次呼叫。</translation>
     </message>
-    <message numerus="yes">
-        <source>and %n more late</source>
-        <translation>
-            <numerusform>另有 %n 个逾期</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Call to the real &amp;arm</source>
         <translation>呼叫到实物手臂(&amp;A)</translation>
@@ -18481,6 +18523,14 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>
             <numerusform>已收到 %1 / %n 份评分表</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show one</source>
+        <translation>只显示一行</translation>
+    </message>
+    <message>
+        <source>Show all (%1, late: %2)</source>
+        <translation>全部显示（%1，逾期 %2）</translation>
     </message>
 </context>
 <context>
@@ -19614,10 +19664,6 @@ MSM = 质点弹簧</translation>
         <translation>删除(&amp;R)</translation>
     </message>
     <message>
-        <source>P&amp;rint forms…</source>
-        <translation>打印表格(&amp;R)…</translation>
-    </message>
-    <message>
         <source>&amp;Publish…</source>
         <translation>发布(&amp;P)…</translation>
     </message>
@@ -19738,6 +19784,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Purpose %1 has no title or no text in this language yet: %2.</source>
         <translation>第 %1 项用途在此语言中还没有标题或正文：%2。</translation>
+    </message>
+    <message>
+        <source>Print &amp;forms…</source>
+        <translation>打印表格(&amp;F)…</translation>
     </message>
 </context>
 <context>
@@ -21845,6 +21895,21 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::FoldLine</name>
+    <message>
+        <source>Hide</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>展开</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::GroupEditor</name>
     <message>
         <source>Name of the group</source>
@@ -22528,11 +22593,15 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Case %1 is called to %2: if you are there, choose it at the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>案例 %1 已被呼叫到 %2：如果您在那里，请在左侧选择它。</translation>
     </message>
     <message>
         <source>&amp;Amend…</source>
         <translation>更正(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The overall mark lies outside the rows. Press again to seal the sheet.</source>
+        <translation>总分超出各行分数的范围。再按一次即封存评分表。</translation>
     </message>
 </context>
 <context>
@@ -23961,10 +24030,6 @@ Leave it empty to remove it.</source>
         <translation>! 已录入两次，不一致</translation>
     </message>
     <message>
-        <source>◐ typed by you: somebody else has to type it, too</source>
-        <translation>◐ 您已录入：还须由另一人录入</translation>
-    </message>
-    <message>
         <source>◐ typed once: type it again</source>
         <translation>◐ 已录入一次：请再录入一次</translation>
     </message>
@@ -24011,6 +24076,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Save what I typed</source>
         <translation>保存我录入的内容(&amp;S)</translation>
+    </message>
+    <message>
+        <source>◐ typed by you, waits for another</source>
+        <translation>◐ 您已录入，等待另一人</translation>
     </message>
 </context>
 <context>
@@ -25034,10 +25103,6 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::RemindDialog</name>
     <message>
-        <source>Mail &amp;server…</source>
-        <translation>邮件服务器(&amp;S)…</translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation>复制(&amp;C)</translation>
     </message>
@@ -25068,10 +25133,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Each of the chosen raters gets a message with the labels of their own cases, and nothing else.</source>
         <translation>每位所选评分者收到一封邮件，其中只有本人案例的编号。</translation>
-    </message>
-    <message>
-        <source>&amp;Password of the mail server</source>
-        <translation>邮件服务器密码(&amp;P)</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
@@ -25116,6 +25177,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>! Not taken by the mail server:</source>
         <translation>! 邮件服务器未接收：</translation>
+    </message>
+    <message>
+        <source>Mail ser&amp;ver…</source>
+        <translation>邮件服务器(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word of the mail server</source>
+        <translation>邮件服务器密码(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -25916,12 +25985,12 @@ Leave it empty to remove it.</source>
         <translation>%1 *</translation>
     </message>
     <message>
-        <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters: who is imported as a trainee stays one.</source>
-        <translation>! “%1”列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”：一旦作为学员导入，将一直是学员。</translation>
-    </message>
-    <message>
         <source>Needed: choose its column, or add one to the file.</source>
         <translation>必填：请选择对应的列，或在文件中补上该列。</translation>
+    </message>
+    <message>
+        <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters.</source>
+        <translation>！%1 列看起来是评分者的职级。如果此文件列出的是评分者，请返回并选择“评分者”。</translation>
     </message>
 </context>
 <context>
@@ -25981,6 +26050,81 @@ Leave it empty to remove it.</source>
     <message>
         <source>Choose the file, or type its path.</source>
         <translation>请选择文件，或输入其路径。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterImportsDialog</name>
+    <message>
+        <source>Imported rosters</source>
+        <translation>已导入的名单</translation>
+    </message>
+    <message>
+        <source>&amp;Take back…</source>
+        <translation>撤回(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>A roster that was imported by mistake is taken back whole: whom it added goes, whom it changed is as before. That can be done while nothing hangs on its people.</source>
+        <translation>误导入的名单可整体撤回：新增的人员被移除，被修改的人员恢复原样。只有在这些人员尚无任何相关记录时才能撤回。</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>导入时间</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>导入者</translation>
+    </message>
+    <message>
+        <source>Lists</source>
+        <translation>名单</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>新增</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>修改</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No roster was imported yet.</source>
+        <translation>尚未导入名单。</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>已撤回</translation>
+    </message>
+    <message>
+        <source>can be taken back</source>
+        <translation>可以撤回</translation>
+    </message>
+    <message>
+        <source>trainees</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>raters</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>撤回</translation>
+    </message>
+    <message>
+        <source>People who go, with accounts that nobody used: %1. People who are as before: %2. Codes that were given are not given again.</source>
+        <translation>将移除的人员（连同从未使用的账户）：%1。恢复原样的人员：%2。已分配的编号不会再次使用。</translation>
+    </message>
+    <message>
+        <source>The import is taken back</source>
+        <translation>已撤回导入</translation>
     </message>
 </context>
 <context>
@@ -26189,6 +26333,10 @@ Leave it empty to remove it.</source>
         <source>What trainees asked for about their own record</source>
         <translation>学员就本人记录提出的申请</translation>
     </message>
+    <message>
+        <source>&amp;Undo an import…</source>
+        <translation>撤回导入(&amp;U)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
@@ -26256,6 +26404,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Import</source>
         <translation>导入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&lt; &amp;Back</source>
+        <translation>&lt; 上一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Next &gt;</source>
+        <translation>下一步(&amp;N) &gt;</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -26471,14 +26631,6 @@ Leave it empty to remove it.</source>
         <translation>登记时间(&amp;L)…</translation>
     </message>
     <message>
-        <source>S&amp;wap turns…</source>
-        <translation>互换顺序(&amp;W)…</translation>
-    </message>
-    <message>
-        <source>Stations</source>
-        <translation>工作站</translation>
-    </message>
-    <message>
         <source>Station</source>
         <translation>工作站</translation>
     </message>
@@ -26655,10 +26807,6 @@ Leave it empty to remove it.</source>
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>! overdue: %1</source>
-        <translation>! 逾期：%1</translation>
-    </message>
-    <message>
         <source>Plan the da&amp;y…</source>
         <translation>安排当日(&amp;Y)…</translation>
     </message>
@@ -26669,6 +26817,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>no group yet</source>
         <translation>尚未分组</translation>
+    </message>
+    <message>
+        <source>! %1, overdue</source>
+        <translation>! %1，已逾期</translation>
+    </message>
+    <message>
+        <source>Swap t&amp;urns…</source>
+        <translation>互换顺序(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Stations: %1 · recording: %2 · not answering: %3</source>
+        <translation>工作站：%1 · 正在录制：%2 · 无应答：%3</translation>
     </message>
 </context>
 <context>
@@ -27473,10 +27633,6 @@ Leave it empty to remove it.</source>
         <translation>复制(&amp;C)</translation>
     </message>
     <message>
-        <source>Save &amp;cards (PDF)…</source>
-        <translation>保存卡片 (PDF)(&amp;C)…</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>完成</translation>
     </message>
@@ -27499,6 +27655,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Nothing was copied or saved, and this is not shown again. Close all the same?</source>
         <translation>尚未复制或保存，且此内容不再显示。仍要关闭吗？</translation>
+    </message>
+    <message>
+        <source>Save c&amp;ards (PDF)…</source>
+        <translation>保存卡片 (PDF)(&amp;A)…</translation>
     </message>
 </context>
 <context>

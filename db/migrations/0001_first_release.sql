@@ -67,6 +67,32 @@ CREATE TABLE rater (
 );
 CREATE INDEX rater_class_code ON rater (class_code);
 
+-- Rosters that were imported: a wrong one can be taken back whole while nothing hangs on its people.
+CREATE TABLE roster_import (
+  id TEXT PRIMARY KEY,
+  kind TEXT NOT NULL CHECK (kind IN ('trainees', 'raters')),
+  imported_by TEXT NOT NULL,
+  imported_utc_us BIGINT NOT NULL,
+  added BIGINT NOT NULL,
+  changed BIGINT NOT NULL,
+  taken_back_utc_us BIGINT
+);
+{{frozen roster_import kind}}
+{{frozen roster_import imported_by}}
+{{frozen roster_import imported_utc_us}}
+{{frozen roster_import added}}
+{{frozen roster_import changed}}
+
+-- What the roster said before and says since; before_json is null for people whom the import added.
+CREATE TABLE roster_import_person (
+  person_id TEXT NOT NULL REFERENCES person (id),
+  import_id TEXT NOT NULL REFERENCES roster_import (id),
+  before_json TEXT,
+  after_json TEXT NOT NULL,
+  PRIMARY KEY (person_id, import_id)
+);
+CREATE INDEX roster_import_person_import ON roster_import_person (import_id);
+
 -- What people are asked to agree to. The first five mean something to the program; a centre may add its own.
 CREATE TABLE consent_purpose (
   code TEXT PRIMARY KEY,

@@ -70,6 +70,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/devices",
         "app/exchange",
         "app/maintenance",
+        "app/people",
         "app/recording",
         "app/report",
         "app/reporting",

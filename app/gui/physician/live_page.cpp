@@ -352,7 +352,9 @@ void LivePage::submit() {
     setLook(said_, "caution", false);
     said_->setText(check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
                    : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
-                                    : tr("Everything is scored. Press again to seal the sheet."));
+                   : check.overallOutside
+                       ? tr("The overall mark lies outside the rows. Press again to seal the sheet.")
+                       : tr("Everything is scored. Press again to seal the sheet."));
     return;
   }
   if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {

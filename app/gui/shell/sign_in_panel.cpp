@@ -203,6 +203,7 @@ void SignInPanel::enableForm() {
   enter_->setEnabled(open && !login_->text().trimmed().isEmpty() && !secret_->text().isEmpty());
   mode_->setEnabled(!working_);
   guest_->setEnabled(!working_);
+  language_->setEnabled(!working_);  // an impatient key would land there
 }
 
 void SignInPanel::retranslate() {

@@ -43,8 +43,10 @@ constexpr std::array kStationRights{
     StationRight{"setting", kChange},
     StationRight{"person", kChange},
     StationRight{"person_identity", kChange},
-    StationRight{"trainee", kChange},
-    StationRight{"rater", kChange},
+    StationRight{"trainee", kAll},  // a part that nothing hangs on goes with the import that added it
+    StationRight{"rater", kAll},
+    StationRight{"roster_import", kChange},
+    StationRight{"roster_import_person", kAdd},
     StationRight{"retention_rule", kAll},
     StationRight{"app_user", kChange},
     StationRight{"user_role", kRemove},

@@ -33,6 +33,7 @@
 #include "app/people/person_requests.h"
 #include "app/people/roster_accounts.h"
 #include "app/people/roster_import.h"
+#include "app/people/roster_undo.h"
 #include "app/recording/competence_service.h"
 #include "app/recording/trial_digests.h"
 #include "app/reporting/cell_trace.h"
@@ -103,6 +104,9 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path) {
          (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);
        }},
+      {O::kPersonEdit, "importedRosters", [](SessionContext& w, Path) { (void)importedRosters(w); }},
+      {O::kPersonEdit, "takeBackRoster",
+       [](SessionContext& w, Path) { takeBackRoster(w, kNoSuch, "imported by mistake"); }},
       {O::kPersonExport, "exportPersonPackage",
        [](SessionContext& w, Path folder) {
          (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked");

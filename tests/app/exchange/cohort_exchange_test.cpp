@@ -14,6 +14,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/exchange/foreign_readers.h"
+#include "tests/app/support/small_study.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -23,20 +24,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::StudyCentre;
 
-struct SmallStudy {
-  StudyCentre centre;
-  ExchangeRequest request;
-  TrialDigests digests{centre.assets()};
-
+/// With something that somebody wrote.
+struct SmallStudy : testing::SmallStudyFor<ExchangeRequest> {
   SmallStudy() {
-    const std::vector<TraineeId> trainees = centre.addTrainees(6);
-    const std::string version = centre.runPaperCurriculum();
-    request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolTrainees(centre.session(), request.cohortId, trainees);
-    AllocationPlan plan;
-    plan.cohortId = request.cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.session(), request.cohortId);
     reportDeviation(centre.as("administrator"),
                     {.cohortId = request.cohortId, .kind = "late", .description = "by ten minutes"});
   }

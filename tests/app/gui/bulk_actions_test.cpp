@@ -18,6 +18,7 @@
 
 #include "app/access/settings_service.h"
 #include "app/access/two_people.h"
+#include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
@@ -27,6 +28,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
+#include "app/people/roster_import.h"
 #include "app/study/cohort_service.h"
 #include "app/study/day_plan.h"
 #include "app/study/live_call.h"
@@ -212,9 +214,41 @@ TEST_F(SeveralAtOnce, EveryAlertIsThereToBeReadWithTheirNumber) {
   EXPECT_TRUE(counts.contains(QStringLiteral("without a group: 12"))) << counts.toStdString();
   page->setVisible(true);
   QApplication::processEvents();
-  auto* scroll = child<QWidget>(*page, "alertPanel").findChild<QScrollArea*>();
+  auto& panel = child<QWidget>(*page, "alertPanel");
+  auto* scroll = panel.findChild<QScrollArea*>();
+  EXPECT_FALSE(scroll->isVisible()) << "one line until somebody asks";
+  child<QPushButton>(panel, "unfold").click();
+  QApplication::processEvents();
+  EXPECT_TRUE(scroll->isVisible());
   EXPECT_LT(scroll->height(), 100) << "the board keeps its room";
   EXPECT_GT(scroll->verticalScrollBar()->maximum(), 0);
+}
+
+TEST_F(SeveralAtOnce, AWrongRosterIsTakenBackWhole) {
+  StudyCentre& centre = office_.centre;
+  const RosterFile file = parseRoster("Staff ID,Name\nC-901,Ann Chief\nC-902,Bo Chief\n", "chiefs.csv");
+  const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
+  SessionContext& session = centre.as("administrator");
+  const RosterPreview preview = previewRoster(session, file, RosterKind::kTrainees, columns);
+  (void)importRoster(session, file, RosterKind::kTrainees, columns, preview.fingerprint, RosterMode::kCommit);
+  const std::size_t before = people(session).size();
+  auto page = office_.open<RosterPage>("administrator");
+  QString said;
+  answer([&said](QDialog& dialog) {
+    auto& imports = child<DataTable>(dialog, "imports");
+    EXPECT_EQ(imports.visibleRows(), 1);
+    answer(sayWhy);
+    pressable(dialog, "takeBack").click();
+    said = imports.asText();
+    EXPECT_FALSE(pressable(dialog, "takeBack").isEnabled());
+    dialog.reject();
+  });
+
+  pressable(*page, "undoImport").click();
+
+  EXPECT_TRUE(said.contains(QStringLiteral("taken back"))) << said.toStdString();
+  EXPECT_EQ(people(centre.as("administrator")).size(), before - 2);
+  EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(before - 2));
 }
 
 TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {

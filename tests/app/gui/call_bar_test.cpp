@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTableView>
 #include <QTest>
@@ -24,12 +25,15 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/people/people_service.h"
 #include "app/review/case_sheet.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_plan.h"
 #include "app/study/live_call.h"
 #include "app/study/paper_sheets.h"
 #include "app/study/scoring_plan.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
@@ -110,6 +114,48 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   EXPECT_TRUE(lines()[0].startsWith(QStringLiteral("! Late"))) << lines()[0].toStdString();
 }
 
+TEST_F(CallsFromTheBoard, SixRowsOfTheBoardAreSeenWhileCallsAlertsAndStationsStand) {
+  StudyCentre& centre = office_.centre;
+  std::vector<TraineeId> more;
+  for (int i = 1; i <= 9; ++i) {
+    more.push_back(addPerson(centre.as("administrator"), {.fullName = "Li Na", .trainee = true}));
+  }
+  const std::vector<EnrolmentId> all = enrolTrainees(centre.as("administrator"), cohort_, more);
+  const std::int64_t now_us = centre.session().now_us();
+  (void)planDay(centre.as("administrator"), {.cohortId = cohort_,
+                                             .enrolmentIds = all,
+                                             .places = {"A", "B"},
+                                             .firstUtc_us = now_us,
+                                             .duration_us = 60'000'000});
+  for (const char* station : {"room 1", "room 2", "room 3", "room 4", "room 5"}) {
+    StationRepository(centre.connection()).heartbeat({.station = station, .heartbeatUtc_us = now_us});
+  }
+  centre.passTime_us(30LL * 60'000'000);
+  typeCode(QStringLiteral("t-01"));
+  press(*page_, QStringLiteral("End call"));
+  typeCode(QStringLiteral("t-02"), QStringLiteral("Arm 1"));
+  typeCode(QStringLiteral("t-03"), QStringLiteral("Arm 2"));
+  constexpr QSize kPageOf1366x768{1176, 695};
+  page_->resize(kPageOf1366x768);
+  page_->show();
+  page_->enter(toQString(cohort_));
+  QApplication::processEvents();
+
+  const QTableView& board = child<DataTable>(*page_, "table").view();
+  const auto seen = [&board] { return board.viewport()->height() / board.rowHeight(0); };
+  EXPECT_GE(seen(), 6);
+  const QString stations = child<QLabel>(*page_, "stationsLine").text();
+  EXPECT_TRUE(stations.contains(QStringLiteral("not answering: 5"))) << stations.toStdString();
+  EXPECT_FALSE(child<DataTable>(*page_, "stations").isVisible());
+  EXPECT_EQ(lines().size(), 3);
+  auto& showAll = child<QPushButton>(*page_, "allCalls");
+  EXPECT_EQ(showAll.text(), QStringLiteral("Show all (3, late: 1)"));
+  const auto& calls = child<QScrollArea>(*page_, "calls");
+  const int one = calls.height();
+  showAll.click();
+  EXPECT_GE(calls.height(), 3 * one);
+}
+
 TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
   StudyCentre& centre = office_.centre;
   const QDateTime now = QDateTime::fromMSecsSinceEpoch(centre.as("administrator").now_us() / 1000);
@@ -186,8 +232,7 @@ TEST_F(CallsFromTheBoard, ASheetOnPaperIsTypedInAndWaitsForASecondPerson) {
   });
   page_->findChild<QAction*>(QStringLiteral("typeSheets"))->trigger();
 
-  EXPECT_TRUE(said.contains(QStringLiteral("typed by you: somebody else has to type it, too")))
-      << said.toStdString();
+  EXPECT_TRUE(said.contains(QStringLiteral("typed by you, waits for another"))) << said.toStdString();
   EXPECT_EQ(calls()[0].submitted, 0U);
 }
 

@@ -143,6 +143,15 @@ TEST_F(Shell, TheKeyboardIsInAFieldFromTheStartAndAfterAWrongPassword) {
   enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
 
   EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->hasFocus());
+
+  auto* secret = named<QLineEdit>(*window_, QStringLiteral("Password"));
+  secret->setText(QStringLiteral("nor is this one"));
+  QTest::keyClick(secret, Qt::Key_Return);
+  for (const QPushButton* button : window_->findChildren<QPushButton*>()) {
+    EXPECT_FALSE(button->isVisible() && button->isEnabled())
+        << "an impatient key would press " << button->text().toStdString();
+  }
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !window_->background().working(); }, 60'000));
 }
 
 TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {

@@ -3,7 +3,6 @@
 // widgets on simulated marks; the numbers that leave the house are those of the command line.
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,9 +12,7 @@
 #include <QRadioButton>
 #include <QTableView>
 #include <QTest>
-#include <nlohmann/json.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/devices/station_device.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
@@ -34,35 +31,25 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
 #include "app/reporting/report_export.h"
-#include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/campaign.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
-#include "assessment/study/demonstration_marks.h"
 #include "assessment/study/station_state.h"
-#include "db/repository/rating/evaluation_repository.h"
-#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/file_io.h"
 #include "sim/base/ids.h"
-#include "tests/app/cli/program.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/app/gui/by_hand.h"
+#include "tests/app/gui/study_crowd.h"
 
 namespace torsio::gui {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using testing::AdministratorDesk;
 using testing::answer;
 using testing::StudyCentre;
 
-constexpr std::uint64_t kMarkSeed = 5;
 constexpr std::size_t kTrainees = 30;    // paper section 6
 constexpr std::size_t kChiefs = 10;      // who score the trainees
 constexpr std::size_t kEvaluators = 40;  // paper 5.3: 20 interns, 10 deputy chiefs, 10 chiefs
@@ -288,167 +275,6 @@ void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& e
   ASSERT_EQ(child<DataTable>(*page, "campaigns").visibleRows(), 1);
 }
 
-/// Whoever takes part in the study, as the rule of the simulated marks wants it.
-struct Crowd {
-  DemonstrationPeople people;
-  std::map<std::string, std::string> idOf;    // of a rater's code
-  std::map<std::string, std::string> codeOf;  // of an enrolment
-};
-
-Crowd crowdOf(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs) {
-  Crowd crowd;
-  crowd.people.groups.resize(3);
-  crowd.people.raters = chiefs;
-  for (const Enrolment& enrolment : enrolments(office.centre.as("allocator"), cohortId)) {
-    crowd.people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
-        .push_back(enrolment.traineeCode);
-    crowd.codeOf[enrolment.id] = enrolment.traineeCode;
-  }
-  for (const PersonRow& person : torsio::people(office.centre.as("administrator"))) {
-    if (person.rater) {
-      crowd.idOf[person.person.code] = person.person.id;
-    }
-  }
-  crowd.people.raterClasses.resize(3);
-  const std::vector<std::string> classes{"intern", "deputy_chief", "chief"};
-  for (const CampaignRow::Rater& rater : campaigns(office.centre.session()).front().raters) {
-    crowd.people
-        .raterClasses[static_cast<std::size_t>(std::find(classes.begin(), classes.end(), rater.classCode) -
-                                               classes.begin())]
-        .push_back(rater.code);
-  }
-  return crowd;
-}
-
-/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
-void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Crowd& crowd) {
-  SheetRepository sheets(office.centre.connection());
-  std::map<std::string, std::string> codeOfRater;
-  for (const auto& [code, id] : crowd.idOf) {
-    codeOfRater[id] = code;
-  }
-  std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
-    marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
-  }
-  const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
-  for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-    const Assignment& one = status.assignment;
-    Sheet sheet;
-    sheet.overall_steps = marks.at(
-        {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.occasionCode)});
-    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const RubricLine& row : rubric.rows) {
-      sheet.rows.push_back({row.code, row.scale.lo, ""});
-    }
-    sheets.submit(one.id, office.centre.session().ids().newUuid(), sheet, "",
-                  office.centre.session().now_us());
-  }
-}
-
-/// 40 raters, three models, nine indices.
-void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
-  const Campaign campaign = campaigns(office.centre.session()).front().campaign;
-  std::vector<std::string> models;
-  for (const CampaignModel& model : campaign.models) {
-    models.push_back(model.code);
-  }
-  std::vector<EvaluationMark> marks;
-  for (const EvaluationRating& rating :
-       demonstrationEvaluationMarks(campaign.instrument, crowd.people, models, kMarkSeed)) {
-    if (!rating.steps) {
-      continue;
-    }
-    marks.push_back({.id = office.centre.session().ids().newUuid(),
-                     .raterId = crowd.idOf.at(rating.rater),
-                     .modelCode = rating.model,
-                     .indexNumber = static_cast<std::int64_t>(rating.index + 1),
-                     .score_steps = *rating.steps,
-                     .submittedUtc_us = office.centre.session().now_us()});
-  }
-  EXPECT_EQ(marks.size(), kEvaluators * 3 * 9);
-  EvaluationRepository(office.centre.connection()).submit(campaign.id, marks);
-}
-
-/// The numbers of an exported table.
-class Numbers {
- public:
-  explicit Numbers(const fs::path& file)
-      : table_(CsvTable::read(
-            file, {"section", "item", "group", "model", "index", "occasion", "statistic", "value"},
-            {"n", "flags"})) {}
-
-  [[nodiscard]] double at(const std::string& section, const std::string& model, const std::string& index,
-                          const std::string& occasion, const std::string& statistic) const {
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
-          table_.cell(row, "group").empty() && table_.cell(row, "model") == model &&
-          table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
-          table_.cell(row, "statistic") == statistic) {
-        return table_.number(row, "value");
-      }
-    }
-    ADD_FAILURE() << section << " " << model << " " << index << " " << occasion << " " << statistic;
-    return 0.0;
-  }
-  /// The marks of the evaluation as `torsio evaluate` reads them.
-  [[nodiscard]] std::string ratings() const {
-    std::string text = "index,rater,class,model,score\n";
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "statistic") == "mark") {
-        text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
-                "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
-      }
-    }
-    return text;
-  }
-
- private:
-  CsvTable table_;
-};
-
-void expectNumbersOfTheCommandLine(const Numbers& report, const Crowd& crowd, const fs::path& folder) {
-  writeFileAtomically(folder / "ratings.csv", report.ratings());
-  const test::ProgramRun evaluated =
-      test::runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
-                          " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
-                      folder);
-  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
-  const json evaluation = json::parse(evaluated.out);
-  ASSERT_EQ(evaluation["models"].size(), 3U);
-  for (const json& model : evaluation["models"]) {
-    const std::string name = model["model"];
-    EXPECT_EQ(report.at("evaluation", name, "", "", "N_eq27"), model["N"].get<double>());
-    for (const json& index : model["indices"]) {
-      const std::string id = index["index"];
-      EXPECT_EQ(report.at("evaluation", name, id, "", "M"), index["M"].get<double>());
-      EXPECT_EQ(report.at("evaluation", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
-    }
-  }
-
-  std::map<std::pair<std::string, std::string>, std::int64_t>
-      last;  // by trainee and rater, as the report has it
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
-    if (mark.occasion == 2) {
-      last[{mark.trainee, mark.rater}] = mark.steps;
-    }
-  }
-  std::string marks = "target,rater,score\n";
-  for (const auto& [who, steps] : last) {
-    marks += who.first + "," + who.second + "," + std::to_string(steps / 10) + "." +
-             std::to_string(steps % 10) + "\n";
-  }
-  writeFileAtomically(folder / "marks.csv", marks);
-  const test::ProgramRun agreed =
-      test::runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
-  ASSERT_EQ(agreed.code, 0) << agreed.err;
-  const json agreement = json::parse(agreed.out);
-  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_1"),
-            agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
-  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_k"),
-            agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
-}
-
 /// What the guide asks for beside what this test presses: the first run, the rule of two people, accounts of
 /// the allocator, the statistician and of everybody on the roster, and the allocator's turn.
 void countTheRest(testing::ByHand& hand) {
@@ -492,9 +318,9 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   RecordProperty("set_up_presses", hand.presses());
   runTheDay(office, cohortId);
   makeEvaluation(office, raterCodes(office.centre, true));
-  const Crowd crowd = crowdOf(office, cohortId, chiefs);
-  submitSheets(office, cohortId, crowd);
-  submitEvaluationMarks(office, crowd);
+  const testing::Crowd crowd = testing::crowdOf(office, cohortId, chiefs);
+  testing::submitSheets(office, cohortId, crowd);
+  testing::submitEvaluationMarks(office, crowd);
 
   auto results = office.open<ResultsPage>("administrator");
   results->showItem(QStringLiteral("figure-22"));
@@ -515,7 +341,7 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   ASSERT_TRUE(numbers->exportTables(tables));
 
   EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
-  expectNumbersOfTheCommandLine(Numbers(csv), crowd, office.centre.folder());
+  testing::expectNumbersOfTheCommandLine(csv, crowd, office.centre.folder());
   EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
   EXPECT_EQ(readFile(tables / "marks.csv").find("\xEF\xBB\xBFtrainee,rater,occasion,"), 0U);
   EXPECT_EQ(readFile(tables / "recordings.csv").find("\xEF\xBB\xBFtrial,trainee,scene,"), 0U);

@@ -7,34 +7,18 @@
 #include <vector>
 
 #include "app/reporting/report_data.h"
-#include "app/study/allocation_service.h"
-#include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/ids.h"
 #include "sim/record/sample_codec.h"
+#include "tests/app/support/small_study.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio::testing {
 
-/// Six trainees in three groups, nobody marked yet.
-struct SmallStudy {
-  StudyCentre centre;
-  ReportRequest request;
-  TrialDigests digests{centre.assets()};
-
-  SmallStudy() {
-    const std::vector<TraineeId> trainees = centre.addTrainees(6);
-    const std::string version = centre.runPaperCurriculum();
-    request.cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolTrainees(centre.session(), request.cohortId, trainees);
-    AllocationPlan plan;
-    plan.cohortId = request.cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.session(), request.cohortId);
-  }
-};
+/// What a report is asked for.
+using SmallStudy = SmallStudyFor<ReportRequest>;
 
 /// A recording of one twist that was let go after `ticks` hundredths of a radian.
 inline void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks,

@@ -38,6 +38,11 @@ QString safe(const std::string& text) {
   return toQString(text).toHtmlEscaped();
 }
 
+/// In the language of the window, as far as the words ship with the program.
+QString safeTranslated(const std::string& text) {
+  return toQString(Text(text)).toHtmlEscaped();
+}
+
 QString pointsText(std::int64_t steps, const ScoreScale& scale) {
   return QLocale().toString(pointsFromSteps(steps, scale), 'g', 6);
 }
@@ -49,7 +54,7 @@ QString boxes(const ScoreScale& scale) {
   for (std::int64_t steps = scale.lo; narrow && steps <= scale.hi; steps += scale.stepsPerPoint) {
     row += QStringLiteral("\u25A1\u00A0%1 &nbsp; ").arg(pointsText(steps, scale));
   }
-  return row + PrintedSheets::tr("or exactly: ______") + QStringLiteral(" &nbsp; \u25A1\u00A0") +
+  return row + PrintedSheets::tr("or exactly: ______") + QStringLiteral("<br>\u25A1\u00A0") +
          PrintedSheets::tr("cannot be assessed, because: ____________________");
 }
 
@@ -63,7 +68,7 @@ QString criterion(const QString& label, const ScoreScale& scale, const std::vect
                boxes(scale));
   for (const RubricAnchor& anchor : anchors) {
     html += QStringLiteral("<p style='margin:0; margin-left:14px'><font color='#333'>%1: %2</font></p>")
-                .arg(pointsText(anchor.score_steps, scale), safe(anchor.meaning));
+                .arg(pointsText(anchor.score_steps, scale), safeTranslated(anchor.meaning));
   }
   return html;
 }
@@ -77,7 +82,7 @@ QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool first) {
               PrintedSheets::tr("%1. Mark one box in each row. Do not write any name on this sheet.")
                   .arg(centre.toHtmlEscaped()));
   for (const RubricLine& row : sheet.rubric.rows) {
-    html += criterion(safe(row.label), row.scale, row.anchors);
+    html += criterion(safeTranslated(row.label), row.scale, row.anchors);
   }
   html += criterion(PrintedSheets::tr("Overall mark"), sheet.rubric.overall, {});
   html +=

@@ -70,7 +70,7 @@ ConsentTextsDialog::ConsentTextsDialog(ShellContext& shell, QWidget* parent)
       removePurpose_(new QPushButton(tr("&Remove"), this)),
       title_(new QLineEdit(this)),
       text_(new QPlainTextEdit(this)),
-      print_(new QPushButton(tr("P&rint forms\u2026"), this)),
+      print_(new QPushButton(tr("Print &forms\u2026"), this)),
       publish_(new QPushButton(tr("&Publish\u2026"), this)) {
   setObjectName(QStringLiteral("consentTexts"));
   setWindowTitle(tr("Consent texts"));

@@ -19,6 +19,7 @@
 #include "app/gui/administrator/people/consent_texts_dialog.h"
 #include "app/gui/administrator/people/person_dialog.h"
 #include "app/gui/administrator/people/person_requests_dialog.h"
+#include "app/gui/administrator/people/roster_imports_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/table_choice.h"
@@ -36,6 +37,7 @@ RosterPage::RosterPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       import_(new QPushButton(this)),
+      undo_(new QPushButton(this)),
       add_(new QPushButton(this)),
       texts_(new QPushButton(this)),
       requests_(new QPushButton(this)),
@@ -61,8 +63,10 @@ RosterPage::RosterPage(ShellContext& shell)
   import_->setProperty("primary", true);
   texts_->setObjectName(QStringLiteral("consentTexts"));
   requests_->setObjectName(QStringLiteral("personRequests"));
+  undo_->setObjectName(QStringLiteral("undoImport"));
   heading_->addAction(requests_);
   heading_->addAction(texts_);
+  heading_->addAction(undo_);
   heading_->addAction(add_);
   heading_->addAction(import_);
   auto* column = new QVBoxLayout(this);
@@ -75,6 +79,10 @@ RosterPage::RosterPage(ShellContext& shell)
   connect(texts_, &QPushButton::clicked, this, [this] { ConsentTextsDialog(this->shell(), this).exec(); });
   connect(requests_, &QPushButton::clicked, this, &RosterPage::showRequests);
   connect(add_, &QPushButton::clicked, this, &RosterPage::add);
+  connect(undo_, &QPushButton::clicked, this, [this] {
+    RosterImportsDialog(this->shell(), this).exec();
+    read();
+  });
   connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
   connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
@@ -104,6 +112,7 @@ void RosterPage::enter(const QVariant&) {
   package_->setVisible(shell().may(Operation::kPersonExport));
   erase_->setVisible(shell().may(Operation::kPersonErase));
   requests_->setVisible(shell().may(Operation::kPersonExport));
+  undo_->setVisible(shell().may(Operation::kPersonEdit) && shell().may(Operation::kPersonErase));
   for (QPushButton* button : {import_, add_, edit_, state_}) {
     button->setVisible(shell().may(Operation::kPersonEdit));
   }
@@ -116,6 +125,7 @@ void RosterPage::retranslate() {
                         "code only."));
   import_->setText(tr("&Import a roster\u2026"));
   add_->setText(tr("&New person\u2026"));
+  undo_->setText(tr("&Undo an import\u2026"));
   texts_->setText(tr("Consent &texts\u2026"));
   names_->setText(tr("Show na&mes"));
   edit_->setText(tr("&Change\u2026"));

@@ -47,6 +47,7 @@ class RosterPage : public Page {
   std::vector<NamedPersonRow> people_;  // identities empty while names are hidden
   PageHeading* heading_;
   QPushButton* import_;
+  QPushButton* undo_;
   QPushButton* add_;
   QPushButton* texts_;
   QPushButton* requests_;

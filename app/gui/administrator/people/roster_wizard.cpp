@@ -70,6 +70,9 @@ RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(paren
   setWindowTitle(tr("Import a roster"));
   setWizardStyle(QWizard::ModernStyle);
   setOption(QWizard::NoBackButtonOnStartPage);
+  setButtonText(QWizard::BackButton, tr("< &Back"));
+  setButtonText(QWizard::NextButton, tr("&Next >"));
+  setButtonText(QWizard::CancelButton, tr("Cancel"));
   setButtonText(QWizard::FinishButton, tr("&Import"));
   setMinimumSize(760, 560);
   addPage(new RosterFilePage(import_, this));
@@ -289,7 +292,7 @@ void RosterColumnsPage::addChoice(RosterField field) {
   }
 }
 
-/// Who was imported as a trainee stays one, so a file of raters is noticed before.
+/// A file of raters is noticed before they become trainees.
 void RosterColumnsPage::showHint() {
   const std::optional<std::size_t> raterClass =
       import_.kind == RosterKind::kTrainees
@@ -300,7 +303,7 @@ void RosterColumnsPage::showHint() {
   if (raterClass) {
     hint_->setText(
         tr("! The column %1 looks like the class of raters. If this file lists raters, go back and "
-           "choose Raters: who is imported as a trainee stays one.")
+           "choose Raters.")
             .arg(toQString(import_.file->header[*raterClass])));
   }
 }

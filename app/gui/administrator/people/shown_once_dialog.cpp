@@ -33,7 +33,7 @@ ShownOnceDialog::ShownOnceDialog(const QString& title, const QString& words, con
       fileName_(fileName),
       table_(new DataTable(QString(), this)),
       copy_(new QPushButton(tr("&Copy"), this)),
-      cards_(new QPushButton(tr("Save &cards (PDF)\u2026"), this)) {
+      cards_(new QPushButton(tr("Save c&ards (PDF)\u2026"), this)) {
   setWindowTitle(title);
   resize(kShownOnceSize);
   QLabel* said = sentence(this);

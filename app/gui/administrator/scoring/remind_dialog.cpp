@@ -92,7 +92,7 @@ RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidge
       server_(sentence(this)),
       passwordLabel_(nullptr),
       password_(secretField(this)),
-      set_(new QPushButton(tr("Mail &server\u2026"), this)),
+      set_(new QPushButton(tr("Mail ser&ver\u2026"), this)),
       copy_(new QPushButton(tr("&Copy"), this)),
       send_(new QPushButton(this)) {
   setObjectName(QStringLiteral("remindDialog"));
@@ -112,7 +112,7 @@ RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidge
          "else."));
   auto* row = new QHBoxLayout;
   passwordLabel_ = addField(row, password_);
-  nameField(passwordLabel_, tr("&Password of the mail server"));
+  nameField(passwordLabel_, tr("Pass&word of the mail server"));
   row->addStretch(1);
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(set_, QDialogButtonBox::ActionRole);

@@ -14,6 +14,7 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/study/alert_words.h"
@@ -22,7 +23,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr qsizetype kAlertsSeen = 3;  // lines before the list scrolls
+constexpr qsizetype kAlertsSeen = 4;  // lines before the list scrolls
 
 struct AlertWords {
   Q_DECLARE_TR_FUNCTIONS(AlertPanel)
@@ -55,14 +56,14 @@ QString countText(RunDayAlert::Kind kind, std::size_t count) {
 }  // namespace
 
 AlertPanel::AlertPanel(QWidget* parent)
-    : QWidget(parent), counts_(sentence(this, false)), scroll_(new QScrollArea(this)), lines_(new QLabel) {
+    : QWidget(parent), line_(new FoldLine(this)), scroll_(new QScrollArea(this)), lines_(new QLabel) {
   setObjectName(QStringLiteral("alertPanel"));
-  counts_->setObjectName(QStringLiteral("alertCounts"));
+  line_->label()->setObjectName(QStringLiteral("alertCounts"));
   lines_->setObjectName(QStringLiteral("alerts"));
   lines_->setTextFormat(Qt::PlainText);
   lines_->setWordWrap(true);
   lines_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  setLook(counts_, "caution", true);
+  setLook(line_->label(), "caution", true);
   setLook(lines_, "caution", true);
   scroll_->setWidget(lines_);
   scroll_->setWidgetResizable(true);
@@ -70,8 +71,9 @@ AlertPanel::AlertPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace);
-  column->addWidget(counts_);
+  column->addWidget(line_);
   column->addWidget(scroll_);
+  connect(line_, &FoldLine::toggled, scroll_, &QWidget::setVisible);
   hide();
 }
 
@@ -98,8 +100,10 @@ void AlertPanel::showAlerts(const std::vector<RunDayAlert>& alerts) {
   for (const auto& [kind, count] : kinds) {
     counts << countText(kind, count);
   }
-  counts_->setText(counts.join(QStringLiteral(" \u00B7 ")));
-  counts_->setVisible(lines.size() > kAlertsSeen);
+  line_->setText(lines.size() == 1 ? lines.front()
+                                   : QStringLiteral("\u26A0 ") + counts.join(QStringLiteral(" \u00B7 ")));
+  line_->setFoldable(lines.size() > 1);
+  scroll_->setVisible(line_->isOpen() && lines.size() > 1);
   if (const QString text = lines.join(QLatin1Char('\n')); text != lines_->text()) {
     lines_->setText(text);  // where it was scrolled to stays while nothing changes
   }
@@ -108,6 +112,10 @@ void AlertPanel::showAlerts(const std::vector<RunDayAlert>& alerts) {
   const auto seen = static_cast<int>(std::clamp<qsizetype>(lines.size(), 1, kAlertsSeen));
   scroll_->setFixedHeight(seen * lines_->fontMetrics().lineSpacing() + kSpace);
   setVisible(!lines.isEmpty());
+}
+
+void AlertPanel::retranslate() {
+  line_->retranslate();
 }
 
 }  // namespace torsio::gui

@@ -12,18 +12,21 @@ class QScrollArea;
 
 namespace torsio::gui {
 
-/// Everything that needs attention on the board of the day: how many of each kind, and each of them, to be
-/// scrolled when there are many. Hidden when there is nothing.
+class FoldLine;
+
+/// Everything that needs attention on the board of the day: one line that says how many of each kind there
+/// are, and each of them behind it, to be scrolled when there are many. Hidden when there is nothing.
 class AlertPanel : public QWidget {
  public:
   explicit AlertPanel(QWidget* parent);
 
   void showAlerts(const std::vector<RunDayAlert>& alerts);
+  void retranslate();
 
  private:
   [[nodiscard]] QString textOf(const RunDayAlert& alert) const;
 
-  QLabel* counts_;
+  FoldLine* line_;
   QScrollArea* scroll_;
   QLabel* lines_;
 };

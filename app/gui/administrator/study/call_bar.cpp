@@ -12,6 +12,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -21,6 +23,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 #include "app/study/reminders.h"
 #include "sim/base/ids.h"
 
@@ -30,15 +33,19 @@ namespace {
 
 constexpr int kCodeWidth = 140;
 constexpr int kRoomWidth = 160;
-constexpr std::size_t kMostLines = 4;
+constexpr std::size_t kLinesSeen = 4;  // before they scroll
 const QString kRoomKey = QStringLiteral("runday/room");
 
-QString joined(const std::vector<std::string>& codes) {
+QStringList listOf(const std::vector<std::string>& codes) {
   QStringList all;
   for (const std::string& code : codes) {
     all << toQString(code);
   }
-  return all.join(QStringLiteral(", "));
+  return all;
+}
+
+QString joined(const std::vector<std::string>& codes) {
+  return listOf(codes).join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -53,7 +60,9 @@ CallBar::CallBar(ShellContext& shell, QWidget* parent)
       roomLabel_(nullptr),
       room_(new QLineEdit(this)),
       call_(primaryButton(this)),
-      lines_(new QGridLayout) {
+      lines_(nullptr),
+      scroll_(new QScrollArea(this)),
+      more_(linkButton(this)) {
   code_->setObjectName(QStringLiteral("callCode"));
   room_->setObjectName(QStringLiteral("callRoom"));
   call_->setObjectName(QStringLiteral("call"));
@@ -72,8 +81,27 @@ CallBar::CallBar(ShellContext& shell, QWidget* parent)
   row->addWidget(call_);
   row->addStretch(1);
   column->addLayout(row);
+  auto* ground = new QWidget;
+  lines_ = new QGridLayout(ground);
+  lines_->setContentsMargins(0, 0, 0, 0);
+  lines_->setVerticalSpacing(kSpace);
   lines_->setColumnStretch(0, 1);
-  column->addLayout(lines_);
+  scroll_->setWidget(ground);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setObjectName(QStringLiteral("calls"));
+  more_->setObjectName(QStringLiteral("allCalls"));
+  auto* calls = new QHBoxLayout;
+  calls->setSpacing(kSpace);
+  calls->addWidget(scroll_, 1);
+  calls->addWidget(more_, 0, Qt::AlignTop);
+  column->addLayout(calls);
+  connect(more_, &QPushButton::clicked, this, [this] {
+    open_ = !open_;
+    fold();
+  });
+  fold();
   connect(code_, &QLineEdit::returnPressed, this, &CallBar::callTyped);
   connect(call_, &QPushButton::clicked, this, &CallBar::callTyped);
   connect(room_, &QLineEdit::editingFinished, this,
@@ -131,15 +159,15 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
   });
 }
 
-QString CallBar::lineText(const CalledCase& called) const {
+QString CallBar::lineText(const CalledCase& called, const QString& missing) const {
   const QString who = tr("case %1 \u00B7 %2 \u00B7 %3 \u00B7 %4")
                           .arg(toQString(called.caseLabel), toQString(called.traineeCode),
                                occasionName(called.occasion), toQString(Text(called.call.room)));
   QString text = (called.call.endedUtc_us ? tr("! Late: %1") : tr("\u25CF Called: %1")).arg(who);
   text += QStringLiteral(": ") +
           tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);
-  if (!called.missing.empty()) {
-    text += QStringLiteral("; ") + tr("missing: %1").arg(joined(called.missing));
+  if (!missing.isEmpty()) {
+    text += QStringLiteral("; ") + tr("missing: %1").arg(missing);
   }
   return text;
 }
@@ -164,7 +192,8 @@ void CallBar::copyReminder(const CalledCase& called) {
 
 void CallBar::addLine(int row, const CalledCase& called) {
   QLabel* text = sentence(this, false);
-  text->setText(lineText(called));
+  text->setText(lineText(called, firstFew(listOf(called.missing))));
+  text->setToolTip(lineText(called, joined(called.missing)));
   text->setObjectName(QStringLiteral("calledCase"));
   setLook(text, "caution", called.call.endedUtc_us.has_value());
   auto* copy = new QPushButton(tr("Copy reminder"), this);
@@ -204,7 +233,7 @@ void CallBar::addLine(int row, const CalledCase& called) {
 void CallBar::showCalls(const std::vector<CalledCase>& calls) {
   QStringList lines;
   for (const CalledCase& called : calls) {
-    lines << toQString(called.call.id) + lineText(called);
+    lines << toQString(called.call.id) + lineText(called, joined(called.missing));
   }
   if (lines == lineTexts_) {
     return;  // no button is made anew under a finger
@@ -216,16 +245,23 @@ void CallBar::showCalls(const std::vector<CalledCase>& calls) {
     part->deleteLater();
   }
   shown_.clear();
-  int row = 0;
-  for (std::size_t i = 0; i < std::min(calls.size(), kMostLines); ++i) {
-    addLine(row++, calls[i]);
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    addLine(static_cast<int>(i), calls[i]);
   }
-  if (calls.size() > kMostLines) {
-    QLabel* more = sentence(this);
-    more->setText(tr("and %n more late", nullptr, static_cast<int>(calls.size() - kMostLines)));
-    lines_->addWidget(more, row, 0);
-    shown_.push_back(more);
-  }
+  fold();
+}
+
+void CallBar::fold() {
+  const std::size_t seen = std::clamp<std::size_t>(open_ ? calls_.size() : 1, 1, kLinesSeen);
+  scroll_->setFixedHeight(static_cast<int>(seen) * (call_->sizeHint().height() + kSpace));
+  scroll_->setVerticalScrollBarPolicy(open_ ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+  scroll_->verticalScrollBar()->setValue(0);
+  scroll_->setVisible(!calls_.empty());
+  more_->setVisible(calls_.size() > 1);
+  const auto late = std::count_if(calls_.begin(), calls_.end(), [](const CalledCase& called) {
+    return called.call.endedUtc_us.has_value();
+  });
+  more_->setText(open_ ? tr("Show one") : tr("Show all (%1, late: %2)").arg(calls_.size()).arg(late));
 }
 
 void CallBar::retranslate() {

@@ -14,13 +14,14 @@ class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace torsio::gui {
 
 class ShellContext;
 
 /// Calls one trainee after the other to the real arm, by code or by what a scanner types, and shows whom the
-/// raters score now and whose sheets are late.
+/// raters score now and whose sheets are late: one line, the others behind it.
 class CallBar : public QWidget {
   Q_OBJECT
 
@@ -42,7 +43,9 @@ class CallBar : public QWidget {
   void callTyped();
   void copyReminder(const CalledCase& called);
   void addLine(int row, const CalledCase& called);
-  [[nodiscard]] QString lineText(const CalledCase& called) const;
+  [[nodiscard]] QString lineText(const CalledCase& called, const QString& missing) const;
+  /// One line, or as many as the board can spare.
+  void fold();
 
   ShellContext& shell_;
   CohortId cohortId_;
@@ -55,8 +58,11 @@ class CallBar : public QWidget {
   QLineEdit* room_;
   QPushButton* call_;
   QGridLayout* lines_;
+  QScrollArea* scroll_;
+  QPushButton* more_;
   std::vector<QWidget*> shown_;
   QStringList lineTexts_;  // what stands in the lines now
+  bool open_ = false;
 };
 
 }  // namespace torsio::gui

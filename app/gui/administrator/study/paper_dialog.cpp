@@ -91,7 +91,7 @@ QString PaperDialog::stateText(const PaperCase& one) const {
     return tr("! typed twice, not alike");
   }
   if (one.byMe) {
-    return tr("\u25D0 typed by you: somebody else has to type it, too");
+    return tr("\u25D0 typed by you, waits for another");
   }
   return one.byOthers > 0 ? tr("\u25D0 typed once: type it again") : tr("\u25CB not typed yet");
 }
@@ -178,7 +178,7 @@ void PaperDialog::showForm() {
         answer = {own.score_steps, own.notAssessableReason};
       }
     }
-    addField(row++, toQString(line.label), line.code, line.scale, answer, differs(line.code));
+    addField(row++, toQString(Text(line.label)), line.code, line.scale, answer, differs(line.code));
   }
   addField(row++, tr("Overall mark"), kOverallRow, form_->rubric.overall,
            {form_->own.overall_steps, form_->own.notAssessableReason}, differs(kOverallRow));

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 
@@ -33,7 +35,9 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadAgain_ms = 10'000;
-constexpr int kReadCalls_ms = 2'000;  // while somebody stands at the arm
+constexpr int kReadCalls_ms = 2'000;   // while somebody stands at the arm
+constexpr int kRoomForStations = 860;  // a page that high shows them and enough of the board
+const QString kStationsKey = QStringLiteral("runday/stations");
 
 }  // namespace
 
@@ -47,7 +51,7 @@ RunDayPage::RunDayPage(ShellContext& shell)
       callBar_(new CallBar(shell, this)),
       table_(new DataTable(QStringLiteral("run-day"), this)),
       alerts_(new AlertPanel(this)),
-      stationsTitle_(new QLabel(this)),
+      stationsLine_(new FoldLine(this)),
       stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
       reader_(new Background(this)),
       plan_(new QPushButton(this)),
@@ -86,11 +90,11 @@ RunDayPage::RunDayPage(ShellContext& shell)
   column->addWidget(heading_);
   column->addLayout(choices);
   column->addWidget(callBar_);
-  stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
+  stationsLine_->label()->setObjectName(QStringLiteral("stationsLine"));
   stations_->filter().hide();
   column->addWidget(alerts_);
   column->addWidget(table_, 1);
-  column->addWidget(stationsTitle_);
+  column->addWidget(stationsLine_);
   column->addWidget(stations_);
 
   clock_->setInterval(kReadAgain_ms);
@@ -111,10 +115,15 @@ RunDayPage::RunDayPage(ShellContext& shell)
     read();
   });
   connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
+  connect(stationsLine_, &FoldLine::toggled, this, [this](bool open) {
+    QSettings().setValue(kStationsKey, open);
+    showStations();
+  });
   retranslate();
 }
 
 void RunDayPage::enter(const QVariant&) {
+  stationsLine_->setOpen(QSettings().value(kStationsKey, height() >= kRoomForStations).toBool());
   attempt(shell(), [&] {
     fillCohorts(cohort_, shell().session(), CohortFirst::kOfToday);
     read();
@@ -187,7 +196,7 @@ Cell RunDayPage::slotCell(const RunDayRow& row) const {
   }
   const QString when =
       tr("%1 \u00B7 %2").arg(slotTime(row.slot->startsUtc_us, locale()), toQString(row.slot->place));
-  return {row.overdue ? tr("! overdue: %1").arg(when) : when,
+  return {row.overdue ? tr("! %1, overdue").arg(when) : when,
           QVariant(static_cast<qlonglong>(row.slot->startsUtc_us))};
 }
 
@@ -281,8 +290,9 @@ void RunDayPage::retranslate() {
   callBar_->retranslate();
   call_->setText(tr("Call to the arm"));
   time_->setText(tr("&Log time\u2026"));
-  swap_->setText(tr("S&wap turns\u2026"));
-  stationsTitle_->setText(tr("Stations"));
+  swap_->setText(tr("Swap t&urns\u2026"));
+  stationsLine_->retranslate();
+  alerts_->retranslate();
   stations_->setColumns({{tr("Station")},
                          {tr("Now")},
                          {tr("Trainee")},

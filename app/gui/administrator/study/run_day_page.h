@@ -20,6 +20,7 @@ class AlertPanel;
 class Background;
 class CallBar;
 class DataTable;
+class FoldLine;
 struct Cell;
 class PageHeading;
 
@@ -71,7 +72,7 @@ class RunDayPage : public Page {
   CallBar* callBar_;
   DataTable* table_;
   AlertPanel* alerts_;
-  QLabel* stationsTitle_;
+  FoldLine* stationsLine_;
   DataTable* stations_;
   Background* reader_;
   QPushButton* plan_;

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include <QDateTime>
-#include <QLabel>
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/study/run_day_page.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/fold_line.h"
 #include "assessment/study/station_state.h"
 
 namespace torsio::gui {
@@ -49,10 +49,14 @@ QString RunDayPage::checkText(const StationDevice& device) const {
 
 void RunDayPage::showStations() {
   std::vector<Row> rows;
+  int recording = 0;
+  int lost = 0;
   if (board_) {
     for (const StationState& station : board_->stations) {
       const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
       const bool records = !station.trialId.empty() && !station.ended;
+      recording += records && !silent ? 1 : 0;
+      lost += silent ? 1 : 0;
       const StationDevice device = storedDevice(station);
       const QString check = checkText(device);
       rows.push_back(
@@ -72,11 +76,15 @@ void RunDayPage::showStations() {
     }
   }
   const bool some = !rows.empty();
+  stationsLine_->setText(tr("Stations: %1 \u00b7 recording: %2 \u00b7 not answering: %3")
+                             .arg(rows.size())
+                             .arg(recording)
+                             .arg(lost));
   stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
                                                                   rows.size(), 1, kMostStations)));
   stations_->setRows(std::move(rows));
-  stations_->setVisible(some);
-  stationsTitle_->setVisible(some);
+  stations_->setVisible(some && stationsLine_->isOpen());
+  stationsLine_->setVisible(some);
 }
 
 }  // namespace torsio::gui

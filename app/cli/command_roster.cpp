@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/care_options.h"
+#include "app/cli/commands.h"
+#include "app/cli/database_option.h"
+#include "app/cli/json_output.h"
+#include "app/maintenance/care_desk.h"
+#include "app/people/roster_undo.h"
+#include "assessment/report/number_format.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct RosterArguments {
+  DatabaseOption database;
+  CareOptions care;
+  std::string id;
+  std::string reason;
+  bool json = false;
+};
+
+std::string stateOf(const ImportedRoster& one) {
+  if (one.takenBack) {
+    return "taken back";
+  }
+  return one.hindrance.empty() ? "can be taken back" : one.hindrance.str();
+}
+
+void listImports(const RosterArguments& arguments) {
+  CareDesk desk(arguments.care.taker(), arguments.database.locator());
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const ImportedRoster& one : importedRosters(desk.session())) {
+    const char* kind = one.kind == RosterKind::kTrainees ? "trainees" : "raters";
+    if (arguments.json) {
+      all.push_back({{"id", one.id},
+                     {"imported", formatUtc(one.importedUtc_us)},
+                     {"by", one.importedBy},
+                     {"kind", kind},
+                     {"added", one.added},
+                     {"changed", one.changed},
+                     {"codes", one.codes},
+                     {"taken_back", one.takenBack},
+                     {"hindrance", one.hindrance.str()}});
+      continue;
+    }
+    std::cout << one.id << "  " << formatUtc(one.importedUtc_us) << "  " << kind << ": " << one.added
+              << " added, " << one.changed << " changed; " << stateOf(one) << "\n";
+  }
+  if (arguments.json) {
+    printJson(all);
+  }
+}
+
+void takeBack(const RosterArguments& arguments) {
+  CareDesk desk(arguments.care.taker(), arguments.database.locator());
+  takeBackRoster(desk.session(), arguments.id, arguments.reason);
+  std::cout << "Taken back: " << arguments.id << "\n";
+}
+
+}  // namespace
+
+void addRoster(CLI::App& program) {
+  CLI::App* roster = program.add_subcommand("roster", "Rosters that were imported: list, take back");
+  roster->require_subcommand(1);
+  auto arguments = std::make_shared<RosterArguments>();
+  CLI::App* list = roster->add_subcommand("imports", "Every import, and whether it can be taken back");
+  addDatabaseOption(*list, arguments->database);
+  addSignIn(*list, arguments->care, "--as")->required();
+  list->add_flag("--json", arguments->json, "JSON");
+  list->callback([arguments] { listImports(*arguments); });
+  CLI::App* back = roster->add_subcommand("take-back", "Takes an import back whole, or not at all");
+  addDatabaseOption(*back, arguments->database);
+  addSignIn(*back, arguments->care, "--as")->required();
+  back->add_option("import", arguments->id, "Id, as 'torsio roster imports' shows it")->required();
+  back->add_option("--reason", arguments->reason, "Why, for the audit trail")->required();
+  back->callback([arguments] { takeBack(*arguments); });
+}
+
+}  // namespace torsio::cli
