@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 
@@ -24,7 +25,8 @@ using test::ProgramRun;
 namespace {
 
 constexpr long kInstants = 3;   // unless TORSIO_KILL_INSTANTS says how many
-constexpr long kEachAgain = 3;  // of so many instants one is followed by the same command
+constexpr long kEachAgain = 3;  // of so many instants one is followed by the same command ...
+constexpr long kAgain = 20;     // ... or of more, so that it is not done oftener than this
 
 std::string lineOf(const std::vector<std::string>& arguments) {
   std::string line;
@@ -32,6 +34,23 @@ std::string lineOf(const std::vector<std::string>& arguments) {
     line += " '" + argument + "'";
   }
   return line;
+}
+
+/// TORSIO_KILL_PART=K/N: only each N-th of the instants, from the K-th on (0 to N - 1), so that several
+/// programs share the work.
+struct Part {
+  long first = 0;
+  long of = 1;
+};
+
+Part partOfInstants() {
+  const char* text = std::getenv("TORSIO_KILL_PART");
+  Part part;
+  if (text != nullptr && std::strchr(text, '/') != nullptr) {
+    part.first = std::atol(text);
+    part.of = std::max(1L, std::atol(std::strchr(text, '/') + 1));
+  }
+  return part;
 }
 
 }  // namespace
@@ -74,20 +93,22 @@ void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault, const ch
   ASSERT_EQ(code, 0) << run(cut.arguments, cut.program).err;
   ASSERT_GT(all, 0) << "nothing of it can be cut off";
   cut.after();
-  const long wanted = std::min(all, test::instantsOf(variable, kInstants));
-  for (long i = 0; i < wanted && !HasFailure(); ++i) {
+  const long wanted = std::min({all, cut.atMost, test::instantsOf(variable, kInstants)});
+  const long eachAgain = std::max(kEachAgain, wanted / kAgain);
+  const Part part = partOfInstants();
+  for (long i = part.first; i < wanted && !HasFailure(); i += part.of) {
     const long instant = 1 + i * all / wanted;
     SCOPED_TRACE("instant " + std::to_string(instant) + " of " + std::to_string(all));
     cut.before();
     judge(test::runWithFault(cut.arguments, fault + std::to_string(instant), cut.program, file(".said")));
     cut.after();
-    if (i % kEachAgain == 0 && !HasFailure() && !cut.done()) {
+    if (i % eachAgain == 0 && !HasFailure() && !cut.done()) {
       const ProgramRun again = run(cut.arguments, cut.program);
       EXPECT_EQ(again.code, 0) << again.err;
       cut.after();
     }
   }
-  std::cout << "  " << wanted << " of " << all << " instants\n";
+  std::cout << "  " << (wanted - part.first + part.of - 1) / part.of << " of " << all << " instants\n";
   cut.before();
   const ProgramRun last = run(cut.arguments, cut.program);
   EXPECT_EQ(last.code, 0) << "at the end: " << last.err;
@@ -98,6 +119,30 @@ void CutOffCare::killEverywhere(const CutOff& cut) const {
   cutOffEverywhere(cut, "TORSIO_FAULT_KILL_AT=", "TORSIO_KILL_INSTANTS", [](const FaultyRun& ended) {
     EXPECT_TRUE(ended.killed || ended.code == 0) << ended.code;
   });
+}
+
+void CutOffCare::lookEverywhere(const CutOff& cut, const std::function<void()>& look) const {
+  cut.before();
+  int code = -1;
+  const long all = test::countInstants(cut.arguments, folder_, code, cut.program);
+  ASSERT_EQ(code, 0) << run(cut.arguments, cut.program).err;
+  cut.before();
+  const long every = std::max(1L, all / test::instantsOf("TORSIO_KILL_INSTANTS", kInstants));
+  long looked = 0;
+  const FaultyRun ended = test::runWithStops(
+      cut.arguments, every,
+      [&] {
+        ++looked;
+        SCOPED_TRACE("instant " + std::to_string(looked * every) + " of " + std::to_string(all));
+        if (!HasFailure()) {
+          look();
+        }
+      },
+      cut.program);
+  std::cout << "  stopped at " << looked << " of " << all << " instants\n";
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_GT(looked, 0);
+  cut.after();
 }
 
 void CutOffCare::fillDiskEverywhere(const CutOff& cut) const {

@@ -19,6 +19,7 @@ struct CutOff {
   /// Whether the work is done, so that doing it again may be refused.
   std::function<bool()> done = [] { return false; };
   const char* program = TORSIO_PROGRAM;
+  long atMost = 1'000'000;  ///< instants at which it is killed
 };
 
 /// A record in a file, and on the other engine a schema of its own.
@@ -33,6 +34,9 @@ class CutOffCare : public DatabaseTest {
   /// Kills the command at instants spread over all that it has, and looks each time; now and then the same
   /// command has to do its work right after.
   void killEverywhere(const CutOff& cut) const;
+  /// The same for a command that takes long: it is stopped there, `look` sees what a kill would have left,
+  /// and it goes on. As many instants as TORSIO_KILL_INSTANTS says; each is counted.
+  void lookEverywhere(const CutOff& cut, const std::function<void()>& look) const;
   /// The disk is full from such an instant on: the command says so in one line, and leaves what it found.
   void fillDiskEverywhere(const CutOff& cut) const;
 

@@ -36,7 +36,8 @@ class KilledCare : public CutOffCare {
   }
   static bool aboutServers() {
     const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    return name.find("Move") != std::string::npos || name.find("Server") != std::string::npos;
+    return name.find("Move") != std::string::npos || name.find("Server") != std::string::npos ||
+           name.find("NewRecord") != std::string::npos;
   }
   static void put(const std::string& from, const std::string& to) {
     removeDatabase(to);
@@ -148,13 +149,23 @@ class KilledCare : public CutOffCare {
     }
   }
   [[nodiscard]] CutOff firstRecord() const {
-    return {.arguments = {"record", "--duration", "1", "--database", file("fresh.sqlite")},
-            .before = [this] { removeDatabase(file("fresh.sqlite")); },
+    const std::string fresh = onPostgresql() ? addressWithoutPassword() : file("fresh.sqlite");
+    return {.arguments = {"record", "--duration", "1", "--database", fresh},
+            .before =
+                [this, fresh] {
+                  if (onPostgresql()) {
+                    emptySchema(fresh);
+                  } else {
+                    removeDatabase(fresh);
+                  }
+                },
             .after =
-                [this] {
-                  if (fs::exists(file("fresh.sqlite"))) {
-                    Connection fresh = openDatabase(file("fresh.sqlite"), OpenMode::kReadWrite);
-                    EXPECT_EQ(checkSchema(fresh, embeddedMigrations()).version, 1);
+                [fresh] {
+                  if (onPostgresql() || fs::exists(fresh)) {
+                    Connection made = openDatabase(fresh, OpenMode::kReadWrite);
+                    const std::int64_t version = checkSchema(made, embeddedMigrations()).version;
+                    EXPECT_TRUE(version == 1 || (version == 0 && onPostgresql())) << version;
+                    EXPECT_TRUE(version == 0 || isSound(made));
                   }
                 }};
   }
@@ -237,7 +248,9 @@ TEST_F(KilledCare, AMoveToAnotherDatabaseIsWholeOrEmpty) {
 
 TEST_F(KilledCare, ANewRecordIsThereWithItsTablesOrNotAtAll) {
   killEverywhere(firstRecord());
-  fillDiskEverywhere(firstRecord());
+  if (!onPostgresql()) {
+    fillDiskEverywhere(firstRecord());
+  }
   expectNothingHalf();
 }
 
@@ -276,16 +289,32 @@ TEST_F(KilledCare, ADemonstrationTakesThePlaceOfAnOlderOneWholeOrNot) {
   if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
     GTEST_SKIP() << "takes minutes; TORSIO_KILL_INSTANTS says how many";
   }
+  const auto making = [](const fs::path& out, const char* seed) {
+    return std::vector<std::string>{"demo", "--out", out.string(), "--shorten", "600", "--seed", seed};
+  };
+  const auto expectDemonstration = [](const fs::path& out) {
+    Connection record = openRecord((out / "torsio.sqlite").string(), OpenMode::kReadWrite);
+    EXPECT_TRUE(isSound(record));
+    EXPECT_TRUE(holdsOnlySimulated(record));
+  };
   const fs::path out = folder_ / "demonstration";
-  ASSERT_EQ(run({"demo", "--out", out.string(), "--shorten", "600", "--seed", "7"}).code, 0);
-  killEverywhere(
-      {.arguments = {"demo", "--out", out.string(), "--shorten", "600", "--seed", "8"}, .after = [&out] {
-         Connection record = openRecord((out / "torsio.sqlite").string(), OpenMode::kReadWrite);
-         EXPECT_TRUE(isSound(record));
-         EXPECT_TRUE(holdsOnlySimulated(record));
-       }});
-  for (const auto& entry : fs::directory_iterator(out)) {
-    EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+  const fs::path seen = folder_ / "seen";
+  ASSERT_EQ(run(making(out, "7")).code, 0);
+  CutOff cut{.arguments = making(out, "8"), .after = [&] { expectDemonstration(out); }, .atMost = 12};
+  killEverywhere(cut);
+
+  lookEverywhere(cut, [&] {
+    fs::remove_all(seen);
+    fs::copy(out, seen, fs::copy_options::recursive);
+    expectDemonstration(seen);
+  });
+
+  ASSERT_EQ(run(making(seen, "9")).code, 0) << "over what a kill left";
+  expectDemonstration(seen);
+  for (const fs::path& folder : {out, seen}) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <spawn.h>
 #include <string>
 #include <sys/wait.h>
@@ -69,6 +70,29 @@ inline FaultyRun runWithFault(const std::vector<std::string>& arguments, const s
   const bool exited = WIFEXITED(status);
   return {.code = exited ? WEXITSTATUS(status) : -1,
           .killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL};
+}
+
+/// Runs a program that stops at every `every`-th instant, where `look` sees what a kill would have left.
+inline FaultyRun runWithStops(const std::vector<std::string>& arguments, long every,
+                              const std::function<void()>& look, const char* program = TORSIO_PROGRAM) {
+  const pid_t child =
+      startSilent(arguments, program,
+                  {"LD_PRELOAD=" TORSIO_FAULT_POINTS, "TORSIO_FAULT_STOP_EVERY=" + std::to_string(every)});
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, WUNTRACED) == child) {
+    if (!WIFSTOPPED(status)) {
+      return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .killed = WIFSIGNALED(status)};
+    }
+    try {
+      look();
+    } catch (...) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      throw;
+    }
+    kill(child, SIGCONT);
+  }
+  return {};
 }
 
 /// Lets a program do its work, and counts its instants: calls that change a disk or talk to a server. `code`:

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same for what only the window does, on a record of either engine.
+#include <set>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/access/first_run.h"
 #include "assessment/people/account.h"
 #include "db/connection/connection.h"
+#include "db/connection/locator.h"
+#include "db/connection/row_reader.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
@@ -27,13 +32,39 @@ class KilledWindow : public CutOffCare {
 
   void SetUp() override {
     if (onPostgresql() && std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
-      GTEST_SKIP() << "makes a schema anew each time; TORSIO_KILL_INSTANTS says how often";
+      GTEST_SKIP() << "makes a database anew each time; TORSIO_KILL_INSTANTS says how often";
     }
     CutOffCare::SetUp();
-    if (!IsSkipped() && !onPostgresql()) {
-      Connection made = openRecord(file("template.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
-      fill(made);
+    if (IsSkipped()) {
+      return;
     }
+    if (onPostgresql()) {
+      const std::string schema = parseLocator(locator()).schema;
+      template_ = schema + "_template";
+      care_ = schema + "_care";
+      open().executeVerbatim("CREATE DATABASE " + template_);
+      openDatabase(inDatabase(template_), OpenMode::kReadWrite).executeVerbatim("CREATE SCHEMA " + schema);
+    }
+    Connection made = openRecord(onPostgresql() ? inDatabase(template_) : file("template.sqlite"),
+                                 OpenMode::kCreate, {.softwareVersion = "test"});
+    fill(made);
+    if (onPostgresql()) {
+      everyRow_ = hashOfEveryRow(made);
+      asMade_ = textFrom(made, everyRow_);
+    }
+  }
+  void TearDown() override {
+    if (!template_.empty()) {
+      open().executeVerbatim("DROP DATABASE IF EXISTS " + care_ + " WITH (FORCE)");
+      open().executeVerbatim("DROP DATABASE " + template_);
+    }
+    CutOffCare::TearDown();
+  }
+  /// The schema of the test in another database of its server.
+  [[nodiscard]] std::string inDatabase(const std::string& name) const {
+    Locator place = parseLocator(locator());
+    place.database = name;
+    return addressOf(place);
   }
   static void fill(Connection& connection) {
     const FullRecord real(connection, "real", false);
@@ -45,10 +76,34 @@ class KilledWindow : public CutOffCare {
     access.addUser({.id = "u-office", .login = "office", .roles = {"administrator"}}, kPassword);
     access.setPassword("u-office", access.sealPassword("office", kPassword), false);
   }
-  [[nodiscard]] std::string target() const { return onPostgresql() ? locator() : file("care.sqlite"); }
+  [[nodiscard]] std::string target() const {
+    return onPostgresql() ? inDatabase(care_) : file("care.sqlite");
+  }
   [[nodiscard]] std::int64_t ask(const std::string& sql) const {
     Connection record = openDatabase(target(), OpenMode::kReadWrite);
     return numberFrom(record, sql);
+  }
+  /// One question about all rows of a server: each question there takes its time.
+  static std::string hashOfEveryRow(Connection& connection) {
+    std::string rows;
+    for (const std::string& table : selectAll(
+             connection, "SELECT tablename FROM pg_tables WHERE schemaname = current_schema() ORDER BY 1", {},
+             readText)) {
+      rows += (rows.empty() ? "SELECT '" : " UNION ALL SELECT '") + table +
+              "' || count(*) || '/' || coalesce(sum(hashtextextended(t::text, 0)), 0) AS h FROM " + table +
+              " t";
+    }
+    return "SELECT md5(string_agg(h, ',' ORDER BY h)) FROM (" + rows + ") AS every";
+  }
+  static std::string textFrom(Connection& connection, const std::string& sql) {
+    return selectFirst(connection, sql, {}, readText).value_or("");
+  }
+  /// An empty schema in an empty database of the server.
+  void emptyServer() const {
+    open().executeVerbatim("DROP DATABASE IF EXISTS " + care_ + " WITH (FORCE)");
+    open().executeVerbatim("CREATE DATABASE " + care_);
+    openDatabase(target(), OpenMode::kReadWrite)
+        .executeVerbatim("CREATE SCHEMA " + parseLocator(target()).schema);
   }
   /// The record as it was, unless it is so still, as `done` tells of a server.
   void makeAnew(const std::function<bool()>& done) const {
@@ -60,9 +115,8 @@ class KilledWindow : public CutOffCare {
     if (made_ && !done()) {
       return;
     }
-    emptySchema(locator());
-    Connection connection = openWithSchema();
-    fill(connection);
+    open().executeVerbatim("DROP DATABASE IF EXISTS " + care_ + " WITH (FORCE)");
+    open().executeVerbatim("CREATE DATABASE " + care_ + " TEMPLATE " + template_ + " STRATEGY FILE_COPY");
     made_ = true;
   }
   /// An act of window_act, which `done` tells of, and what holds in the record after it.
@@ -79,12 +133,15 @@ class KilledWindow : public CutOffCare {
                 },
             .after =
                 [this, after] {
-                  Connection record = openRecord(target(), OpenMode::kReadWrite);
+                  Connection record = onPostgresql() ? openDatabase(target(), OpenMode::kReadWrite)
+                                                     : openRecord(target(), OpenMode::kReadWrite);
+                  bool asMade = false;
                   if (onPostgresql()) {  // what the killed program had sent comes to its end first
                     const Transaction waits(record);
                     record.executeVerbatim("LOCK TABLE person IN ACCESS EXCLUSIVE MODE");
+                    asMade = textFrom(record, everyRow_) == asMade_;
                   }
-                  EXPECT_TRUE(isSound(record));
+                  EXPECT_TRUE(asMade || isSound(record));
                   after(record);
                 },
             .done = done,
@@ -98,6 +155,10 @@ class KilledWindow : public CutOffCare {
   }
 
  private:
+  std::string template_;  // databases of the server
+  std::string care_;
+  std::string everyRow_;
+  std::string asMade_;
   mutable bool made_ = false;
 };
 
@@ -137,6 +198,57 @@ TEST_F(KilledWindow, TheDemonstrationIsRemovedWholeOrNot) {
         real = real == 0 ? people(record, "FALSE") : real;
         EXPECT_EQ(people(record, "FALSE"), real);
       }));
+}
+
+TEST_F(KilledWindow, AFirstRunWithSimulatedPeopleIsWholeOrNot) {
+  if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
+    GTEST_SKIP() << "takes a minute; TORSIO_KILL_INSTANTS says how many";
+  }
+  const fs::path folder = folder_ / "centre";
+  const std::string record = onPostgresql() ? target() : (folder / "record.sqlite").string();
+  std::set<std::int64_t> whole;
+  const auto expectAllOrNothing = [&whole](const std::string& place) {
+    if (lookAtRecord(place) != RecordPlace::kCentre) {
+      if (onPostgresql() || fs::exists(place)) {
+        Connection nobody = openDatabase(place, OpenMode::kReadOnly);
+        EXPECT_TRUE(checkSchema(nobody, embeddedMigrations()).version == 0 || personIn(nobody).empty());
+      }
+      return;
+    }
+    Connection centre = openRecord(place, OpenMode::kReadOnly);
+    EXPECT_TRUE(isSound(centre));
+    EXPECT_EQ(numberFrom(centre, "SELECT count(*) FROM app_user"), 1);
+    whole.insert(numberFrom(centre, "SELECT count(*) FROM person") +
+                 1000 * numberFrom(centre, "SELECT count(*) FROM trial_end"));
+  };
+  CutOff cut{.arguments = {"first-run", record, "office", kPassword},
+             .before =
+                 [&] {
+                   if (!onPostgresql()) {
+                     fs::remove_all(folder);
+                     fs::create_directory(folder);
+                     return;
+                   }
+                   emptyServer();
+                 },
+             .after = [&] { expectAllOrNothing(record); },
+             .done = [&] { return lookAtRecord(record) == RecordPlace::kCentre; },
+             .program = TORSIO_WINDOW_ACT,
+             .atMost = 12};
+  killEverywhere(cut);
+
+  lookEverywhere(cut, [&] {
+    if (onPostgresql()) {
+      expectAllOrNothing(record);
+      return;
+    }
+    const fs::path seen = folder_ / "seen";
+    fs::remove_all(seen);
+    fs::copy(folder, seen, fs::copy_options::recursive);
+    expectAllOrNothing((seen / "record.sqlite").string());
+  });
+
+  EXPECT_EQ(whole.size(), 1U) << "every whole demonstration has as many people and recordings";
 }
 
 TEST_F(KilledWindow, APackageIsWholeOrNotThere) {

@@ -3,6 +3,7 @@
 // talks to a server, and lets one of them be its last:
 //   TORSIO_FAULT_COUNT=FILE   writes to FILE how many instants there were
 //   TORSIO_FAULT_KILL_AT=K    kills the program at the K-th instant
+//   TORSIO_FAULT_STOP_EVERY=N stops it at every N-th instant (SIGSTOP), so that a kill there can be looked at
 //   TORSIO_FAULT_FULL_AT=K    from the K-th instant on the disk is full
 //   TORSIO_FAULT_CLOCK_S=N    the clock on the wall is N seconds ahead
 // A call is one instant, right before it; one that hands over bytes has a second, when half of them are out.
@@ -35,6 +36,7 @@ long numberOf(const char* variable) {
 
 const long killAt = numberOf("TORSIO_FAULT_KILL_AT");
 const long fullAt = numberOf("TORSIO_FAULT_FULL_AT");
+const long stopEvery = numberOf("TORSIO_FAULT_STOP_EVERY");
 const long clockAhead_s = numberOf("TORSIO_FAULT_CLOCK_S");
 
 template <typename Function>
@@ -45,6 +47,9 @@ Function* real(const char* name) {
 void dieAt(long instant) {
   if (instant == killAt) {
     kill(getpid(), SIGKILL);
+  }
+  if (stopEvery != 0 && instant % stopEvery == 0) {
+    kill(getpid(), SIGSTOP);
   }
 }
 
@@ -77,9 +82,13 @@ ssize_t handOver(int descriptor, size_t size, Hand&& hand) {
     errno = ENOSPC;
     return -1;
   }
-  if (size > 1 && ++instants == killAt) {
-    hand(size / 2);
-    kill(getpid(), SIGKILL);
+  if (size > 1) {
+    const long instant = ++instants;
+    if (instant == killAt || (stopEvery != 0 && instant % stopEvery == 0)) {
+      const ssize_t half = hand(size / 2);
+      dieAt(instant);
+      return half;
+    }
   }
   return hand(size);
 }
