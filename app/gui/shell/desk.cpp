@@ -14,12 +14,12 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/toast.h"
 #include "app/gui/widgets/icons.h"
-#include "app/gui/widgets/job_panel.h"
 
 namespace torsio::gui {
 

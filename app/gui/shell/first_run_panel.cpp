@@ -16,10 +16,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/background.h"
+#include "app/gui/base/job_panel.h"
 #include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/job_panel.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/password_rule.h"
 

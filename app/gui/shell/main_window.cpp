@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
@@ -24,7 +25,6 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/gui/widgets/job_panel.h"
 #include "app/recording/station_writer.h"
 #include "sim/base/error.h"
 

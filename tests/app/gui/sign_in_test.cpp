@@ -11,10 +11,10 @@
 
 #include "app/access/first_run.h"
 #include "app/access/signing.h"
+#include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
-#include "app/gui/widgets/job_panel.h"
 #include "app/gui/widgets/theme.h"
 #include "app/maintenance/demonstration_removal.h"
 #include "assessment/people/person.h"

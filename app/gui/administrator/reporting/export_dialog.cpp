@@ -18,11 +18,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/job_panel.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/job_panel.h"
 #include "app/report/wording.h"
 
 namespace torsio::gui {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/widgets/job_panel.h"
+#include "app/gui/base/job_panel.h"
 
 #include <algorithm>
 #include <cmath>
