@@ -5,6 +5,9 @@
 
 #ifndef _WIN32
 #include <sys/resource.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/stat.h>
 #endif
 
@@ -35,8 +38,17 @@ bool closeToOthers(const fs::path& file) noexcept {
 void keepFilesPrivate() noexcept {
 #ifndef _WIN32
   umask(S_IRWXG | S_IRWXO);
+#endif
+  leaveNoDump();
+}
+
+void leaveNoDump() noexcept {
+#ifndef _WIN32
   const rlimit none{.rlim_cur = 0, .rlim_max = 0};
   setrlimit(RLIMIT_CORE, &none);
+#endif
+#ifdef __linux__
+  prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);  // where dumps go to a program (apport), the limit counts for nothing
 #endif
 }
 

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "sim/base/private_files.h"
 #include "sim/geometry/apart/helper_host.h"
 #include "sim/geometry/apart/helper_process.h"
 
@@ -28,9 +29,10 @@ bool limited(int resource, std::uint64_t most) {
 bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  leaveNoDump();
   std::signal(SIGPIPE, SIG_IGN);  // whoever asked may have stopped listening
   return (!kLimitsMemory || limited(RLIMIT_AS, memory_MB * 1'000'000)) && limited(RLIMIT_CPU, processor_s) &&
-         limited(RLIMIT_FSIZE, kMostAnswerBytes) && limited(RLIMIT_CORE, 0) && limited(RLIMIT_NPROC, 0);
+         limited(RLIMIT_FSIZE, kMostAnswerBytes) && limited(RLIMIT_NPROC, 0);
 }
 
 bool leaveAnswer(const std::string& answer) {

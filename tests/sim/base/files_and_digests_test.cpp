@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -14,6 +20,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/base/file_lock.h"
+#include "sim/base/private_files.h"
 
 namespace torsio {
 namespace {
@@ -178,6 +185,18 @@ TEST(MonotonicClock, NeverGoesBack) {
     before_us = now_us;
   }
 }
+
+#ifdef __linux__
+TEST(PrivateFiles, AProcessThatLeavesNoDumpLeavesNoneToAProgramEither) {
+  const auto child = [] {
+    leaveNoDump();
+    rlimit core{.rlim_cur = 1, .rlim_max = 1};
+    getrlimit(RLIMIT_CORE, &core);
+    std::_Exit(core.rlim_max == 0 && prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 1);
+  };
+  EXPECT_EXIT(child(), ::testing::ExitedWithCode(0), "");
+}
+#endif
 
 }  // namespace
 }  // namespace torsio
