@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/person_text.h"
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
 #include "db/connection/connection.h"
@@ -109,6 +110,30 @@ void requireNoAccount(SessionContext& session, const PersonId& personId) {
   }
 }
 
+/// A sign-in name that everybody can read and type.
+void requireLegible(const std::string& login) {
+  if (login.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the account has no sign-in name"), Text::tr("login"),
+                Text::tr("Enter one"));
+  }
+  if (const Text flaw = flawOf(login, kLongestLogin); !flaw.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the sign-in name %1", flaw), Text::tr("login"),
+                Text::tr("Type it anew"));
+  }
+}
+
+/// Nobody is to be taken for somebody else in lists, reports and the audit trail.
+void requireUnlikeOthers(const AccessRepository& access, const std::string& login) {
+  const std::string likeness = likenessOf(login);
+  for (const std::string& other : access.logins()) {
+    if (other != login && likenessOf(other) == likeness) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
+                  Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
+    }
+  }
+}
+
 }  // namespace
 
 bool needsFirstRun(Connection& connection) {
@@ -124,6 +149,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the administrator has no sign-in name"),
                 Text::tr("login"), Text::tr("Enter one"));
   }
+  requireLegible(first.login);
   AccessRepository access = entrance(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = session.now_us();
@@ -220,8 +246,10 @@ UserId addUser(SessionContext& session, const NewUser& user) {
   if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
     throw SecondPersonNeeded(DutyAct::kGrantRoles, user.login);
   }
+  requireLegible(user.login);
   const UserId id = session.ids().newUuid();
   AccessRepository access = repository(session);
+  requireUnlikeOthers(access, user.login);
   const SealedSecret password = access.sealPassword(user.login, user.startPassword);
   Transaction transaction(session.connection());
   access.addUser({.id = id,

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/access/audit_service.h"
+#include "app/access/person_text.h"
 #include "app/base/csv_table.h"
 #include "app/people/person_codes.h"
-#include "app/people/person_text.h"
 #include "assessment/people/consent.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"

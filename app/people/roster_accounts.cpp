@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "app/access/person_text.h"
 #include "app/access/two_people.h"
 #include "assessment/people/account.h"
 
@@ -13,15 +14,16 @@ namespace torsio {
 
 namespace {
 
+/// `taken`: what the names in use look like.
 std::string signInName(const std::string& personCode, const std::set<std::string>& taken) {
   std::string login = personCode;
   std::transform(login.begin(), login.end(), login.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (!taken.contains(login)) {
+  if (!taken.contains(likenessOf(login))) {
     return login;
   }
   int number = 2;
-  while (taken.contains(login + "." + std::to_string(number))) {
+  while (taken.contains(likenessOf(login + "." + std::to_string(number)))) {
     ++number;
   }
   return login + "." + std::to_string(number);
@@ -66,7 +68,7 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
   }
   std::set<std::string> taken;
   for (const UserAccount& user : users(session)) {
-    taken.insert(user.login);
+    taken.insert(likenessOf(user.login));
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const PersonRow& row = rows[i];
@@ -78,7 +80,7 @@ void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds
                  .startPassword = randomStartPassword(),
                  .demonstration = row.person.demonstration};
     const MadeUser stored = makeUser(session, user);
-    taken.insert(user.login);
+    taken.insert(likenessOf(user.login));
     made.push_back({user.login, user.roles.front(), row.person.code,
                     stored.awaitsSecond ? stored.startPassword + "-\u2026" : stored.startPassword,
                     names[row.person.id]});

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/access/person_text.h"
 #include "app/people/import_record.h"
 #include "app/people/person_codes.h"
-#include "app/people/person_text.h"
 #include "app/people/roster_rows.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <optional>
 
+#include "app/access/person_text.h"
 #include "app/people/people_service.h"
-#include "app/people/person_text.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"

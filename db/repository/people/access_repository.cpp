@@ -60,6 +60,10 @@ bool AccessRepository::isOfDemonstration(const UserId& userId) const {
       .value_or(false);
 }
 
+std::vector<std::string> AccessRepository::logins() const {
+  return selectAll(connection_, "SELECT login FROM app_user ORDER BY login", {}, readText);
+}
+
 std::string AccessRepository::loginOf(const PersonId& personId) const {
   return selectFirst(connection_, "SELECT login FROM app_user WHERE person_id = ? ORDER BY login", {personId},
                      readText)

@@ -53,6 +53,8 @@ class AccessRepository {
 
   /// Whether it is an account of simulated people.
   [[nodiscard]] bool isOfDemonstration(const UserId& userId) const;
+  /// Every sign-in name, in order.
+  [[nodiscard]] std::vector<std::string> logins() const;
   /// Sign-in name of the account that a person has, be it switched off; empty: none.
   [[nodiscard]] std::string loginOf(const PersonId& personId) const;
 

@@ -11,6 +11,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
@@ -86,6 +87,40 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedTraineeOnlyAndTheTrailSaysS
   EXPECT_NE(newest.actor, trainee.userId);
   EXPECT_NE(newest.reason.find("simulated trainee"), std::string::npos);
   EXPECT_THROW((void)simulatedTrainee(centre.as("trainee")), Error);
+}
+
+TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
+  StudyCentre centre;
+  const auto add = [&centre](const std::string& login) {
+    return addUser(centre.as("administrator"),
+                   {.login = login, .roles = {"statistician"}, .startPassword = kStart});
+  };
+  add("anna.oz0n");
+  const std::size_t before = users(centre.as("administrator")).size();
+
+  for (const char* alike : {"\xD0\xB0nna.oz0n",         // Cyrillic a
+                            "ann\xCE\xB1.oz0n",         // Greek alpha
+                            "anna.\xD5\x85z0n",         // Armenian o
+                            "Anna.Oz0n", "anna.ozon",   // other capitals, o for 0
+                            "anna.oz\xD9\xA0n",         // Arabic 0
+                            "anna.oz0n ",               // a blank behind it
+                            "\xEF\xBD\x81nna.oz0n"}) {  // wide a
+    const Refusal refused = refusalFrom([&] { add(alike); });
+    EXPECT_EQ(refused.code, ErrorCode::kBadParameter) << alike;
+    EXPECT_NE(refused.text.find("looks like anna.oz0n"), std::string::npos) << refused.text;
+  }
+  for (const char* unseen : {"", "bob\xE2\x80\x8B",  // a blank without width
+                             "bob\xE3\x85\xA4",      // a filler
+                             "\xE2\x80\xAE"
+                             "bob"}) {  // turns the direction
+    EXPECT_EQ(refusalFrom([&] { add(unseen); }).code, ErrorCode::kBadParameter) << unseen;
+  }
+  EXPECT_EQ(refusalFrom([&] { add(std::string(65, 'b')); }).code, ErrorCode::kBadParameter);
+
+  EXPECT_EQ(users(centre.as("administrator")).size(), before);
+  add("anna.ozan");
+  add("\xE5\xBC\xA0\xE4\xB8\x89");  // two Chinese characters
+  EXPECT_EQ(users(centre.as("administrator")).size(), before + 2);
 }
 
 TEST(AccessService, LastAdministratorStays) {

@@ -198,13 +198,20 @@ TEST(RosterImport, NamesTheLinesOfNumbersThatLookAlike) {
                                      "S\xE2\x80\x93"
                                      "2,Bob\n"               // en dash
                                      "\xEF\xBC\xB3-3,Cid\n"  // wide S, alone
-                                     "S-4,Dan\n");
+                                     "S-4,Dan\n"
+                                     "S-\xD9\xA4,Dan\n"          // an Arabic 4
+                                     "S-10,Eve\nS-1O,Eve\n"      // O for 0
+                                     "\xF0\xA0\x80\x80-7,Fay\n"  // two rare Chinese characters
+                                     "\xF0\xA0\x80\x81-7,Gil\n");
 
-  ASSERT_EQ(preview.rows.size(), 5U);
+  ASSERT_EQ(preview.rows.size(), 10U);
   EXPECT_NE(preview.rows[0].problem.str().find("looks like that of T-"), std::string::npos);
   EXPECT_NE(preview.rows[2].problem.str().find("looks like that of line 3"), std::string::npos);
   EXPECT_EQ(preview.rows[3].status, RosterStatus::kNew);
-  EXPECT_EQ(preview.errors, 2U);
+  EXPECT_NE(preview.rows[5].problem.str().find("looks like that of line 6"), std::string::npos);
+  EXPECT_NE(preview.rows[7].problem.str().find("looks like that of line 8"), std::string::npos);
+  EXPECT_EQ(preview.rows[9].status, RosterStatus::kNew);
+  EXPECT_EQ(preview.errors, 4U);
 }
 
 TEST(RosterImport, ImportsAllOrNothing) {
