@@ -364,7 +364,7 @@ std::string csvLine(const std::vector<std::string>& cells) {
     if (&cell != &cells.front()) {
       line += ',';
     }
-    line += csvCell(cell);
+    appendCsvCell(line, cell);
   }
   line += "\r\n";
   return line;

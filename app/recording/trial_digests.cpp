@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "app/recording/competence.h"
 #include "app/recording/measuring_ahead.h"
@@ -24,7 +26,7 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kEveryTrial = 10'000'000;
-constexpr std::size_t kKeepEvery = 256;
+constexpr std::int64_t kKeepEvery_samples = 2'500'000;  // forty minutes of recordings
 constexpr std::int64_t kBatch_samples = 100'000;
 
 /// Where an enrolment stands in the study.
@@ -73,15 +75,22 @@ std::vector<TrialListing> finishedTrials(Connection& connection, const CohortId&
     return !trial.summary || trial.summary->contentHash.empty() || !places.contains(trial.enrolmentId);
   });
   const std::map<std::string, std::size_t> phases = phasePositions(connection, cohortId);
-  const auto sequence = [&](const TrialListing& trial) {
+  using Sequence = std::tuple<std::int64_t, std::size_t, std::size_t, std::int64_t, std::string_view>;
+  std::vector<std::pair<Sequence, std::size_t>> order;
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const TrialListing& trial = listed[i];
     const auto phase = phases.find(trial.phaseId);
     const Place& place = places.at(trial.enrolmentId);
-    return std::tuple(trial.startedUtc_us, phase == phases.end() ? 0 : phase->second, place.group,
-                      place.number, trial.trialId.text());
-  };
-  std::sort(listed.begin(), listed.end(),
-            [&](const TrialListing& a, const TrialListing& b) { return sequence(a) < sequence(b); });
-  return listed;
+    order.emplace_back(Sequence(trial.startedUtc_us, phase == phases.end() ? 0 : phase->second, place.group,
+                                place.number, trial.trialId.text()),
+                       i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<TrialListing> sorted;
+  for (const auto& [sequence, i] : order) {
+    sorted.push_back(std::move(listed[i]));
+  }
+  return sorted;
 }
 
 using Kept = std::map<std::string, std::vector<TrialDigest>>;
@@ -95,16 +104,17 @@ Kept keptOf(Connection& connection, const CohortId& cohortId) {
   return kept;
 }
 
-/// Digests that are new, stored some hundred at a time: little is lost when the work is given up.
+/// Digests that are new, stored many at a time: some seconds of work are lost when it is given up.
 class Fresh {
  public:
   explicit Fresh(Connection& connection) : connection_(connection) {}
   Fresh(const Fresh&) = delete;
   Fresh& operator=(const Fresh&) = delete;
 
-  void add(TrialDigest digest) {
+  void add(TrialDigest digest, std::int64_t samples) {
     waiting_.push_back(std::move(digest));
-    if (waiting_.size() >= kKeepEvery) {
+    waiting_samples_ += samples;
+    if (waiting_samples_ >= kKeepEvery_samples) {
       keep();
     }
   }
@@ -113,11 +123,13 @@ class Fresh {
       DigestRepository(connection_).add(waiting_);
     }
     waiting_.clear();
+    waiting_samples_ = 0;
   }
 
  private:
   Connection& connection_;
   std::vector<TrialDigest> waiting_;
+  std::int64_t waiting_samples_ = 0;
 };
 
 /// A recording whose digest is not kept yet.
@@ -153,7 +165,7 @@ void measure(Connection& connection, const std::vector<TrialListing>& listed,
     for (TrialDigest& digest : ahead.take()) {
       const std::size_t place = unmeasured[done++].place;
       rows[place] = summaryRow(listed[place], digest);
-      fresh.add(std::move(digest));
+      fresh.add(std::move(digest), listed[place].summary->samples);
     }
   };
   for (std::size_t from = 0; from < unmeasured.size();) {

@@ -331,7 +331,7 @@ std::string cohortCsvText(const std::vector<CohortCsvRow>& rows) {
         text += ',';
       }
       first = false;
-      text += csvCell(*field);
+      appendCsvCell(text, *field);
     }
     text += "\r\n";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/report/cohort_report.h"
 
+#include <future>
 #include <optional>
 #include <string>
 #include <utility>
@@ -184,11 +185,15 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
   return report;
 }
 
-/// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
-void addReference(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows, ReportModel& report) {
+std::string hashOf(const std::vector<CohortCsvRow>& rows) {
   Digest digest;
   digest.update(cohortCsvText(rows));
-  report.numbersHash = digest.hex();
+  return digest.hex();
+}
+
+/// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
+void addReference(const CohortInputs& inputs, std::string numbersHash, ReportModel& report) {
+  report.numbersHash = std::move(numbersHash);
   report.auditHead = inputs.auditHead;
   report.number = "R-" + std::to_string(inputs.auditEntries) + "-" + report.numbersHash.substr(0, 8);
   report.facts.emplace_back(Text::tr("Report"), report.number);
@@ -205,6 +210,8 @@ ReportModel cohortReport(const CohortInputs& inputs) {
 ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analysed) {
   checkInputs(inputs);
   const CohortInputs& in = analysed.shown;
+  std::future<std::string> numbersHash =
+      std::async(std::launch::async, [&analysed] { return hashOf(analysed.rows); });
   std::vector<Text> left = analysed.left;
   const bool aggregated = in.identity == ReportIdentity::kAggregated;
   std::vector<Text> unsaid;
@@ -223,7 +230,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
-  addReference(inputs, analysed.rows, report);
+  addReference(inputs, numbersHash.get(), report);
   return report;
 }
 

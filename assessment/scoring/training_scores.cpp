@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -34,7 +35,9 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   validateScale(scale);
   Cells cells;
   std::map<std::string, std::size_t> groupOf;
-  std::set<std::tuple<std::string, std::size_t, std::string>> seen;
+  std::map<const std::vector<std::int64_t>*, std::set<std::string_view>> ratersOf;
+  auto cell = cells.end();  // marks of one trainee mostly stand beside each other
+  std::set<std::string_view>* raters = nullptr;
   for (const TrainingMark& mark : marks) {
     if (!isOnScale(mark.steps, scale)) {
       refuseMark(mark,
@@ -42,16 +45,21 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
                                 std::to_string(pointsFromSteps(mark.steps, scale))),
                  Text::verbatim("Correct the mark; marks are never clamped."));
     }
-    if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second) {
+    if (cell == cells.end() || std::get<2>(cell->first) != mark.trainee ||
+        std::get<0>(cell->first) != mark.occasion || std::get<1>(cell->first) != mark.group) {
+      const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
+      if (!isNew && known->second != mark.group) {
+        refuseMark(mark, Text::verbatim("a trainee appears in two groups"),
+                   Text::verbatim("Analyse as allocated."));
+      }
+      cell = cells.try_emplace({mark.occasion, mark.group, mark.trainee}).first;
+      raters = &ratersOf[&cell->second];
+    }
+    if (!raters->insert(mark.rater).second) {
       refuseMark(mark, Text::verbatim("the same mark appears twice"),
                  Text::verbatim("Keep one; a correction supersedes the earlier mark."));
     }
-    const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
-    if (!isNew && known->second != mark.group) {
-      refuseMark(mark, Text::verbatim("a trainee appears in two groups"),
-                 Text::verbatim("Analyse as allocated."));
-    }
-    cells[{mark.occasion, mark.group, mark.trainee}].push_back(mark.steps);
+    cell->second.push_back(mark.steps);
   }
   return cells;
 }

@@ -17360,7 +17360,7 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     </message>
     <message>
         <source>Twists completed: %1, at least %2 wanted</source>
-        <translation type="unfinished">已完成的扭转：%1，要求至少 %2</translation>
+        <translation>已完成扭转：%1 次，要求至少 %2 次</translation>
     </message>
     <message>
         <source>Twists completed: %1 of %2</source>
@@ -17697,6 +17697,22 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>this import was taken back already, or there is no such import</source>
         <translation>该导入已被撤回，或不存在该导入</translation>
+    </message>
+    <message>
+        <source>the account has no sign-in name</source>
+        <translation>该账户没有登录名</translation>
+    </message>
+    <message>
+        <source>the sign-in name %1</source>
+        <translation>登录名%1</translation>
+    </message>
+    <message>
+        <source>the sign-in name %1 looks like %2, but is another</source>
+        <translation>登录名 %1 与 %2 外观相似，却是另一个</translation>
+    </message>
+    <message>
+        <source>Choose one that nobody takes for the other</source>
+        <translation>请另选一个不会混淆的登录名</translation>
     </message>
 </context>
 <context>

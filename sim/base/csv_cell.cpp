@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/base/csv_cell.h"
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 #include <utility>
@@ -16,11 +17,23 @@ bool isNumber(std::string_view text) {
   return error == std::errc() && stop == end;
 }
 
+bool needsQuotes(std::string_view text, std::string_view separators) {
+  return std::any_of(text.begin(), text.end(), [separators](char c) {
+    return c == '"' || c == '\r' || c == '\n' || separators.find(c) != std::string_view::npos;
+  });
+}
+
+bool readsAsFormula(std::string_view text) {
+  constexpr std::string_view kBeginsFormula = "=+-@\t\r";
+  return !text.empty() && kBeginsFormula.find(text.front()) != std::string_view::npos && !isNumber(text);
+}
+
+constexpr std::string_view kSeparators = ",;";
+
 }  // namespace
 
 std::string csvQuoted(std::string text, std::string_view separators) {
-  if (text.find_first_of("\"\r\n") == std::string::npos &&
-      text.find_first_of(separators) == std::string::npos) {
+  if (!needsQuotes(text, separators)) {
     return text;
   }
   std::string quoted(1, '"');
@@ -31,11 +44,18 @@ std::string csvQuoted(std::string text, std::string_view separators) {
 }
 
 std::string csvCell(std::string text) {
-  constexpr std::string_view kBeginsFormula = "=+-@\t\r";
-  if (!text.empty() && kBeginsFormula.find(text.front()) != std::string_view::npos && !isNumber(text)) {
+  if (readsAsFormula(text)) {
     text.insert(text.begin(), '\'');
   }
-  return csvQuoted(std::move(text), ",;");
+  return csvQuoted(std::move(text), kSeparators);
+}
+
+void appendCsvCell(std::string& line, const std::string& text) {
+  if (readsAsFormula(text) || needsQuotes(text, kSeparators)) {
+    line += csvCell(text);
+  } else {
+    line += text;
+  }
 }
 
 }  // namespace torsio

@@ -13,5 +13,7 @@ namespace torsio {
 /// (comma or semicolon), a quote or a line end. Text that a spreadsheet would take for a formula gets an
 /// apostrophe in front; a number stays as it is.
 [[nodiscard]] std::string csvCell(std::string text);
+/// Writes the same to the end of `line`.
+void appendCsvCell(std::string& line, const std::string& text);
 
 }  // namespace torsio

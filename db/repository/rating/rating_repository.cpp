@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 
 #include "assessment/people/audit_entry.h"
 #include "db/connection/row_reader.h"
@@ -14,15 +18,12 @@ namespace torsio {
 
 namespace {
 
-const std::string kMarks =
+const std::string kMarkColumns =
     "SELECT m.id, m.enrolment_id, m.rater_id, m.occasion, m.version, m.trial_id, m.score_steps,"
     " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
-    " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration, t.code, r.code, g.code,"
-    " e.number_in_group"
-    " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
-    " JOIN person r ON r.id = m.rater_id JOIN occasion s ON s.code = m.occasion"
-    " LEFT JOIN training_group g ON g.id = e.group_id";
+    " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration";
 
+/// Everything but the codes of its people.
 SubmittedMark markOf(RowReader& row) {
   return {.id = row.text(),
           .enrolmentId = row.text(),
@@ -38,12 +39,89 @@ SubmittedMark markOf(RowReader& row) {
           .rows = {},
           .amendReason = row.text(),
           .submittedUtc_us = row.int64(),
-          .demonstration = row.boolean(),
-          .traineeCode = row.text(),
-          .raterCode = row.text(),
-          .groupCode = row.text(),
-          .numberInGroup = row.int64()};
+          .demonstration = row.boolean()};
 }
+
+SubmittedMark markWithCodes(RowReader& row) {
+  SubmittedMark mark = markOf(row);
+  mark.traineeCode = row.text();
+  mark.raterCode = row.text();
+  mark.groupCode = row.text();
+  mark.numberInGroup = row.int64();
+  return mark;
+}
+
+/// Names the people of marks and orders these by scoring point, group, number, trainee, rater. The lists are
+/// short and asked for once: a join would look each up for every mark.
+class MarkedPeople {
+ public:
+  MarkedPeople(Connection& connection, const CohortId& cohortId)
+      : raters_(byKey<std::string>(connection,
+                                   "SELECT p.id, p.code FROM rater r JOIN person p ON p.id = r.person_id", {},
+                                   readText)),
+        occasions_(byKey<std::int64_t>(connection, "SELECT code, position FROM occasion", {}, readInt64)),
+        enrolled_(byKey<Enrolled>(
+            connection,
+            "SELECT e.id, p.code, g.code, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0)"
+            " FROM enrolment e JOIN person p ON p.id = e.trainee_id"
+            " LEFT JOIN training_group g ON g.id = e.group_id WHERE e.cohort_id = ?",
+            {cohortId}, [](RowReader& row) {
+              return Enrolled{row.text(), row.text(), row.int64(), row.int64()};
+            })) {}
+
+  [[nodiscard]] std::vector<SubmittedMark> named(std::vector<SubmittedMark> marks) const {
+    using Key = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::string_view, std::string_view,
+                           std::string_view>;
+    std::vector<std::pair<Key, std::size_t>> order;
+    order.reserve(marks.size());
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      SubmittedMark& mark = marks[i];
+      const Enrolled& of = enrolled_.at(mark.enrolmentId);
+      const std::string& rater = raters_.at(mark.raterId);
+      mark.traineeCode = of.trainee;
+      mark.raterCode = rater;
+      mark.groupCode = of.group;
+      mark.numberInGroup = of.number;
+      order.emplace_back(
+          Key(occasions_.at(mark.occasionCode), of.groupNumber, of.number, of.trainee, rater, mark.id.text()),
+          i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<SubmittedMark> sorted;
+    sorted.reserve(marks.size());
+    for (const auto& [key, i] : order) {
+      sorted.push_back(std::move(marks[i]));
+    }
+    return sorted;
+  }
+
+ private:
+  struct Enrolled {
+    std::string trainee{};
+    std::string group{};
+    std::int64_t groupNumber = 0;
+    std::int64_t number = 0;
+  };
+  template <typename What>
+  using ByKey = std::unordered_map<std::string, What>;
+
+  template <typename What, typename Read>
+  static ByKey<What> byKey(Connection& connection, const char* sql, std::initializer_list<Value> values,
+                           Read read) {
+    ByKey<What> all;
+    for (auto& [key, what] : selectAll(connection, sql, values, [&read](RowReader& row) {
+           std::string key = row.text();
+           return std::pair<std::string, What>(std::move(key), read(row));
+         })) {
+      all.emplace(std::move(key), std::move(what));
+    }
+    return all;
+  }
+
+  ByKey<std::string> raters_;
+  ByKey<std::int64_t> occasions_;
+  ByKey<Enrolled> enrolled_;
+};
 
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count.
 void requireSameMark(Connection& connection, const SubmittedMark& mark) {
@@ -137,14 +215,18 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
 }
 
 std::vector<SubmittedMark> RatingRepository::marks(const CohortId& cohortId) const {
-  return selectAll(
-      connection_,
-      kMarks +
-          " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
-          "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
-          "  AND n.occasion = m.occasion AND n.version > m.version)"
-          " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code",
-      {cohortId}, markOf);
+  Transaction oneMoment(connection_, Transaction::Purpose::kLook);
+  std::vector<SubmittedMark> marks =
+      selectAll(connection_,
+                kMarkColumns +
+                    " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
+                    " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
+                    "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
+                    "  AND n.occasion = m.occasion AND n.version > m.version)",
+                {cohortId}, markOf);
+  marks = MarkedPeople(connection_, cohortId).named(std::move(marks));
+  oneMoment.commit();
+  return marks;
 }
 
 std::map<MarkId, std::vector<MarkRow>> RatingRepository::criteria(const CohortId& cohortId) const {
@@ -165,10 +247,14 @@ std::map<MarkId, std::vector<MarkRow>> RatingRepository::criteria(const CohortId
 
 std::vector<SubmittedMark> RatingRepository::history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                      const std::string& occasionCode) const {
-  return selectAll(
-      connection_,
-      kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.occasion = ? ORDER BY m.version",
-      {enrolmentId, raterId, occasionCode}, markOf);
+  return selectAll(connection_,
+                   kMarkColumns +
+                       ", t.code, r.code, g.code, e.number_in_group"
+                       " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
+                       " JOIN person t ON t.id = e.trainee_id JOIN person r ON r.id = m.rater_id"
+                       " LEFT JOIN training_group g ON g.id = e.group_id"
+                       " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.occasion = ? ORDER BY m.version",
+                   {enrolmentId, raterId, occasionCode}, markWithCodes);
 }
 
 void RatingRepository::storeRun(const CohortId& cohortId, const TrainingRunRows& run) {
