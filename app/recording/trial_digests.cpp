@@ -104,7 +104,7 @@ Kept keptOf(Connection& connection, const CohortId& cohortId) {
   return kept;
 }
 
-/// Digests that are new, stored many at a time: some seconds of work are lost when it is given up.
+/// Digests that are new, stored many at a time: a program that is killed loses some seconds of work.
 class Fresh {
  public:
   explicit Fresh(Connection& connection) : connection_(connection) {}
@@ -168,7 +168,7 @@ void measure(Connection& connection, const std::vector<TrialListing>& listed,
       fresh.add(std::move(digest), listed[place].summary->samples);
     }
   };
-  for (std::size_t from = 0; from < unmeasured.size();) {
+  const auto give = [&](std::size_t from) {
     const std::size_t end = endOfBatch(listed, unmeasured, from);
     if (progress) {
       const std::size_t place = unmeasured[from].place;
@@ -189,10 +189,18 @@ void measure(Connection& connection, const std::vector<TrialListing>& listed,
       batch.push_back({std::move(trial), unmeasured[from + batch.size()].rules});
     }
     ahead.give(std::move(batch));
-    from = end;
-  }
-  while (!ahead.empty()) {
-    take();
+    return end;
+  };
+  try {
+    for (std::size_t from = 0; from < unmeasured.size();) {
+      from = give(from);
+    }
+    while (!ahead.empty()) {
+      take();
+    }
+  } catch (...) {
+    fresh.keep();  // given up, or a recording that cannot be read: the others need not be measured again
+    throw;
   }
   fresh.keep();
 }

@@ -23666,10 +23666,6 @@ Leave it empty to remove it.</source>
         <translation>没有图像：无法由该文件得到曲面。原因见各条发现。</translation>
     </message>
     <message>
-        <source>Trial &amp;twist</source>
-        <translation>试扭转(&amp;T)</translation>
-    </message>
-    <message>
         <source>Turns the free end about the organ&apos;s own axis, as it is judged</source>
         <translation>使自由端绕器官自身轴线转动，与评判时相同</translation>
     </message>
@@ -23696,6 +23692,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Top</source>
         <translation>上方</translation>
+    </message>
+    <message>
+        <source>Test &amp;twist</source>
+        <translation>试扭转(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -23876,24 +23876,12 @@ Leave it empty to remove it.</source>
         <translation>已保存 %1</translation>
     </message>
     <message>
-        <source>Bring an organ</source>
-        <translation>导入器官</translation>
-    </message>
-    <message>
-        <source>A mesh or a scan of your own becomes an organ that can be twisted, after it was judged.</source>
-        <translation>您自己的网格或扫描经评判后成为可以扭转的器官。</translation>
-    </message>
-    <message>
         <source>Back to practice</source>
         <translation>返回练习</translation>
     </message>
     <message>
         <source>Mesh</source>
         <translation>网格</translation>
-    </message>
-    <message>
-        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, mended where that is safe, and twisted on trial.</source>
-        <translation>单个器官的封闭曲面：obj、stl、ply、off、glb、gltf 或 dae。文件在独立进程中读取、检查，在安全处修补，并进行试扭转。</translation>
     </message>
     <message>
         <source>Choose a mesh…</source>
@@ -23958,6 +23946,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>the one with the most slices</source>
         <translation>切片最多的一个</translation>
+    </message>
+    <message>
+        <source>Bring an organ: a mesh or a scan of your own becomes one that can be twisted, once it is judged.</source>
+        <translation>导入器官：您自己的网格或扫描经评判后，即成为可以扭转的器官。</translation>
+    </message>
+    <message>
+        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, mended where that is safe, and twisted to see how it bears it.</source>
+        <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并试扭转以查看其承受情况。</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ constexpr double kInverseTolerance = 1e-14;  // of the organ's length
 constexpr double kLargestStep = 0.1;         // of the organ's length
 constexpr double kGoodInverse = 1e-9;        // of the organ's length
 constexpr int kPlacesTried = 32;
+constexpr int kHalvings = 40;  // of a place's distance from the next
 
 }  // namespace
 
@@ -112,9 +113,22 @@ HollowMap::Found HollowMap::solve(const Vec3& deformed_m, double from_m) const n
   return best;
 }
 
+// Halves a stretch over whose ends the miss changes its sign. Where it jumps there, it stays large.
+HollowMap::Found HollowMap::between(const Vec3& deformed_m, double low_m, double high_m) const noexcept {
+  const bool lowIsNegative = miss(deformed_m, low_m) < 0.0;
+  Found middle{};
+  for (int i = 0; i < kHalvings; ++i) {
+    middle.arc_m = 0.5 * (low_m + high_m);
+    const double here_m = miss(deformed_m, middle.arc_m);
+    middle.miss_m = std::abs(here_m);
+    ((here_m < 0.0) == lowIsNegative ? low_m : high_m) = middle.arc_m;
+  }
+  return middle;
+}
+
 // From where the point lies and from where it would lie if it belonged to the mobile part; of two answers the
 // one nearer to the organ's axis. Of wound limbs the height says it all. Where neither converges, from the
-// best of places along the organ.
+// best of places along the organ, and between any two that it lies between.
 Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
   if (organ_.wound()) {
     return unwound(deformed_m, 0.0);
@@ -132,11 +146,17 @@ Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
     best = other;
   }
   if (best.miss_m > good_m) {
-    Found start{0.0, std::abs(miss(deformed_m, 0.0))};
+    double before_m = miss(deformed_m, 0.0);
+    Found start{0.0, std::abs(before_m)};
     for (int i = 1; i <= kPlacesTried; ++i) {
       const double arc_m = length_m * i / kPlacesTried;
-      const double here_m = std::abs(miss(deformed_m, arc_m));
-      start = here_m < start.miss_m ? Found{arc_m, here_m} : start;
+      const double here_m = miss(deformed_m, arc_m);
+      start = std::abs(here_m) < start.miss_m ? Found{arc_m, std::abs(here_m)} : start;
+      if ((here_m < 0.0) != (before_m < 0.0)) {
+        const Found halved = between(deformed_m, arc_m - length_m / kPlacesTried, arc_m);
+        best = halved.miss_m < best.miss_m ? halved : best;
+      }
+      before_m = here_m;
     }
     const Found last = solve(deformed_m, start.arc_m);
     best = last.miss_m < best.miss_m ? last : best;

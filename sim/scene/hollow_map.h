@@ -42,6 +42,7 @@ class HollowMap {
   };
   [[nodiscard]] TwistLine ownAxis(double arc_m) const noexcept;
   [[nodiscard]] Found solve(const Vec3& deformed_m, double from_m) const noexcept;
+  [[nodiscard]] Found between(const Vec3& deformed_m, double low_m, double high_m) const noexcept;
   [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
 

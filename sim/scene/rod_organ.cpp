@@ -19,7 +19,7 @@ constexpr int kMostPatchNodes = 7;
 constexpr double kDrag_Ns_per_m = 0.005;
 constexpr double kPathStep_rad = radians(3.0);
 constexpr double kBeyondTarget = 1.15;  // of the target: how far the path goes
-constexpr double kMostHandTurn = 2.5;   // of the target, for a measured turn that stays behind the hand
+constexpr double kMostHandTurn = 3.0;   // of the target, for a measured turn that stays behind the hand
 constexpr double kNearLine_m = 1e-6;
 
 OrganRod organOf(const TwistModel& model, const SolvedSections& sections, double graspArc) {

@@ -58,11 +58,16 @@ class QueryPlanTest : public DatabaseTest {
     return lines;
   }
 
+  /// A list of the centre that stays short and is read at once, however long the record is.
+  static bool isOfShortList(const std::string& line) {
+    return line.rfind("SCAN rater", 0) == 0 || line.rfind("SCAN occasion", 0) == 0;
+  }
   /// `inOrder`: a walk along an index is meant, because the whole list is shown or LIMIT ends it.
   static void expectNoWalk(const std::vector<std::string>& lines, bool inOrder = false) {
     EXPECT_FALSE(lines.empty());
     for (const std::string& line : lines) {
-      const bool walk = line.rfind("SCAN", 0) == 0 && line.find("CONSTANT ROW") == std::string::npos;
+      const bool walk = line.rfind("SCAN", 0) == 0 && line.find("CONSTANT ROW") == std::string::npos &&
+                        !isOfShortList(line);
       EXPECT_FALSE(walk && !(inOrder && line.find("INDEX") != std::string::npos)) << line;
     }
   }

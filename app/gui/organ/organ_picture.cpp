@@ -159,7 +159,7 @@ bool OrganPicture::pickAt(const QPointF& pixel) {
 
 void OrganPicture::retranslate() {
   none_->setText(tr("There is no picture: no surface could be made of the file. The findings say why."));
-  nameField(twistLabel_, tr("Trial &twist"));
+  nameField(twistLabel_, tr("Test &twist"));
   twist_->setToolTip(tr("Turns the free end about the organ's own axis, as it is judged"));
   axis_->setText(tr("Axis and landmarks"));
   lattice_->setText(tr("Sections and ridges"));

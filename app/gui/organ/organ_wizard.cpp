@@ -368,13 +368,13 @@ void OrganWizard::openSaved() {
 
 void OrganWizard::retranslate() {
   heading_->setTexts(
-      tr("Bring an organ"),
-      tr("A mesh or a scan of your own becomes an organ that can be twisted, after it was judged."));
+      {},
+      tr("Bring an organ: a mesh or a scan of your own becomes one that can be twisted, once it is judged."));
   close_->setText(tr("Back to practice"));
   meshCard_->setTitle(tr("Mesh"));
   meshText_->setText(
       tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, "
-         "mended where that is safe, and twisted on trial."));
+         "mended where that is safe, and twisted to see how it bears it."));
   mesh_->setText(tr("Choose a mesh\u2026"));
   scanCard_->setTitle(tr("Scan"));
   scanText_->setText(

@@ -43,6 +43,10 @@ double finest(double mm) {
 
 }  // namespace
 
+QString sliceName(SlicePlane plane) {
+  return QStringLiteral("slice%1").arg(static_cast<int>(plane));
+}
+
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -56,6 +60,7 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
     column->setSpacing(kSpace / 2);
     auto* name = new QLabel(this);
     auto* view = new SliceView(state_, plane, this);
+    view->setObjectName(sliceName(plane));
     names_[static_cast<std::size_t>(plane)] = name;
     views_[static_cast<std::size_t>(plane)] = view;
     column->addWidget(name);
@@ -209,10 +214,6 @@ void ScanPanel::takeGrey() {
   state_.level = level_->value();
   state_.width = width_->value();
   refresh();
-}
-
-SliceView& ScanPanel::view(SlicePlane plane) const noexcept {
-  return *views_[static_cast<std::size_t>(plane)];
 }
 
 void ScanPanel::setScan(const std::filesystem::path& source, ScanPreview preview) {

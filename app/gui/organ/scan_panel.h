@@ -25,6 +25,9 @@ namespace torsio::gui {
 class Card;
 class SliceView;
 
+/// Name of the object that shows the slices of a plane.
+[[nodiscard]] QString sliceName(SlicePlane plane);
+
 /// A scan in three slices with the organ's mask over it: window of grey, tissue, seed by a click, box by a
 /// drag, a brush that mends the mask. It asks for work (`findWanted`, `surfaceWanted`) and does none itself.
 /// GUI thread.
@@ -41,7 +44,6 @@ class ScanPanel : public QWidget {
   /// What is to be looked for, or made: `brushed` with the strokes of the brush.
   [[nodiscard]] ScanRequest request(bool brushed) const;
   [[nodiscard]] const SliceState& state() const noexcept { return state_; }
-  [[nodiscard]] SliceView& view(SlicePlane plane) const noexcept;
   /// Shows the slices through a place, millimetres.
   void lookAt(const Vec3& place_mm);
 

@@ -110,7 +110,14 @@ bool FieldChecks::eventFilter(QObject* watched, QEvent* event) {
     for (const Check& one : checks_) {
       // Of a group, when the keyboard leaves its last box.
       if (!stays && (watched == one.field || one.field->isAncestorOf(qobject_cast<QWidget*>(watched)))) {
-        touch(one.field);
+        if (reason == Qt::OtherFocusReason) {
+          // A form that is being destroyed takes the keyboard from its fields when what they are checked by
+          // is gone; then this is gone before the call.
+          QMetaObject::invokeMethod(
+              this, [this, field = one.field] { touch(field); }, Qt::QueuedConnection);
+        } else {
+          touch(one.field);
+        }
         break;
       }
     }

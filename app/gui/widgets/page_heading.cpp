@@ -29,9 +29,10 @@ PageHeading::PageHeading(QWidget* parent)
 
 void PageHeading::setTexts(const QString& title, const QString& sentence) {
   title_->setText(title);
+  title_->setVisible(!title.isEmpty());
   sentence_->setText(sentence);
   sentence_->setVisible(!sentence.isEmpty());
-  setAccessibleName(title);
+  setAccessibleName(title.isEmpty() ? sentence : title);
 }
 
 void PageHeading::addAction(QWidget* button) {

@@ -16,6 +16,7 @@ class PageHeading : public QWidget {
  public:
   explicit PageHeading(QWidget* parent = nullptr);
 
+  /// `title`: empty where the header of the window bears the only one.
   void setTexts(const QString& title, const QString& sentence);
   /// To the right, in the order of the calls.
   void addAction(QWidget* button);

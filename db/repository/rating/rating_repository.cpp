@@ -57,8 +57,8 @@ class MarkedPeople {
  public:
   MarkedPeople(Connection& connection, const CohortId& cohortId)
       : raters_(byKey<std::string>(connection,
-                                   "SELECT p.id, p.code FROM rater r JOIN person p ON p.id = r.person_id", {},
-                                   readText)),
+                                   "SELECT p.id, p.code FROM rater JOIN person p ON p.id = rater.person_id",
+                                   {}, readText)),
         occasions_(byKey<std::int64_t>(connection, "SELECT code, position FROM occasion", {}, readInt64)),
         enrolled_(byKey<Enrolled>(
             connection,

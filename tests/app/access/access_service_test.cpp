@@ -100,7 +100,7 @@ TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
 
   for (const char* alike : {"\xD0\xB0nna.oz0n",         // Cyrillic a
                             "ann\xCE\xB1.oz0n",         // Greek alpha
-                            "anna.\xD5\x85z0n",         // Armenian o
+                            "anna.\xD6\x85z0n",         // Armenian o
                             "Anna.Oz0n", "anna.ozon",   // other capitals, o for 0
                             "anna.oz\xD9\xA0n",         // Arabic 0
                             "anna.oz0n ",               // a blank behind it

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
@@ -74,6 +75,28 @@ TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) 
 
   retype(*other, QString());
   EXPECT_EQ(hintBelow(window, *other), QStringLiteral("Enter the other."));
+}
+
+TEST(FieldChecks, AskNothingOfAFormThatIsBeingDestroyed) {
+  int asked = 0;
+  {
+    QDialog window;
+    auto* form = new QFormLayout(&window);
+    auto* name = new QLineEdit(&window);
+    auto* checks = new FieldChecks(&window);
+    form->addRow(QStringLiteral("Name"), name);
+    checks->add(form, name, [&asked] {
+      ++asked;
+      return QString();
+    });
+    window.show();
+    window.activateWindow();
+    name->setFocus();
+    QApplication::processEvents();
+    ASSERT_TRUE(name->hasFocus());
+    asked = 0;
+  }
+  EXPECT_EQ(asked, 0);
 }
 
 TEST(NewUser, IsToldAtTheFieldWhatIsMissing) {

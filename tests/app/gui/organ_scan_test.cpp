@@ -46,11 +46,15 @@ void openBar(OrganDesk& desk) {
   QApplication::processEvents();
 }
 
+SliceView& sliceOf(const ScanPanel& panel, SlicePlane plane) {
+  return *panel.findChild<SliceView*>(sliceName(plane));
+}
+
 QPoint pixelAt(const ScanPanel& panel, SlicePlane plane, const Vec3& place_mm) {
   const Vec3 at = panel.state().preview.volume.voxelAt(place_mm);
   const PreviewVoxel voxel{static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
                            static_cast<int>(std::lround(at.z))};
-  return panel.view(plane).pixelOf(voxel).toPoint();
+  return sliceOf(panel, plane).pixelOf(voxel).toPoint();
 }
 
 void chooseTool(OrganDesk& desk, const QString& name) {
@@ -79,7 +83,7 @@ TEST(OrganScan, ShowsSlicesAlongThePatientsAxes) {
   EXPECT_GT(pixelAt(panel, SlicePlane::kAxial, {0, 15, 0}).y(), middle.y());  // the back is below
   EXPECT_LT(pixelAt(panel, SlicePlane::kCoronal, {0, 0, 15}).y(),
             pixelAt(panel, SlicePlane::kCoronal, {0, 0, 0}).y());  // the head is above
-  const QImage shown = panel.view(SlicePlane::kAxial).grab().toImage();
+  const QImage shown = sliceOf(panel, SlicePlane::kAxial).grab().toImage();
   EXPECT_GT(qGray(shown.pixel(here)), 100);                                            // tissue
   EXPECT_LT(qGray(shown.pixel(pixelAt(panel, SlicePlane::kAxial, {60, 35, 0}))), 30);  // air
 }
@@ -89,7 +93,7 @@ TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesItASurface) {
   openBar(desk);
   ScanPanel& panel = desk.wizard.scanPanel();
   chooseTool(desk, QStringLiteral("Seed"));
-  QTest::mouseClick(&panel.view(SlicePlane::kAxial), Qt::LeftButton, {},
+  QTest::mouseClick(&sliceOf(panel, SlicePlane::kAxial), Qt::LeftButton, {},
                     pixelAt(panel, SlicePlane::kAxial, {30, 0, 0}));
   ASSERT_TRUE(panel.request(false).seed_mm.has_value());
   EXPECT_NEAR(norm(*panel.request(false).seed_mm - Vec3{30, 0, 0}), 0.0, 5.0);
@@ -101,7 +105,7 @@ TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesItASurface) {
 
   // A box round the half on the patient's left.
   chooseTool(desk, QStringLiteral("Box"));
-  SliceView& axial = panel.view(SlicePlane::kAxial);
+  SliceView& axial = sliceOf(panel, SlicePlane::kAxial);
   QTest::mousePress(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, {0, -35, 0}));
   QTest::mouseMove(&axial, pixelAt(panel, SlicePlane::kAxial, {112, 35, 0}));
   QTest::mouseRelease(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, {112, 35, 0}));
@@ -127,7 +131,7 @@ TEST(OrganScan, MendsTheMaskWithABrushThatCanBeUndone) {
   ASSERT_TRUE(panel.state().volume_ml().has_value()) << desk.failures.join(QLatin1Char('\n')).toStdString();
   const double whole_ml = panel.state().volume_ml().value();
   const auto strokeAlong = [&](const Vec3& from_mm, const Vec3& to_mm) {
-    SliceView& axial = panel.view(SlicePlane::kAxial);
+    SliceView& axial = sliceOf(panel, SlicePlane::kAxial);
     panel.lookAt(from_mm);
     QTest::mousePress(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, from_mm));
     QTest::mouseMove(&axial, pixelAt(panel, SlicePlane::kAxial, to_mm));

@@ -22,12 +22,13 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
-// At 8 mmHg its antrum is squeezed to the packed radius with a fifth of its lumen open.
+// At 8 mmHg the antrum of its former organ is squeezed to the packed radius with a fifth of its lumen open.
 TEST(UntwistingStates, WhatIsCalledClosedIsShutAndWhatIsIschaemicHasLainLong) {
   SceneRequest request;
   request.assets = kAssets;
   request.id = "gastric-organo-axial";
   request.pattern = "detorse";
+  request.former = true;
   const Scene scene = loadScene(request);
   const double pressure_Pa = scene.hollow->detorsion().wall.pressure_Pa;
   ASSERT_GT(scene.hollow->patency(scene.hollow->closing_rad(pressure_Pa), pressure_Pa), 0.1);
