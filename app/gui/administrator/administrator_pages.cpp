@@ -89,6 +89,7 @@ std::vector<ScreenEntry> administratorScreens() {
       screen("administrator-results-differences", PageId::kResults, shows("figure-differences")),
       screen("administrator-results-boxes", PageId::kResults, shows("figure-19")),
       screen("administrator-results-severity", PageId::kResults, shows("figure-severity")),
+      screen("administrator-results-residuals", PageId::kResults, shows("figure-qq")),
       screen("administrator-reports", PageId::kReports, report),
       screen("administrator-users", PageId::kUsers),
       screen("administrator-audit", PageId::kAudit),
