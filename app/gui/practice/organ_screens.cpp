@@ -66,9 +66,10 @@ ScanPreview stomachSlices(const std::filesystem::path& assets) {
   std::uint32_t near = 0;
   for (std::size_t n = 0; n < volume.count[0] * volume.count[1] * volume.count[2]; ++n) {
     const std::size_t row = n / volume.count[0];
+    const std::size_t slice = row / volume.count[1];
     const Vec3 place_mm =
         volume.place_mm({static_cast<double>(n % volume.count[0]), static_cast<double>(row % volume.count[1]),
-                         static_cast<double>(row / volume.count[1])});
+                         static_cast<double>(slice)});
     const SurfacePoint point = surface.closest(place_mm / kMillimetres, near);
     near = point.triangle;
     const double distance_mm = kMillimetres * point.distance_m;
