@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/access/session_context.h"
-#include "app/base/csv_table.h"
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
 #include "app/scoring/scoring_service.h"
@@ -26,58 +25,20 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
+#include "tests/app/support/cohort_numbers.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::CohortNumbers;
 using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
 
-/// The numbers of cohort.csv by section, group, model, index, occasion and statistic.
-class Numbers {
- public:
-  explicit Numbers(const fs::path& file)
-      : table_(CsvTable::read(
-            file, {"section", "item", "group", "model", "index", "occasion", "statistic", "value"},
-            {"n", "flags"})) {}
-
-  [[nodiscard]] double at(const std::string& section, const std::string& group, const std::string& model,
-                          const std::string& index, const std::string& occasion,
-                          const std::string& statistic) const {
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
-          table_.cell(row, "group") == group && table_.cell(row, "model") == model &&
-          table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
-          table_.cell(row, "statistic") == statistic) {
-        return table_.number(row, "value");
-      }
-    }
-    ADD_FAILURE() << section << " " << group << " " << model << " " << index << " " << occasion << " "
-                  << statistic;
-    return 0.0;
-  }
-
-  /// The marks of the raters as `torsio evaluate` reads them.
-  [[nodiscard]] std::string ratings() const {
-    std::string text = "index,rater,class,model,score\n";
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "statistic") == "mark") {
-        text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
-                "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
-      }
-    }
-    return text;
-  }
-
- private:
-  CsvTable table_;
-};
-
 void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
-  const Numbers report(folder / "out" / "cohort.csv");
+  const CohortNumbers report(folder / "out" / "cohort.csv");
 
   // Evaluation of the models.
   writeFileAtomically(folder / "ratings.csv", report.ratings());

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/people/people_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
@@ -22,6 +21,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
+#include "tests/app/support/cohort_numbers.h"
 
 namespace torsio::gui::testing {
 
@@ -32,43 +32,6 @@ using nlohmann::json;
 
 constexpr std::uint64_t kMarkSeed = 5;
 constexpr std::size_t kEvaluationMarks = 40U * 3 * 9;  // raters, models, indices
-
-/// The numbers of an exported table.
-class Numbers {
- public:
-  explicit Numbers(const fs::path& file)
-      : table_(CsvTable::read(
-            file, {"section", "item", "group", "model", "index", "occasion", "statistic", "value"},
-            {"n", "flags"})) {}
-
-  [[nodiscard]] double at(const std::string& section, const std::string& model, const std::string& index,
-                          const std::string& occasion, const std::string& statistic) const {
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
-          table_.cell(row, "group").empty() && table_.cell(row, "model") == model &&
-          table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
-          table_.cell(row, "statistic") == statistic) {
-        return table_.number(row, "value");
-      }
-    }
-    ADD_FAILURE() << section << " " << model << " " << index << " " << occasion << " " << statistic;
-    return 0.0;
-  }
-  /// The marks of the evaluation as `torsio evaluate` reads them.
-  [[nodiscard]] std::string ratings() const {
-    std::string text = "index,rater,class,model,score\n";
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      if (table_.cell(row, "statistic") == "mark") {
-        text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
-                "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
-      }
-    }
-    return text;
-  }
-
- private:
-  CsvTable table_;
-};
 
 }  // namespace
 
@@ -146,7 +109,7 @@ void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
 }
 
 void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, const fs::path& folder) {
-  const Numbers report(table);
+  const test::CohortNumbers report(table);
   writeFileAtomically(folder / "ratings.csv", report.ratings());
   const test::ProgramRun evaluated =
       test::runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
@@ -157,11 +120,11 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
   ASSERT_EQ(evaluation["models"].size(), 3U);
   for (const json& model : evaluation["models"]) {
     const std::string name = model["model"];
-    EXPECT_EQ(report.at("evaluation", name, "", "", "N_eq27"), model["N"].get<double>());
+    EXPECT_EQ(report.at("evaluation", "", name, "", "", "N_eq27"), model["N"].get<double>());
     for (const json& index : model["indices"]) {
       const std::string id = index["index"];
-      EXPECT_EQ(report.at("evaluation", name, id, "", "M"), index["M"].get<double>());
-      EXPECT_EQ(report.at("evaluation", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
+      EXPECT_EQ(report.at("evaluation", "", name, id, "", "M"), index["M"].get<double>());
+      EXPECT_EQ(report.at("evaluation", "", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
     }
   }
 
@@ -182,9 +145,9 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
       test::runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
   ASSERT_EQ(agreed.code, 0) << agreed.err;
   const json agreement = json::parse(agreed.out);
-  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_1"),
+  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_1"),
             agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
-  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_k"),
+  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_k"),
             agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
 }
 
