@@ -45,11 +45,16 @@ Channel channelOf(const ExportColumn& column) {
   return known != kKnown.end() ? known->second : Channel{"n/a", "MISC", "n/a", ""};
 }
 
+/// BIDS leaves nothing empty.
+std::string given(const std::string& word) {
+  return word.empty() ? "n/a" : word;
+}
+
 std::string channelsText() {
   std::string text = "name\tcomponent\ttype\ttracked_point\tunits\tdescription\n";
   for (const ExportColumn& column : trajectoryColumns()) {
     const Channel channel = channelOf(column);
-    const std::string unit = *channel.unit != '\0' ? channel.unit : column.unit.empty() ? "n/a" : column.unit;
+    const std::string unit = *channel.unit != '\0' ? channel.unit : given(column.unit);
     text += column.name + "\t" + channel.component + "\t" + channel.type + "\t" + channel.point + "\t" +
             unit + "\t" + column.title.str() + "\n";
   }
@@ -100,8 +105,8 @@ std::string motionJson(const TrialHeader& head, double rate_Hz, const std::strin
                   {"SamplingFrequency", rate_Hz},
                   {"TrackingSystemName", "torsio"},
                   {"Manufacturer", "n/a"},
-                  {"ManufacturersModelName", head.deviceModel},
-                  {"SoftwareVersions", head.softwareVersion},
+                  {"ManufacturersModelName", given(head.deviceModel)},
+                  {"SoftwareVersions", given(head.softwareVersion)},
                   {"TrackedPointsCount", 1},
                   {"MotionChannelCount", std::ssize(trajectoryColumns())},
                   {"POSChannelCount", channelsOfType("POS")},
@@ -116,9 +121,9 @@ constexpr const char* kScansHead = "filename\torgan\tpattern\ttarget_deg\torgan_
 
 std::string scanLine(const std::string& file, const TrialHeader& head) {
   const bool foreign = isForeign(head.sceneId);
-  return file + "\t" + head.sceneId.text() + "\t" + head.patternId.text() + "\t" +
+  return file + "\t" + given(head.sceneId.text()) + "\t" + given(head.patternId.text()) + "\t" +
          (foreign ? "n/a" : formatExact(degrees(head.targetAngle_rad))) + "\t" +
-         (foreign ? "n/a" : head.organHash) + "\t" + head.parameterHash + "\n";
+         (foreign ? "n/a" : given(head.organHash)) + "\t" + given(head.parameterHash) + "\n";
 }
 
 std::string scansJson() {

@@ -6,26 +6,23 @@ is no chromedriver or no way to axe-core."""
 import contextlib
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 
 from real_desk_test import Desk, PAGES, PASSWORD, check
 from webdriver import Browser
 
-LOCK = pathlib.Path(__file__).resolve().parent / "axe"
+HERE = pathlib.Path(__file__).resolve()
+sys.path.insert(0, str(HERE.parents[1] / "support"))
+from npm_packages import node_modules  # noqa: E402
+
+LOCK = HERE.parent / "axe"
 
 
 def axe_source(folder):
     """Empty: npm has none and cannot fetch it."""
-    found = folder / "node_modules" / "axe-core" / "axe.min.js"
-    if not found.exists() and shutil.which("npm"):
-        folder.mkdir(parents=True, exist_ok=True)
-        for name in ("package.json", "package-lock.json"):
-            shutil.copy(LOCK / name, folder / name)
-        subprocess.run(["npm", "ci", "--prefer-offline", "--ignore-scripts", "--no-audit", "--no-fund", "--fetch-retries=0"],
-                       cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120, check=False)
-    return found.read_text() if found.exists() else ""
+    modules = node_modules(LOCK, folder)
+    return (modules / "axe-core" / "axe.min.js").read_text() if modules else ""
 
 
 class Judge:

@@ -247,10 +247,38 @@ TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
 }
 
+/// Whether node finds a package of npm (NODE_PATH; judges_test.py sets it).
+bool hasModule(const std::string& name, const fs::path& folder) {
+  const std::string asks = "node -e \"require.resolve('" + name + "/package.json')\"";
+  return testing::hasProgram("node") && testing::outputOf(asks, folder).empty();
+}
+
+TEST(Dataset, IsAcceptedByTheValidatorOfBids) {
+  const OwnFolder own;
+  if (!hasModule("bids-validator", own.path())) {
+    GTEST_SKIP() << "npm's bids-validator is not installed (NODE_PATH)";
+  }
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  writeDataset(wholeContents(set), DatasetLayout::kBids, own.path() / "set");
+
+  const json found = json::parse(
+      testing::outputOf("NODE_NO_WARNINGS=1 node \"$NODE_PATH/bids-validator/bin/bids-validator\" --json '" +
+                            (own.path() / "set").string() + "'",
+                        own.path()));
+
+  EXPECT_EQ(found["issues"]["errors"], json::array());
+  for (const json& warning : found["issues"]["warnings"]) {
+    // It takes the first line of a motion file for a heading, which BIDS forbids there; and asks for more
+    // authors.
+    EXPECT_THAT(warning["key"], ::testing::AnyOf("CUSTOM_COLUMN_WITHOUT_DESCRIPTION", "TOO_FEW_AUTHORS"));
+  }
+  EXPECT_EQ(found["summary"]["subjects"].size(), 2U) << found["summary"];
+  EXPECT_EQ(found["summary"]["tasks"], json::array({"organoaxial"}));
+}
+
 TEST(Dataset, IsReadByTheReferenceLibraryOfFrictionless) {
   const OwnFolder own;
-  const std::string node = "node -e \"require('datapackage')\"";
-  if (!testing::hasProgram("node") || !testing::outputOf(node, own.path()).empty()) {
+  if (!hasModule("datapackage", own.path())) {
     GTEST_SKIP() << "npm's datapackage is not installed (NODE_PATH)";
   }
   const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
