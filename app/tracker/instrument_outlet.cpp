@@ -208,6 +208,10 @@ void InstrumentOutlet::show(const LiveState& state) {
   state_->changed.notify_all();
 }
 
+bool InstrumentOutlet::isAt(const std::string& address, std::uint16_t port) const {
+  return state_->address == address && state_->port == port;
+}
+
 OutletView InstrumentOutlet::view() const {
   const std::lock_guard lock(state_->mutex);
   return state_->view;
@@ -215,12 +219,12 @@ OutletView InstrumentOutlet::view() const {
 
 std::shared_ptr<InstrumentOutlet> outletOfThisStation() {
   static std::weak_ptr<InstrumentOutlet> shared;
-  std::shared_ptr<InstrumentOutlet> outlet = shared.lock();
-  if (outlet != nullptr) {
-    return outlet;
-  }
   const TrackerChoice choice = rememberedTracker();
-  if (choice.outletPort != 0) {
+  if (choice.outletPort == 0) {
+    return nullptr;
+  }
+  std::shared_ptr<InstrumentOutlet> outlet = shared.lock();
+  if (outlet == nullptr || !outlet->isAt(choice.outletAddress, choice.outletPort)) {
     outlet = std::make_shared<InstrumentOutlet>(choice.outletAddress, choice.outletPort);
     shared = outlet;
   }

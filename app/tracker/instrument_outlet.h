@@ -39,6 +39,8 @@ class InstrumentOutlet {
   /// Sends the instrument, and what has happened since the last call.
   void show(const LiveState& state);
   [[nodiscard]] OutletView view() const;
+  /// Whether it was made to listen there.
+  [[nodiscard]] bool isAt(const std::string& address, std::uint16_t port) const;
 
  private:
   struct State;
@@ -51,7 +53,8 @@ class InstrumentOutlet {
 };
 
 /// Returns what this station offers, as it remembers (rememberedTracker): one for the whole program, made
-/// when first asked for and gone with the last who holds it; null: nothing is offered. GUI thread.
+/// when first asked for, anew when something else is remembered, and gone with the last who holds it; null:
+/// nothing is offered. GUI thread.
 [[nodiscard]] std::shared_ptr<InstrumentOutlet> outletOfThisStation();
 
 }  // namespace torsio

@@ -21074,6 +21074,10 @@ MSM = 质点弹簧</translation>
         <source>De&amp;vice name</source>
         <translation>设备名称(&amp;V)</translation>
     </message>
+    <message>
+        <source>Other &amp;programs…</source>
+        <translation>其他程序(&amp;P)…</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DiscrepancyReviewPage</name>
@@ -22248,6 +22252,66 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
         <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::InstrumentOutletDialog</name>
+    <message>
+        <source>&amp;Offer the instrument of this station (OpenIGTLink)</source>
+        <translation>向其他程序提供本工作站的器械数据(OpenIGTLink)(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Other programs</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>A program such as 3D Slicer can follow the instrument of this station in runs and free practice: its pose, and when it touches, grips and lets go. Nothing says who trains.</source>
+        <translation>3D Slicer 等程序可以在操作和自由练习中跟随本工作站的器械：器械的位姿，以及何时接触、夹持和松开。不会透露训练者是谁。</translation>
+    </message>
+    <message>
+        <source>programs on this computer</source>
+        <translation>本机上的程序</translation>
+    </message>
+    <message>
+        <source>all computers of the network</source>
+        <translation>网络中的所有计算机</translation>
+    </message>
+    <message>
+        <source>What is sent is not encrypted, and nobody who connects is asked who they are.</source>
+        <translation>所发送的数据不加密，也不核实连接者的身份。</translation>
+    </message>
+    <message>
+        <source>&amp;Who may connect</source>
+        <translation>谁可以连接(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>who reaches %1</source>
+        <comment>an address of this computer</comment>
+        <translation>能访问 %1 的程序</translation>
+    </message>
+    <message>
+        <source>Kept. It holds at this station from the next sign-in on</source>
+        <translation>已保存。自下次登录起在本工作站生效</translation>
+    </message>
+    <message>
+        <source>Nothing is offered.</source>
+        <translation>目前不提供任何数据。</translation>
+    </message>
+    <message>
+        <source>Other programs can connect now. Connected: %1, poses sent: %2</source>
+        <translation>其他程序现在可以连接。已连接：%1，已发送位姿：%2</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@ namespace torsio::testing {
 
 namespace {
 
-constexpr int kPatience_ms = 20'000;
+constexpr int kTrackerPatience_ms = 20'000;
 
 void setTime(igtl::MessageBase& message, std::int64_t sent_us) {
   const auto time = igtl::TimeStamp::New();
@@ -61,12 +61,12 @@ std::uint16_t FakeTracker::port() const {
 }
 
 bool FakeTracker::wait() {
-  sockets_->client = sockets_->server->WaitForConnection(kPatience_ms);
+  sockets_->client = sockets_->server->WaitForConnection(kTrackerPatience_ms);
   return sockets_->client.IsNotNull();
 }
 
 bool FakeTracker::call(std::uint16_t port) {
-  for (int tries = 0; tries < kPatience_ms / 50; ++tries) {
+  for (int tries = 0; tries < kTrackerPatience_ms / 50; ++tries) {
     sockets_->client = igtl::ClientSocket::New();
     if (sockets_->client->ConnectToServer("127.0.0.1", port) == 0) {
       return true;
@@ -137,7 +137,7 @@ FakeTracker::Message FakeTracker::receive() {
   if (sockets_->client.IsNull()) {
     return out;
   }
-  sockets_->client->SetReceiveTimeout(kPatience_ms);
+  sockets_->client->SetReceiveTimeout(kTrackerPatience_ms);
   const auto head = igtl::MessageHeader::New();
   head->InitPack();
   if (sockets_->client->Receive(head->GetPackPointer(), head->GetPackSize()) != head->GetPackSize()) {

@@ -2,6 +2,8 @@
 #include "app/gui/administrator/administrator_pages.h"
 
 #include <QCoreApplication>
+#include <QDialog>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
@@ -120,7 +122,16 @@ std::vector<ScreenEntry> administratorDialogs() {
       dialog.resize(dialog.sizeHint());
     };
   };
+  const auto otherPrograms = [](Page& page) {
+    child<QPushButton>(page, "otherPrograms").click();
+    auto& dialog = child<QDialog>(page, "instrumentOutlet");
+    dialog.setWindowFlags(Qt::Widget);
+    dialog.setAutoFillBackground(true);
+    dialog.resize(dialog.sizeHint());
+    dialog.show();
+  };
   return {
+      screen("administrator-devices-others", PageId::kDevices, otherPrograms),
       screen("administrator-export", PageId::kReports, exported(ExportDialog::Form::kWorkbook, false)),
       screen("administrator-export-dataset", PageId::kReports,
              exported(ExportDialog::Form::kFrictionless, false)),

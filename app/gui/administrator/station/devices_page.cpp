@@ -13,6 +13,7 @@
 
 #include "app/devices/haptic_station.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/station/instrument_outlet_dialog.h"
 #include "app/gui/administrator/station/station_settings_card.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -33,6 +34,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
       nameLabel_(nullptr),
       name_(new QLineEdit(this)),
       force_(new QCheckBox(this)),
+      others_(new QPushButton(this)),
       verdict_(sentence(this, false)),
       table_(new DataTable(QStringLiteral("devices"), this)),
       settings_(new StationSettingsCard(shell, this)) {
@@ -49,6 +51,8 @@ DevicesPage::DevicesPage(ShellContext& shell)
   choices->addSpacing(2 * kSpace);
   choices->addWidget(force_);
   choices->addStretch(1);
+  others_->setObjectName(QStringLiteral("otherPrograms"));
+  choices->addWidget(others_);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);
@@ -64,6 +68,11 @@ DevicesPage::DevicesPage(ShellContext& shell)
   connect(driver_, &QComboBox::activated, this, &DevicesPage::remember);
   connect(name_, &QLineEdit::editingFinished, this, &DevicesPage::remember);
   connect(check_, &QPushButton::clicked, this, &DevicesPage::check);
+  connect(others_, &QPushButton::clicked, this, [this] {
+    auto* dialog = new InstrumentOutletDialog(this->shell(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+  });
   retranslate();
 }
 
@@ -157,6 +166,7 @@ void DevicesPage::retranslate() {
   driver_->setItemText(0, tr("the first device that is there"));
   nameLabel_->setText(tr("De&vice name"));
   name_->setPlaceholderText(tr("the usual one"));
+  others_->setText(tr("Other &programs\u2026"));
   force_->setText(tr("&Force test: somebody holds the stylus"));
   table_->setColumns(
       {{tr("Result")}, {tr("What was looked at")}, {tr("What was found")}, {tr("What to do")}});

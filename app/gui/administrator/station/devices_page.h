@@ -46,6 +46,7 @@ class DevicesPage : public Page {
   QLabel* nameLabel_;
   QLineEdit* name_;
   QCheckBox* force_;
+  QPushButton* others_;
   QLabel* verdict_;
   DataTable* table_;
   StationSettingsCard* settings_;
