@@ -35,7 +35,7 @@ StationAnchor stationAnchor() {
 
 void setStationAnchor(const StationAnchor& anchor) {
   if (!anchor.witness.empty()) {
-    requireNoDatabase(anchor.witness);
+    requireOverwritable(anchor.witness);
   }
   if (!anchor.key.empty()) {
     (void)publicAnchorKey(anchor.key);

@@ -17714,6 +17714,10 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>Choose one that nobody takes for the other</source>
         <translation>请另选一个不会混淆的登录名</translation>
     </message>
+    <message>
+        <source>is a folder, a device or a pipe, which is never overwritten</source>
+        <translation>是文件夹、设备或管道，绝不会被覆盖</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

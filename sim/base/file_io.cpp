@@ -31,11 +31,17 @@ std::string readFile(const fs::path& file) {
   return bytes.str();
 }
 
-void requireNoDatabase(const fs::path& file) {
+void requireOverwritable(const fs::path& file) {
   constexpr std::string_view kDatabase("SQLite format 3");
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
+  const fs::file_status there = fs::status(file, ignored);
+  if (!fs::exists(there)) {
     return;
+  }
+  if (!fs::is_regular_file(there)) {
+    throw Error(ErrorCode::kFileUnwritable,
+                Text::tr("is a folder, a device or a pipe, which is never overwritten"), file.string(),
+                Text::tr("Name another file"));
   }
   std::string head(kDatabase.size(), '\0');
   std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -90,7 +90,7 @@ fs::path lockNameOf(const fs::path& unfinished) {
 PartFile::PartFile(const fs::path& file)
     : file_(file), path_(temporaryBeside(file)), lock_(lockNameOf(path_)) {
   lock_.requireHeld(file_);
-  requireNoDatabase(file_);
+  requireOverwritable(file_);
 }
 
 PartFile::~PartFile() {

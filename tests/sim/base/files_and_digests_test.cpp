@@ -10,6 +10,7 @@
 #ifdef __linux__
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #endif
 
 #include <gtest/gtest.h>
@@ -141,6 +142,21 @@ TEST_F(FileIo, IsWrittenByOneProgramAtATimeAndTheOtherIsToldSo) {
   EXPECT_EQ(readFile(folder / "a"), "new");
   EXPECT_EQ(filesLeft(), 1U);
 }
+
+#ifdef __linux__
+TEST_F(FileIo, TakesTheNameOfNothingThatIsNoFile) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  ensureFolder(folder / "set");
+
+  for (const char* name : {"pipe", "set"}) {
+    EXPECT_EQ(refusal([&] { writeFileAtomically(folder / name, "x"); }), ErrorCode::kFileUnwritable) << name;
+  }
+
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+  EXPECT_EQ(filesLeft(), 2U);
+  EXPECT_EQ(refusal([] { requireOverwritable("/dev/null"); }), ErrorCode::kFileUnwritable);
+}
+#endif
 
 TEST_F(FileIo, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(refusal([this] { (void)readFile(folder / "nothing"); }), ErrorCode::kFileMissing);
