@@ -2337,10 +2337,6 @@
         <translation>请选择其他文件</translation>
     </message>
     <message>
-        <source>Choose another file, or restore the latest backup</source>
-        <translation>请选择其他文件，或恢复最近的备份</translation>
-    </message>
-    <message>
         <source>Choose another group</source>
         <translation>请选择其他组别</translation>
     </message>
@@ -4347,10 +4343,6 @@
     <message>
         <source>is no JSON: %1</source>
         <translation>不是 JSON：%1</translation>
-    </message>
-    <message>
-        <source>is not a database, or is damaged</source>
-        <translation>不是数据库，或已损坏</translation>
     </message>
     <message>
         <source>is not known</source>
@@ -17713,6 +17705,14 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>Choose one that nobody takes for the other</source>
         <translation>请另选一个不会混淆的登录名</translation>
+    </message>
+    <message>
+        <source>is no database</source>
+        <translation>不是数据库</translation>
+    </message>
+    <message>
+        <source>Choose another file; if there was a record here, restore the latest backup</source>
+        <translation>请选择其他文件；如果此处曾有记录，请恢复最新的备份</translation>
     </message>
 </context>
 <context>

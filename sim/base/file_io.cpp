@@ -5,6 +5,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "sim/base/database_trace.h"
 #include "sim/base/error.h"
 #include "sim/base/file_lock.h"
 
@@ -32,14 +33,7 @@ std::string readFile(const fs::path& file) {
 }
 
 void requireNoDatabase(const fs::path& file) {
-  constexpr std::string_view kDatabase("SQLite format 3");
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
-    return;
-  }
-  std::string head(kDatabase.size(), '\0');
-  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head == kDatabase) {
+  if (tellsOfDatabase(file)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("is a database, which is never overwritten"),
                 file.string(), Text::tr("Name another file"));
   }
