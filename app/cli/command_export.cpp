@@ -242,7 +242,7 @@ void addDataset(CLI::App& program) {
 
   auto incoming = std::make_shared<ImportArguments>();
   CLI::App* in = parent->add_subcommand("import", "A data set of Torsio, or recordings of other equipment");
-  in->add_option("--database", incoming->database, "SQLite file or postgresql://... address")
+  addDatabaseArgument(*in, "--database", incoming->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
   in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor or csv")->required();
   in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");

@@ -53,7 +53,7 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
       return result;  // a damaged file cannot be read to its end
     }
     tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
-    const std::vector<SchemaFinding> schema = schemaFindings(connection, serverFunctions());
+    const std::vector<SchemaFinding> schema = schemaFindings(connection, serverParts());
     result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
       tellProgress(
           progress, Text::tr("Checking recording %1 of %2", done + 1, all),

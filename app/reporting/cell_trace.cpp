@@ -27,6 +27,7 @@
 #include "assessment/study/occasion.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
@@ -268,6 +269,7 @@ class Tracer {
 
 TraceStep traceCell(const TraceRequest& request) {
   Connection connection = openRecord(request.record, OpenMode::kReadOnly);
+  requireEveryRow(connection);
   const CohortId cohort = cohortNamed(connection, request.cohort);
   const CohortInputs inputs = wholeInputs(connection, cohort, campaignNamed(connection, request.campaign));
   return Tracer(connection, cohort, inputs).trace(request.cell);

@@ -2337,10 +2337,6 @@
         <translation>请选择其他文件</translation>
     </message>
     <message>
-        <source>Choose another file, or restore the latest backup</source>
-        <translation>请选择其他文件，或恢复最近的备份</translation>
-    </message>
-    <message>
         <source>Choose another group</source>
         <translation>请选择其他组别</translation>
     </message>
@@ -4347,10 +4343,6 @@
     <message>
         <source>is no JSON: %1</source>
         <translation>不是 JSON：%1</translation>
-    </message>
-    <message>
-        <source>is not a database, or is damaged</source>
-        <translation>不是数据库，或已损坏</translation>
     </message>
     <message>
         <source>is not known</source>
@@ -17717,6 +17709,34 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>is a folder, a device or a pipe, which is never overwritten</source>
         <translation>是文件夹、设备或管道，绝不会被覆盖</translation>
+    </message>
+    <message>
+        <source>a password in an address is seen by every user of this machine</source>
+        <translation>地址中的密码会被本机的每个用户看到</translation>
+    </message>
+    <message>
+        <source>Leave it out, and write it to ~/.pgpass or a service file</source>
+        <translation>请将其去掉，并写入 ~/.pgpass 或服务文件</translation>
+    </message>
+    <message>
+        <source>is no database</source>
+        <translation>不是数据库</translation>
+    </message>
+    <message>
+        <source>Choose another file; if there was a record here, restore the latest backup</source>
+        <translation>请选择其他文件；如果此处曾有记录，请恢复最新的备份</translation>
+    </message>
+    <message>
+        <source>this account of the server sees no marks while nobody is signed in</source>
+        <translation>无人登录时，服务器的此账户看不到任何评分</translation>
+    </message>
+    <message>
+        <source>Give the address with the account that owns the record, or do it at the window</source>
+        <translation>请给出带有记录所有者账户的地址，或在窗口中操作</translation>
+    </message>
+    <message>
+        <source>was changed behind the trail before this change of it</source>
+        <translation>在此次更改之前，曾绕过审计记录被更改</translation>
     </message>
 </context>
 <context>

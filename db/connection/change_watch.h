@@ -36,6 +36,8 @@ class ChangeWatch {
 
   /// Asked once a statement; null: it changes nothing that is watched.
   [[nodiscard]] virtual std::shared_ptr<const Plan> planOf(std::string_view sql) = 0;
+  /// The statement is about to run with the values in `bound`, in a transaction.
+  virtual void changing(Connection& connection, const Plan& plan, std::span<const Value> bound) = 0;
   /// The statement ran with the values in `bound`. `returned`: what returning() asked for. `rows`: how many
   /// were changed.
   virtual void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound,

@@ -115,6 +115,10 @@ void Statement::run() {
   TORSIO_EXPECTS(!query_->state->broken);
   query_->columns = -1;
   query_->worthKeeping = false;
+  if (query_->plan && query_->state->watch) {
+    Connection connection(query_->state);
+    query_->state->watch->changing(connection, *query_->plan, query_->bound);
+  }
   if (!query_->query.exec()) {
     const QSqlError error = query_->query.lastError();
     query_->query.finish();

@@ -2,8 +2,6 @@
 #include "db/connection/connection_state.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <list>
 #include <utility>
 
@@ -17,10 +15,9 @@
 #include "db/connection/change_watch.h"
 #include "db/connection/database_file.h"
 #include "sim/base/contracts.h"
+#include "sim/base/database_trace.h"
 
 namespace torsio {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -57,13 +54,6 @@ constexpr int kMostRowsKept = 32;  // a query holds the rows of its last run
 /// Unique while the connection lives.
 std::string connectionName(const void* state) {
   return "torsio-" + std::to_string(reinterpret_cast<std::uintptr_t>(state));
-}
-
-/// Whether a file that cannot be read as a database once was one.
-bool beginsAsDatabase(const fs::path& file) {
-  std::string head(15, '\0');
-  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == "SQLite format 3";
 }
 
 }  // namespace
@@ -162,9 +152,12 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       refuseReadOnly(Text::tr("database file is read-only"), locator.file);
     }
     if (error.fault() == DbFault::kCorrupt) {
-      throw Error(beginsAsDatabase(locator.file) ? ErrorCode::kVerifyFailed : ErrorCode::kFileUnreadable,
-                  Text::tr("is not a database, or is damaged"), location,
-                  Text::tr("Choose another file, or restore the latest backup"));
+      if (tellsOfDatabase(locator.file)) {
+        throw Error(ErrorCode::kVerifyFailed, Text::tr("database is damaged"), location,
+                    Text::tr("Restore the latest backup"));
+      }
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("is no database"), location,
+                  Text::tr("Choose another file; if there was a record here, restore the latest backup"));
     }
     throw;
   }

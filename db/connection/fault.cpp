@@ -73,6 +73,11 @@ DbFault postgresqlFault(const QString& state) {
   return state.isEmpty() || state.startsWith(QLatin1String("08")) ? DbFault::kUnreachable : DbFault::kOther;
 }
 
+/// A number in the file's head that no SQLite ever wrote; the engine has no code of its own for it.
+bool isOfNoFormat(const QSqlError& error) {
+  return error.databaseText().contains(QLatin1String("unsupported file format"));
+}
+
 bool isOfTheDisk(const QSqlError& error) {
   constexpr int kIoError = 10;
   constexpr int kCannotOpen = 14;
@@ -150,7 +155,10 @@ std::string operationOf(std::string_view sql) {
 
 DbFault faultOf(Engine engine, const QSqlError& error) {
   const QString code = error.nativeErrorCode();
-  return engine == Engine::kSqlite ? sqliteFault(code.toInt()) : postgresqlFault(code);
+  if (engine == Engine::kSqlite) {
+    return isOfNoFormat(error) ? DbFault::kCorrupt : sqliteFault(code.toInt());
+  }
+  return postgresqlFault(code);
 }
 
 void ConnectionState::fail(std::string_view sql, const QSqlError& error) {

@@ -434,6 +434,7 @@ CREATE TABLE row_seal (
   row_hash TEXT NOT NULL,
   personal_hash TEXT NOT NULL,
   simulated BOOLEAN NOT NULL,
+  before_hash TEXT NOT NULL, -- both as they were right before the change; empty: the row was added or removed
   PRIMARY KEY (entry_sequence, position)
 );
 {{immutable row_seal}}

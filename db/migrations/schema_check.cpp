@@ -131,6 +131,24 @@ std::string plainTrigger(std::string made, const std::string& schema) {
   return plain;
 }
 
+/// Tables of other schemas that some account would read in place of those of the record: of a schema with its
+/// own name, or of one that its search path names first.
+Parts tablesReadInstead(Connection& connection) {
+  return partsFrom(
+      connection, "table that is read instead ",
+      "SELECT n.nspname || '.' || c.relname FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace"
+      " JOIN pg_class own ON own.relname = c.relname AND own.relkind IN ('r', 'p')"
+      " AND own.relnamespace = current_schema()::regnamespace"
+      " WHERE c.relnamespace <> own.relnamespace AND c.relkind IN ('r', 'p', 'v', 'm', 'f') AND ("
+      "EXISTS (SELECT 1 FROM pg_roles r WHERE r.rolname = n.nspname AND NOT r.rolsuper"
+      " AND has_schema_privilege(r.oid, own.relnamespace, 'USAGE'))"
+      " OR EXISTS (SELECT 1 FROM pg_db_role_setting s CROSS JOIN LATERAL unnest(s.setconfig) AS one"
+      " CROSS JOIN LATERAL string_to_array(translate(substr(one, 13), '\" ', ''), ',') AS path"
+      " WHERE one LIKE 'search\\_path=%' AND s.setdatabase IN (0, (SELECT d.oid FROM pg_database d"
+      " WHERE d.datname = current_database())) AND array_position(path, n.nspname::text)"
+      " < array_position(path, current_schema()::text)))");
+}
+
 /// Triggers with what they do and whether they are on for every session, the bodies of their functions, and
 /// what would pass them by.
 Parts postgresqlParts(Connection& connection) {
@@ -154,6 +172,19 @@ Parts postgresqlParts(Connection& connection) {
                         "SELECT coalesce(r.rolname, 'all') FROM pg_db_role_setting s"
                         " LEFT JOIN pg_roles r ON r.oid = s.setrole"
                         " WHERE array_to_string(s.setconfig, ' ') LIKE '%session\\_replication\\_role%'"));
+  parts.merge(partsFrom(connection, "setting that says who asks ",
+                        "SELECT coalesce(r.rolname, 'all') FROM pg_db_role_setting s"
+                        " LEFT JOIN pg_roles r ON r.oid = s.setrole"
+                        " WHERE array_to_string(s.setconfig, ' ') LIKE '%torsio.%'"));
+  parts.merge(tablesReadInstead(connection));
+  parts.merge(
+      partsFrom(connection, "row policies of ",
+                "SELECT t.relname::text, CASE WHEN t.relrowsecurity THEN 'on' ELSE 'off' END ||"
+                " coalesce((SELECT string_agg(' ' || p.polname || CASE WHEN p.polpermissive THEN ''"
+                " ELSE ' restrictive' END, '' ORDER BY p.polname) FROM pg_policy p"
+                " WHERE p.polrelid = t.oid), '') FROM pg_class t"
+                " WHERE t.relnamespace = current_schema()::regnamespace AND t.relkind = 'r' AND"
+                " (t.relrowsecurity OR EXISTS (SELECT 1 FROM pg_policy p WHERE p.polrelid = t.oid))"));
   Statement function = connection.prepare(
       "SELECT p.proname, p.prosrc FROM pg_proc p WHERE p.pronamespace = current_schema()::regnamespace");
   function.execute();
@@ -193,7 +224,7 @@ Connection freshRecord() {
 }
 
 std::vector<SchemaFinding> schemaFindings(Connection& connection,
-                                          const std::map<std::string, std::string>& serverFunctions) {
+                                          const std::map<std::string, std::string>& serverParts) {
   const bool sqlite = connection.engine() == Engine::kSqlite;
   if (const SchemaState state = checkSchema(connection, embeddedMigrations()); state.version != state.known) {
     return {};
@@ -212,14 +243,21 @@ std::vector<SchemaFinding> schemaFindings(Connection& connection,
       findings.push_back({part, "was changed, or switched off"});
     }
   }
+  bool prepared = false;
   for (const auto& [part, made] : found) {
-    const auto server = serverFunctions.find(part.substr(part.find(' ') + 1));
-    if (part.starts_with("function ") && server != serverFunctions.end()) {
+    const auto server = serverParts.find(part);
+    if (server != serverParts.end()) {
+      prepared = true;
       if (server->second != made) {
         findings.push_back({part, "was changed, or is of another version: prepare the server again"});
       }
     } else if (!expected.contains(part)) {
       findings.push_back({part, "does not belong to the record: somebody added it"});
+    }
+  }
+  for (const auto& [part, made] : serverParts) {
+    if (prepared && !found.contains(part)) {
+      findings.push_back({part, "is missing: prepare the server again"});
     }
   }
   return findings;

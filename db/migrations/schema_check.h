@@ -18,11 +18,11 @@ struct SchemaFinding {
 /// Compares the schema of a record with what the steps make, so that nobody can take a trigger away, add one,
 /// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every column,
 /// reference, key, index, trigger (what it does, and whether it is on) and function, the number of checks,
-/// and rules and settings that would pass the triggers by. Of the schema that this program knows; empty:
-/// nothing differs, or the record is newer. `serverFunctions`: bodies of those that a prepared server may
-/// have besides, by name.
+/// and rules, settings and tables of other schemas that would pass the triggers by, or let an account read
+/// something else. Of the schema that this program knows; empty: nothing differs, or the record is newer.
+/// `serverParts`: what a prepared server has besides, all of it or nothing.
 [[nodiscard]] std::vector<SchemaFinding> schemaFindings(
-    Connection& connection, const std::map<std::string, std::string>& serverFunctions = {});
+    Connection& connection, const std::map<std::string, std::string>& serverParts = {});
 
 /// A record in memory as the steps make it, with no row but theirs.
 [[nodiscard]] Connection freshRecord();

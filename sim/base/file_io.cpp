@@ -5,6 +5,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "sim/base/database_trace.h"
 #include "sim/base/error.h"
 #include "sim/base/file_lock.h"
 
@@ -32,20 +33,14 @@ std::string readFile(const fs::path& file) {
 }
 
 void requireOverwritable(const fs::path& file) {
-  constexpr std::string_view kDatabase("SQLite format 3");
   std::error_code ignored;
   const fs::file_status there = fs::status(file, ignored);
-  if (!fs::exists(there)) {
-    return;
-  }
-  if (!fs::is_regular_file(there)) {
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
     throw Error(ErrorCode::kFileUnwritable,
                 Text::tr("is a folder, a device or a pipe, which is never overwritten"), file.string(),
                 Text::tr("Name another file"));
   }
-  std::string head(kDatabase.size(), '\0');
-  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head == kDatabase) {
+  if (tellsOfDatabase(file)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("is a database, which is never overwritten"),
                 file.string(), Text::tr("Name another file"));
   }

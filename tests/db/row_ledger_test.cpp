@@ -170,6 +170,32 @@ TEST_F(RowLedgerTest, EveryWayToChangeARowIsSealed) {
             1);
 }
 
+TEST_F(RowLedgerTest, ARightfulChangeDoesNotMakeGoodWhatWasChangedBehindTheTrail) {
+  Connection connection = openWithSchema();
+  const FullRecord record(connection, "real", false);
+  const auto set = [&](const char* name, const char* value) {
+    connection.execute(
+        "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
+        " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+        {name, value, 1});
+  };
+  set("a", "1");
+  set("b", "1");
+  connection.executeVerbatim("UPDATE person SET level = 'expert' WHERE id = 'real trainee'");
+  connection.executeVerbatim("UPDATE setting SET value = '7' WHERE name = 'a'");
+  connection.executeVerbatim("INSERT INTO setting (name, value, changed_utc_us) VALUES ('c', '7', 1)");
+
+  connection.execute("UPDATE person SET sex = ? WHERE id = ? AND state <> ?", {"female", "real trainee", ""});
+  set("a", "2");
+  set("b", "2");
+  connection.execute("UPDATE setting SET changed_utc_us = 2 WHERE name = ?", {"c"});
+  connection.execute("UPDATE setting SET changed_utc_us = ? WHERE name = 'b'", {3});
+
+  const std::string behind = ": was changed behind the trail before this change of it";
+  EXPECT_EQ(allFindings(connection), (std::vector<std::string>{"person real trainee" + behind,
+                                                               "setting a" + behind, "setting c" + behind}));
+}
+
 TEST_F(RowLedgerTest, CountedFailuresOfASignInAreNoChangeThatIsSealed) {
   Connection connection = openWithSchema();
   const FullRecord record(connection, "real", false);
@@ -241,6 +267,11 @@ TEST(ChangedStatementTest, ReadsWhatTheRepositoriesWrite) {
   ASSERT_TRUE(update);
   EXPECT_EQ(update->columns.size(), 3U);
   EXPECT_EQ(update->placeholderOf("pin_hash"), 0);
+  EXPECT_EQ(update->where, "id = ?");
+  EXPECT_EQ(update->whereFrom, 1);
+  const auto nested = changedBy("UPDATE training_group SET arm_id = (SELECT id FROM arm WHERE code = ?)");
+  ASSERT_TRUE(nested);
+  EXPECT_EQ(nested->where, "");
 
   const auto replace = changedBy(
       "INSERT INTO setting (name, value) VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET value = "

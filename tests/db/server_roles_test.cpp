@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "db/connection/locator.h"
+#include "db/connection/row_reader.h"
 #include "db/migrations/dialect.h"
 #include "db/migrations/migrations.h"
 #include "db/migrations/schema_check.h"
@@ -155,6 +156,20 @@ class ServerRolesTest : public DatabaseTest {
     return answer.substr(answer.find('\n') + 1);
   }
 
+  /// Adds the next version of the rater's mark, whoever does it.
+  [[nodiscard]] std::string amendedMark() const {
+    return selectFirst(
+               *connection_,
+               "SELECT format('INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version,"
+               " trial_id, score_steps, scale_lo_steps, scale_hi_steps, steps_per_point, amend_reason,"
+               " submitted_utc_us, demonstration, assignment_id) VALUES (''amended'', %L, %L, %L, %L,"
+               " %L, %L, %L, %L, %L, ''why'', %L, %L, %L)', enrolment_id, rater_id, occasion,"
+               " version + 1, trial_id, score_steps, scale_lo_steps, scale_hi_steps, steps_per_point,"
+               " submitted_utc_us, demonstration, assignment_id) FROM training_mark",
+               {}, readText)
+        .value_or("");
+  }
+
   void expectRefused(const std::string& act) const {
     const std::string answer = as("u-office", act);
     EXPECT_TRUE(answer.find("permission denied") != std::string::npos ||
@@ -166,7 +181,7 @@ class ServerRolesTest : public DatabaseTest {
   TemporaryFolder folder_;
   Locator owner_;
   std::string role_;
-  std::optional<Connection> connection_;
+  mutable std::optional<Connection> connection_;
   std::optional<FullRecord> real_;
 };
 
@@ -277,12 +292,69 @@ TEST_F(ServerRolesTest, MarksAreSeenByWhomTheyConcern) {
       "INSERT INTO mark_release SELECT e.cohort_id, m.occasion, 1001, TRUE, 'yes', 'a', 1"
       " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id");
   EXPECT_EQ(as("u-trainee", marks), "1");
-  const std::string forged =
-      as("u-other",
-         "INSERT INTO training_mark SELECT 'x', enrolment_id, rater_id, occasion, version + 1, trial_id,"
-         " score_steps, scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
-         " 'why', submitted_utc_us, demonstration, assignment_id, comment_hash FROM training_mark");
-  EXPECT_EQ(numberFrom(*connection_, marks), 1) << forged;
+  const std::string forged = as("u-other", amendedMark());
+  EXPECT_NE(forged.find("row-level security"), std::string::npos) << forged;
+  EXPECT_NE(as("u-trainee", amendedMark()).find("row-level security"), std::string::npos);
+  EXPECT_EQ(numberFrom(*connection_, marks), 1);
+  EXPECT_EQ(as("u-rater", amendedMark()).find("ERROR"), std::string::npos);
+  EXPECT_EQ(numberFrom(*connection_, marks), 2);
+}
+
+TEST_F(ServerRolesTest, EveryTableWithMarksOrTheirMeansHidesThemFromWhomTheyDoNotConcern) {
+  const std::set<std::string> open{"rubric_anchor"};  // what a mark means, nobody's mark
+  std::vector<std::string> tables;
+  std::string counts;
+  for (const std::string& table :
+       selectAll(*connection_,
+                 "SELECT DISTINCT table_name::text FROM information_schema.columns"
+                 " WHERE table_schema = current_schema() AND column_name IN ('score_steps', 'overall_steps',"
+                 " 'mean', 'weighted_mean', 'composite', 'panel_offset_steps') ORDER BY 1",
+                 {}, readText)) {
+    if (!open.contains(table)) {
+      tables.push_back(table);
+      counts += "SELECT '" + table + " ' || count(*) FROM " + table + "; ";
+    }
+  }
+  ASSERT_GT(tables.size(), 12U);
+
+  std::string none;
+  for (const std::string& table : tables) {
+    none += (none.empty() ? "" : "\n") + table + " 0";
+    EXPECT_GT(numberFrom(*connection_, "SELECT count(*) FROM " + table), 0) << table;
+  }
+  EXPECT_EQ(as("nobody", counts), none);
+  EXPECT_EQ(as("u-other", counts), none);
+  const std::string own = as("u-trainee", counts);
+  EXPECT_NE(own.find("self_score 1"), std::string::npos) << own;
+  EXPECT_NE(own.find("training_result 0"), std::string::npos) << own;
+  EXPECT_NE(own.find("paper_entry 0"), std::string::npos) << own;
+  EXPECT_NE(own.find("rater_warmup 0"), std::string::npos) << own;
+  EXPECT_NE(as("u-rater", counts).find("rater_warmup 1"), std::string::npos);
+  const std::string office = as("u-office", counts);
+  for (const std::string& table : tables) {  // a draft is its writer's
+    EXPECT_EQ(office.find(table + " 0") != std::string::npos, table == "evaluation_draft") << office;
+  }
+}
+
+TEST_F(ServerRolesTest, WhoeverTypesSheetsOfPaperAddsTheMarksOfAllRaters) {
+  const std::string rows =
+      "INSERT INTO training_mark_row SELECT 'amended', revision_id, row_code, score_steps,"
+      " not_assessable_reason FROM training_mark_row";
+
+  EXPECT_EQ(as("u-office", amendedMark() + "; " + rows).find("ERROR"), std::string::npos);
+
+  EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM training_mark"), 2);
+  EXPECT_GT(numberFrom(*connection_, "SELECT count(*) FROM training_mark_row WHERE mark_id = 'amended'"), 0);
+}
+
+TEST_F(ServerRolesTest, NobodyIsToldThatMarksAreGoneWhichOnlyAreNotShown) {
+  Connection station = openRecord(stationLocator(), OpenMode::kReadOnly);
+  for (const char* user : {"", "u-other", "u-trainee"}) {
+    sayWhoAsks(station, user);
+    EXPECT_EQ(refusalFrom([&] { (void)verifyAuditTrail(station); }).code, ErrorCode::kPermission) << user;
+  }
+  sayWhoAsks(station, "u-office");
+  EXPECT_EQ(findingsIn(station), "");
 }
 
 TEST_F(ServerRolesTest, TheProgramWorksAsTheStationAndKeepsTheTrail) {
@@ -299,7 +371,36 @@ TEST_F(ServerRolesTest, TheProgramWorksAsTheStationAndKeepsTheTrail) {
   sayWhoAsks(station, "u-office");
 
   EXPECT_EQ(findingsIn(station), "");
-  EXPECT_TRUE(schemaFindings(*connection_, serverFunctions()).empty());
+  EXPECT_TRUE(schemaFindings(*connection_, serverParts()).empty());
+}
+
+TEST_F(ServerRolesTest, WhatLetsStationsReadSomethingElseIsNamedAndPreparingMendsThePolicies) {
+  ASSERT_TRUE(schemaFindings(*connection_, serverParts()).empty());
+  const auto finds = [this](const std::string& sql, const std::string& part) {
+    const Transaction undone(*connection_);
+    connection_->executeVerbatim(sql);
+    const std::vector<SchemaFinding> findings = schemaFindings(*connection_, serverParts());
+    ASSERT_EQ(findings.size(), 1U) << sql;
+    EXPECT_EQ(findings[0].part, part);
+  };
+  const std::string hides = "CREATE POLICY hides ON trial_digest FOR SELECT TO " + role_ + " USING (FALSE)";
+  finds("CREATE SCHEMA " + role_ + "; CREATE TABLE " + role_ + ".trial_digest (id text)",
+        "table that is read instead " + role_ + ".trial_digest");
+  finds("CREATE SCHEMA " + role_ + "_first; CREATE VIEW " + role_ + "_first.setting AS SELECT 1;" +
+            "ALTER ROLE " + role_ + " SET search_path = " + role_ + "_first, " + owner_.schema,
+        "table that is read instead " + role_ + "_first.setting");
+  finds("ALTER ROLE " + role_ + " SET torsio.actor = 'u-office'", "setting that says who asks " + role_);
+  finds(hides, "row policies of trial_digest");
+  finds("ALTER TABLE trial ENABLE ROW LEVEL SECURITY", "row policies of trial");
+  finds("ALTER TABLE training_mark DISABLE ROW LEVEL SECURITY", "row policies of training_mark");
+  finds("CREATE POLICY hides ON training_mark AS RESTRICTIVE FOR SELECT TO " + role_ + " USING (FALSE)",
+        "row policies of training_mark");
+
+  connection_->executeVerbatim(hides + "; ALTER TABLE trial_digest ENABLE ROW LEVEL SECURITY;" +
+                               "ALTER TABLE self_score DISABLE ROW LEVEL SECURITY");
+  EXPECT_EQ(schemaFindings(*connection_, serverParts()).size(), 2U);
+  writeServerRoles(*connection_, allTables(*connection_), closedTables(), role_);
+  EXPECT_TRUE(schemaFindings(*connection_, serverParts()).empty());
 }
 
 TEST_F(ServerRolesTest, ErasingGoesThroughTheOwnersFunctionForWhoeverMayErase) {

@@ -22,6 +22,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
+#include "db/connection/locator.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 
@@ -145,6 +146,15 @@ void addOptions(QCommandLineParser& parser) {
   parser.addOption({QStringLiteral("wireframe"), QStringLiteral("Show edges")});
 }
 
+/// Every user of the machine sees the arguments of a program.
+void refusePassword(const QString& address) {
+  if (!address.isEmpty() && !parseLocator(address.toStdString()).password.empty()) {
+    refuseOption(Text::tr("a password in an address is seen by every user of this machine"),
+                 QStringLiteral("--database"),
+                 Text::tr("Leave it out, and write it to ~/.pgpass or a service file"));
+  }
+}
+
 WindowOptions parse(const QStringList& arguments) {
   QCommandLineParser parser;
   addOptions(parser);
@@ -164,6 +174,7 @@ WindowOptions parse(const QStringList& arguments) {
   }
   options.kiosk = parser.isSet(QStringLiteral("kiosk"));
   options.database = parser.value(QStringLiteral("database"));
+  refusePassword(options.database);
   for (const char* option : {"organ", "pattern", "formulation", "screenshot", "frame-rate"}) {
     options.simulator = options.simulator || parser.isSet(QLatin1String(option));
   }

@@ -122,6 +122,10 @@ ChangedStatement update(Reader& reader) {
       change.columns.push_back({std::string(trimmed(item.substr(0, equals))), placeholder});
     }
   }
+  change.whereFrom = next;
+  if (reader.take("WHERE")) {
+    change.where = reader.rest();
+  }
   return change;
 }
 

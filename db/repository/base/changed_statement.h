@@ -23,6 +23,9 @@ struct ChangedStatement {
   OnConflict onConflict = OnConflict::kRefuse;
   std::vector<std::string> replaced{};  ///< columns that kUpdate takes from the row that was given
 
+  std::string where{};  ///< of kUpdate: condition of the rows that it changes; empty: all of the table
+  int whereFrom = 0;    ///< position of the first `?` in it
+
   /// Position of the `?` of a column; -1: none.
   [[nodiscard]] int placeholderOf(std::string_view column) const;
 };

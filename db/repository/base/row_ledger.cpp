@@ -12,6 +12,7 @@
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/row_seal.h"
+#include "db/repository/base/rows_before.h"
 #include "db/repository/base/sealed_row.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -61,6 +62,7 @@ struct Touched {
   std::vector<Given> given{};  // in their order
   bool whole = false;          // added: what was not given is null
   bool gone = false;
+  std::string before{};  // RowSeal::before
 };
 
 /// Reads whole rows of one table by their key.
@@ -179,6 +181,9 @@ class Sealer {
     }
     if (touched.rule->sealing != Sealing::kWithParent) {
       add(*touched.rule, touched.key, row);
+      if (!touched.before.empty()) {
+        seals_.back().before = touched.before;
+      }
       return;
     }
     const SealRule* parent = sealRuleOf(touched.rule->parent);
@@ -254,6 +259,20 @@ class RowLedger : public ChangeWatch {
       plans_.clear();
     }
     return plans_.try_emplace(std::string(sql), newPlan(sql)).first->second;
+  }
+
+  void changing(Connection& connection, const Plan& plan, std::span<const Value> bound) override {
+    const auto& ledger = dynamic_cast<const LedgerPlan&>(plan);  // planOf() makes no other
+    if (ledger.sealRule == nullptr) {
+      return;
+    }
+    for (RowBefore& row : rowsBefore(connection, *ledger.sealRule, ledger.change, bound)) {
+      const std::size_t known = touched_.size();
+      Touched& touched = touchedRow(*ledger.sealRule, std::move(row.key));
+      if (touched_.size() > known) {
+        touched.before = std::move(row.hash);
+      }
+    }
   }
 
   void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound, const Rows& returned,

@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr const char* kSealColumns =
-    "entry_sequence, position, table_name, row_key, removed, row_hash, personal_hash, simulated";
+    "entry_sequence, position, table_name, row_key, removed, row_hash, personal_hash, simulated, before_hash";
 constexpr std::string_view kEntries = R"({"entries":)";
 
 std::string newSalt() {
@@ -42,6 +42,7 @@ void forEachSeal(Connection& connection,
                     seal.rowHash = row.text();
                     seal.personalHash = row.text();
                     seal.simulated = row.boolean();
+                    seal.before = row.text();
                     hear(sequence, position, seal);
                   });
 }
@@ -79,7 +80,7 @@ void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const
   position = 0;
   for (const RowSeal& seal : seals) {
     insert.execute({sequence, ++position, seal.table, seal.key, seal.removed, seal.rowHash, seal.personalHash,
-                    seal.simulated});
+                    seal.simulated, seal.before});
     if (!seal.salt.empty()) {
       if (!salt) {
         salt = connection.prepare(insertInto("seal_salt", "table_name, row_key, salt") +

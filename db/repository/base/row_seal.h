@@ -22,6 +22,9 @@ struct RowSeal {
   std::string rowHash{};       ///< over what an erase leaves; empty: removed
   std::string personalHash{};  ///< over what an erase takes; empty: nothing of it
   bool simulated = false;
+  /// `rowHash` and `personalHash` as the row was right before it was changed; empty: it was not there, or
+  /// nobody looked. Another one than the seal before says tells of a change behind the trail.
+  std::string before{};
   std::string salt{};  ///< of personalHash; kept apart
 };
 
@@ -35,7 +38,7 @@ class SealDigest {
         .add(seal.removed)
         .add(seal.rowHash)
         .add(seal.personalHash);
-    digest_.add(seal.simulated);
+    digest_.add(seal.simulated).add(seal.before);
   }
   [[nodiscard]] std::string hex() const { return digest_.hex(); }
 

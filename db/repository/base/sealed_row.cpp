@@ -85,6 +85,14 @@ std::string SealShape::keyOf(std::span<const Value> row) const {
   return key;
 }
 
+std::vector<Value> SealShape::keyValuesOf(std::span<const Value> row) const {
+  std::vector<Value> key;
+  for (const std::size_t position : key_) {
+    key.push_back(row[position]);
+  }
+  return key;
+}
+
 std::string SealShape::parentKeyOf(std::span<const Value> row) const {
   return textOf(row[key_.front()]);
 }

@@ -30,6 +30,7 @@ class SealShape {
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   /// Which row it is: the values of its key, divided by "/".
   [[nodiscard]] std::string keyOf(std::span<const Value> row) const;
+  [[nodiscard]] std::vector<Value> keyValuesOf(std::span<const Value> row) const;
   /// The first value of the key: the row whose seal a row with Sealing::kWithParent goes into.
   [[nodiscard]] std::string parentKeyOf(std::span<const Value> row) const;
   /// Over what an erase leaves.

@@ -84,6 +84,13 @@ constexpr std::string_view kSeesAllMarks =
     " ('mark.view_coded', 'mark.release', 'results.compute', 'evaluation.setup', 'audit.view',"
     " 'database.restore'))";
 
+/// Whoever types sheets of paper and takes in the marks of other data sets adds those of all raters.
+constexpr std::string_view kAddsMarksOfOthers =
+    "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
+    " JOIN role_operation o ON o.role_code = r.role_code"
+    " WHERE u.id = current_setting('torsio.actor', true) AND u.state = 'active'"
+    " AND o.operation_code = 'study.setup')";
+
 constexpr std::string_view kActorPerson =
     "SELECT person_id FROM app_user WHERE id = current_setting('torsio.actor', true) AND state = 'active'";
 
@@ -148,6 +155,7 @@ struct ServerFunction {
 };
 constexpr std::array kServerFunctions{
     ServerFunction{"sees_all_marks", "", "boolean", "sql STABLE"},
+    ServerFunction{"adds_marks_of_others", "", "boolean", "sql STABLE"},
     ServerFunction{"actor_person", "", "text", "sql STABLE"},
     ServerFunction{"case_is_committed", "case_enrolment text, case_occasion text", "boolean", "sql STABLE"},
     ServerFunction{"is_released_to_actor", "case_enrolment text, case_occasion text", "boolean",
@@ -161,35 +169,46 @@ struct RowPolicy {
   std::string_view seen;     ///< rows that whoever asks may read
   std::string_view changed;  ///< rows that whoever asks may add, change or remove
 };
+constexpr std::string_view kSeesAll = "(SELECT sees_all_marks())";
+constexpr std::string_view kAddsOthers = "(SELECT adds_marks_of_others())";
+constexpr std::string_view kOfTheMark =
+    "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND (m.rater_id = (SELECT actor_person())"
+    " OR m.demonstration OR (SELECT adds_marks_of_others())))";
+constexpr std::string_view kOfTheSheet =
+    "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id AND a.rater_id = (SELECT actor_person()))";
 constexpr std::array kRowPolicies{
     RowPolicy{"training_mark",
               "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())"
               " OR case_is_committed(enrolment_id, occasion) OR is_released_to_actor(enrolment_id, occasion)",
-              "rater_id = (SELECT actor_person()) OR demonstration"},
-    RowPolicy{"training_mark_row", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
-              "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND"
-              " (m.rater_id = (SELECT actor_person()) OR m.demonstration))"},
-    RowPolicy{"mark_viewing", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
-              "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND"
-              " (m.rater_id = (SELECT actor_person()) OR m.demonstration))"},
+              "rater_id = (SELECT actor_person()) OR demonstration OR (SELECT adds_marks_of_others())"},
+    RowPolicy{"training_mark_row", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)", kOfTheMark},
+    RowPolicy{"mark_viewing", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)", kOfTheMark},
     RowPolicy{"mark_draft",
               "(SELECT sees_all_marks()) OR EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
               " AND a.rater_id = (SELECT actor_person()))",
-              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
-              " AND a.rater_id = (SELECT actor_person()))"},
+              kOfTheSheet},
     RowPolicy{"mark_draft_row",
               "EXISTS (SELECT 1 FROM mark_draft d WHERE d.assignment_id ="
               " mark_draft_row.assignment_id)",
-              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
-              " AND a.rater_id = (SELECT actor_person()))"},
-    RowPolicy{"draft_viewing",
-              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
-              " AND a.rater_id = (SELECT actor_person()))",
-              "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
-              " AND a.rater_id = (SELECT actor_person()))"},
+              kOfTheSheet},
+    RowPolicy{"draft_viewing", kOfTheSheet, kOfTheSheet},
+    RowPolicy{"paper_entry", kAddsOthers, kAddsOthers},
+    RowPolicy{"paper_entry_row", kAddsOthers, kAddsOthers},
+    RowPolicy{"self_score", "(SELECT sees_all_marks()) OR trainee_id = (SELECT actor_person())",
+              "trainee_id = (SELECT actor_person()) OR demonstration"},
+    RowPolicy{"self_score_row", "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id)",
+              "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id AND"
+              " (s.trainee_id = (SELECT actor_person()) OR s.demonstration))"},
+    RowPolicy{"rater_warmup", "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())",
+              "rater_id = (SELECT actor_person()) OR demonstration"},
     RowPolicy{"evaluation_mark", "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())",
               "rater_id = (SELECT actor_person()) OR demonstration"},
     RowPolicy{"evaluation_draft", "rater_id = (SELECT actor_person())", "rater_id = (SELECT actor_person())"},
+    // Means of marks.
+    RowPolicy{"training_result", kSeesAll, kSeesAll},
+    RowPolicy{"training_group_result", kSeesAll, kSeesAll},
+    RowPolicy{"evaluation_result", kSeesAll, kSeesAll},
+    RowPolicy{"composite_result", kSeesAll, kSeesAll},
 };
 
 bool plainRole(const std::string& role) {
@@ -212,24 +231,32 @@ void requireRole(Connection& connection, const std::string& role) {
 }
 
 void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {
-  const std::map<std::string, std::string> bodies = serverFunctions();
+  const std::map<std::string, std::string> parts = serverParts();
   for (const ServerFunction& one : kServerFunctions) {
     const std::string name(one.name);
     connection.executeVerbatim("CREATE OR REPLACE FUNCTION " + name + "(" + std::string(one.arguments) +
                                ") RETURNS " + std::string(one.result) + " LANGUAGE " +
                                std::string(one.language) + " SECURITY DEFINER SET search_path = \"" + schema +
-                               "\", pg_temp AS $$" + bodies.at(name) + "$$");
+                               "\", pg_temp AS $$" + parts.at("function " + name) + "$$");
     connection.executeVerbatim("REVOKE ALL ON FUNCTION " + name + " FROM PUBLIC");
     connection.executeVerbatim("GRANT EXECUTE ON FUNCTION " + name + " TO " + role);
   }
 }
 
 void makePolicies(Connection& connection, const std::string& role) {
+  for (const std::string& drop :
+       selectAll(connection,
+                 "SELECT format('DROP POLICY %I ON %I', policyname, tablename) FROM pg_policies"
+                 " WHERE schemaname = current_schema() UNION ALL"
+                 " SELECT format('ALTER TABLE %I DISABLE ROW LEVEL SECURITY', relname) FROM pg_class"
+                 " WHERE relnamespace = current_schema()::text::regnamespace AND relrowsecurity",
+                 {}, readText)) {
+    connection.executeVerbatim(drop);
+  }
   for (const RowPolicy& policy : kRowPolicies) {
     const std::string table(policy.table);
     const auto make = [&](const std::string& act, const std::string& clause) {
       const std::string name = "torsio_" + act;
-      connection.executeVerbatim("DROP POLICY IF EXISTS " + name + " ON " + table);
       connection.executeVerbatim("CREATE POLICY " + name + " ON " + table + " FOR " + act + " TO " + role +
                                  " " + clause);
     };
@@ -250,12 +277,19 @@ std::optional<std::string_view> declaredRightsOn(std::string_view table) {
   return found == kStationRights.end() ? std::nullopt : std::optional(found->rights);
 }
 
-std::map<std::string, std::string> serverFunctions() {
-  return {{"sees_all_marks", std::string(kSeesAllMarks)},
-          {"actor_person", std::string(kActorPerson)},
-          {"case_is_committed", std::string(kCaseIsCommitted)},
-          {"is_released_to_actor", std::string(kIsReleasedToActor)},
-          {"erase_person", eraseBody()}};
+std::map<std::string, std::string> serverParts() {
+  std::map<std::string, std::string> parts{{"function sees_all_marks", std::string(kSeesAllMarks)},
+                                           {"function adds_marks_of_others", std::string(kAddsMarksOfOthers)},
+                                           {"function actor_person", std::string(kActorPerson)},
+                                           {"function case_is_committed", std::string(kCaseIsCommitted)},
+                                           {"function is_released_to_actor", std::string(kIsReleasedToActor)},
+                                           {"function erase_person", eraseBody()}};
+  for (const RowPolicy& policy : kRowPolicies) {
+    const std::string table(policy.table);
+    parts["row policies of " + table] =
+        '"' + table + R"(" "on torsio_delete torsio_insert torsio_select torsio_update")";
+  }
+  return parts;
 }
 
 void writeServerRoles(Connection& connection, std::span<const std::string> tables,
@@ -300,6 +334,22 @@ bool isOwnerOfTables(Connection& connection) {
                      " AND tablename = 'audit_entry' AND tableowner = current_user",
                      {}, readInt64)
              .value_or(0) > 0;
+}
+
+void requireEveryRow(Connection& connection) {
+  if (connection.engine() != Engine::kPostgresql ||
+      selectFirst(connection,
+                  "SELECT count(*) FROM pg_class WHERE relnamespace = current_schema()::text::regnamespace"
+                  " AND relrowsecurity AND row_security_active(oid)",
+                  {}, readInt64)
+              .value_or(0) == 0 ||
+      selectFirst(connection, std::string(kSeesAllMarks), {}, readBoolean).value_or(false)) {
+    return;
+  }
+  throw Error(ErrorCode::kPermission,
+              Text::tr("this account of the server sees no marks while nobody is signed in"),
+              connection.location(),
+              Text::tr("Give the address with the account that owns the record, or do it at the window"));
 }
 
 void sayWhoAsks(Connection& connection, const std::string& userId) {

@@ -20,16 +20,18 @@ class Connection;
 /// UPDATE". No value: the table has no line here, so it must be append-only.
 [[nodiscard]] std::optional<std::string_view> declaredRightsOn(std::string_view table);
 
-/// Bodies of the functions that a prepared server has besides those of the schema, by name. They run with the
-/// rights of the owner and only look up who asks, but for erase_person.
-[[nodiscard]] std::map<std::string, std::string> serverFunctions();
+/// What a prepared server has besides the schema, as schemaFindings() names it: the bodies of its functions,
+/// which run with the rights of the owner and only look up who asks, but for erase_person, and which tables
+/// have row policies.
+[[nodiscard]] std::map<std::string, std::string> serverParts();
 
 /// Makes the station role unless it exists, takes all rights from it and from everybody else, and gives it
 /// those of `tables`: the declared ones, else SELECT and INSERT where the table is among `appendOnly`; makes
 /// the functions, and the policies by which rows of marks and drafts are seen by
-/// whom they concern. May be repeated. All or nothing. Throws DbError when the account may not, Error
-/// (kBadParameter) for a role that is not made of lower-case letters, digits and underscores or is the owner
-/// itself, (kUsage) for SQLite; ContractError for a table that is neither declared nor append-only.
+/// whom they concern, in place of all others. May be repeated. All or nothing. Throws DbError when the
+/// account may not, Error (kBadParameter) for a role that is not made of lower-case letters, digits and
+/// underscores or is the owner itself, (kUsage) for SQLite; ContractError for a table that is neither
+/// declared nor append-only.
 void writeServerRoles(Connection& connection, std::span<const std::string> tables,
                       const std::set<std::string>& appendOnly, const std::string& role);
 
@@ -40,6 +42,10 @@ void waitForRightsOfDatabase(Connection& connection);
 
 /// Whether the account of this connection owns the tables of the record.
 [[nodiscard]] bool isOwnerOfTables(Connection& connection);
+
+/// For whatever reads all marks: throws Error (kPermission) where the policies hide some of them from whoever
+/// asks, who would be told that they are gone, or get means without them.
+void requireEveryRow(Connection& connection);
 
 /// On a server: says who asks from now on, so that the policies let this user see what concerns them. Empty:
 /// nobody. Lost when the transaction in which it was said is rolled back.

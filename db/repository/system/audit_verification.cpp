@@ -9,6 +9,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seal_rules.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/system/seal_verification.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -118,6 +119,7 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
 }  // namespace
 
 std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyProgress& progress) {
+  requireEveryRow(connection);
   Transaction oneMoment(connection, Transaction::Purpose::kLook);
   std::vector<AuditFinding> findings;
   SealVerification seals(connection, findings);

@@ -16,7 +16,7 @@ using VerifyProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 
 /// Walks the whole chain of the audit trail, then compares every sealed mark and trial with its row, and
 /// looks for rows that no entry tells of. Trials are decoded down to their chunk digests. Empty: nothing was
-/// tampered with. Throws Error, DbError.
+/// tampered with. Throws Error (kPermission: requireEveryRow()), DbError.
 [[nodiscard]] std::vector<AuditFinding> verifyAuditTrail(Connection& connection,
                                                          const VerifyProgress& progress = {});
 

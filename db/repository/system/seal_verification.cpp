@@ -129,6 +129,11 @@ void SealVerification::apply(const SealEntry& entry, const RowSeal& seal) {
   if (!first && rule != nullptr && rule->sealing == Sealing::kOnce) {
     requireGenuine(entry, seal, row->second);
   }
+  const Last& last = row->second;
+  if (!seal.before.empty() && (last.removed || seal.before != last.rowHash + last.personalHash)) {
+    report(entry.sequence, seal.table, seal.key,
+           Text::tr("was changed behind the trail before this change of it"));
+  }
   if (seal.table == kTombstones && !seal.removed) {
     if (entry.erasedPeople.contains(seal.key)) {
       erased_.insert(seal.key);

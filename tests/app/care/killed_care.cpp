@@ -14,6 +14,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
+#include "sim/base/file_io.h"
 #include "tests/db/full_record.h"
 
 namespace torsio {
@@ -116,8 +117,8 @@ void CutOffCare::cutOffEverywhere(const CutOff& cut, const char* fault, const ch
 }
 
 void CutOffCare::killEverywhere(const CutOff& cut) const {
-  cutOffEverywhere(cut, "TORSIO_FAULT_KILL_AT=", "TORSIO_KILL_INSTANTS", [](const FaultyRun& ended) {
-    EXPECT_TRUE(ended.killed || ended.code == 0) << ended.code;
+  cutOffEverywhere(cut, "TORSIO_FAULT_KILL_AT=", "TORSIO_KILL_INSTANTS", [this](const FaultyRun& ended) {
+    EXPECT_TRUE(ended.killed || ended.code == 0) << ended.code << ": " << readFile(file(".said"));
   });
 }
 

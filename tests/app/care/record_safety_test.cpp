@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <random>
 #include <sys/stat.h>
 #include <vector>
 
@@ -62,6 +63,21 @@ class RecordSafety : public ::testing::Test {
       }
     }
     return found;
+  }
+
+  /// A copy of "sound.sqlite" with other bytes at one place.
+  void overwritten(const std::string& path, const std::string& bytes, std::streamoff at = 0) const {
+    fs::copy_file(file("sound.sqlite"), path);
+    std::fstream copy(path, std::ios::in | std::ios::out | std::ios::binary);
+    copy.seekp(at);
+    copy << bytes;
+  }
+  /// Bytes as those of a packed picture.
+  static std::string noise(std::size_t length) {
+    std::mt19937 random(1);
+    std::string bytes(length, '\0');
+    std::generate(bytes.begin(), bytes.end(), [&random] { return static_cast<char>(random()); });
+    return bytes;
   }
 
   fs::path folder_;
@@ -280,6 +296,16 @@ TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
          fs::resize_file(path, 100);
        },
        ErrorCode::kVerifyFailed},
+      {"a record whose first 100 bytes are others",
+       [this](const std::string& path) { overwritten(path, noise(100)); }, ErrorCode::kVerifyFailed},
+      {"a record whose first page is another",
+       [this](const std::string& path) { overwritten(path, noise(4096)); }, ErrorCode::kVerifyFailed},
+      {"a record whose first letter is another", [this](const std::string& path) { overwritten(path, "T"); },
+       ErrorCode::kVerifyFailed},
+      {"a record of a format that there is not",
+       [this](const std::string& path) { overwritten(path, "\xFB", 47); }, ErrorCode::kVerifyFailed},
+      {"a picture", [&](const std::string& path) { write(path, "\xFF\xD8\xFF\xE0" + noise(100 * 4096 - 4)); },
+       ErrorCode::kFileUnreadable},
       {"a database of another program",
        [](const std::string& path) {
          Connection other = openDatabase(path, OpenMode::kCreate);
@@ -362,13 +388,19 @@ TEST_F(RecordSafety, DamagedPagesAreAFailedCheck) {
 }
 
 TEST_F(RecordSafety, NoReportTakesThePlaceOfADatabase) {
-  makeRecord("record.sqlite");
-  const std::string before = readFile(file("record.sqlite"));
+  makeRecord("sound.sqlite");
+  overwritten(file("damaged.sqlite"), noise(100));
+  for (const char* name : {"sound.sqlite", "damaged.sqlite"}) {
+    const std::string before = readFile(file(name));
 
-  EXPECT_EQ(refusalFrom([&] { writeFileAtomically(file("record.sqlite"), "a,b\n"); }).code,
-            ErrorCode::kFileUnwritable);
+    EXPECT_EQ(refusalFrom([&] { writeFileAtomically(file(name), "a,b\n"); }).code, ErrorCode::kFileUnwritable)
+        << name;
 
-  EXPECT_EQ(readFile(file("record.sqlite")), before);
+    EXPECT_EQ(readFile(file(name)), before) << name;
+  }
+  writeFileAtomically(file("picture.jpg"), noise(100 * 4096));
+  writeFileAtomically(file("picture.jpg"), "another");
+  EXPECT_EQ(readFile(file("picture.jpg")), "another");
 }
 
 TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {

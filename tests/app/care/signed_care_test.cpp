@@ -272,9 +272,11 @@ TEST_F(SignedCare, APasswordInAnAddressIsRefusedAndNotRepeated) {
        {"db check --database", "audit verify --database", "db backup --as-system b.sqlite --database",
         "db copy --as-system record.sqlite", "db prepare-server --as-system", "metrics t --database",
         "competence show --login office --database", "export workbook --out b.xlsx --database",
-        "dataset export --out d --title T --licence MIT --database", "report trace a --database"}) {
+        "dataset export --out d --title T --licence MIT --database",
+        "dataset import --as torsio --login office --database", "report trace a --database", "--database"}) {
     const ProgramRun refused =
-        runTorsio(std::string(command) + " postgresql://torsio:hidden-word@127.0.0.1:1/none", folder_);
+        runTorsio(std::string(command) + " postgresql://torsio:hidden-word@127.0.0.1:1/none", folder_,
+                  "QT_QPA_PLATFORM=offscreen timeout 60");
     EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kUsage)) << command;
     EXPECT_NE(refused.err.find(".pgpass"), std::string::npos) << refused.err;
     EXPECT_EQ(refused.err.find("hidden-word"), std::string::npos) << refused.err;
