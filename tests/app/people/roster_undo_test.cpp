@@ -3,9 +3,11 @@
 // tables, and there as the role of the stations.
 #include "app/people/roster_undo.h"
 
+#include <array>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -142,7 +144,7 @@ TEST_P(RosterUndo, TakesBackRatersWhoWereImportedAsTrainees) {
   addAccounts(office(), {people(office())[0].person.id}, accounts);
   ASSERT_EQ(accounts.size(), 1U);
 
-  takeBackRoster(office(), imports[0].id, "these are raters");
+  takeBackRosters(office(), std::array{imports[0].id}, "these are raters");
 
   EXPECT_TRUE(people(office()).empty());
   EXPECT_EQ(numberFrom(centre_->connection(), "SELECT count(*) FROM app_user WHERE login = 't-01'"), 0)
@@ -151,7 +153,7 @@ TEST_P(RosterUndo, TakesBackRatersWhoWereImportedAsTrainees) {
   EXPECT_EQ(importedRosters(office())[0].added, 2) << "the list still says what it was";
   EXPECT_EQ(centre_->audited("person.erase"), 2);
   EXPECT_EQ(centre_->audited("roster.import"), 2) << "imported, and taken back";
-  EXPECT_THROW(takeBackRoster(office(), imports[0].id, "again"), Error);
+  EXPECT_THROW(takeBackRosters(office(), std::array{imports[0].id}, "again"), Error);
   commitRoster(office(), "Staff ID,Name,Class\nC-1,Ann Chief,chief physician\nC-2,Bo Chief,chief physician\n",
                RosterKind::kRaters);
   ASSERT_EQ(people(office()).size(), 2U) << "their numbers are free again";
@@ -165,12 +167,33 @@ TEST_P(RosterUndo, PutsPeopleWhomItChangedBackAsTheyWere) {
   commitRoster(office(), "Staff ID,Name,E-mail\nC-1,Ann Chief,ann@example.org\n");
   ASSERT_TRUE(people(office())[0].trainee) << "the chief became a trainee as well";
 
-  takeBackRoster(office(), importThatAdded(0).id, "the wrong file");
+  takeBackRosters(office(), std::array{importThatAdded(0).id}, "the wrong file");
 
   ASSERT_EQ(people(office()).size(), 1U);
   EXPECT_TRUE(people(office())[0].rater);
   EXPECT_FALSE(people(office())[0].trainee);
   EXPECT_EQ(namedPeople(office())[0].identity.email, "") << "the file brought the address";
+  EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
+}
+
+TEST_P(RosterUndo, SeveralAreTakenBackTheNewestFirstOrNoneOfThem) {
+  commitRoster(office(), kChiefsAsTrainees);
+  commitRoster(office(), "Staff ID,Name,E-mail\nC-1,Ann Chief,new@example.org\nC-2,Bo Chief,b@example.org\n");
+  const std::string first = importThatAdded(2).id;
+  const std::string changed = importThatAdded(0).id;
+  const std::string hindrance = importThatAdded(2).hindrance.str();
+  EXPECT_TRUE(hindrance.ends_with(" was changed since")) << hindrance;
+
+  EXPECT_THROW(takeBackRosters(office(), std::array{changed, std::string("no-such")}, "wrong"), Error);
+  std::set<std::string> mails;  // who gets which code is drawn
+  for (const NamedPersonRow& one : namedPeople(office())) {
+    mails.insert(one.identity.email);
+  }
+  EXPECT_TRUE(mails.contains("new@example.org")) << "none was taken back";
+  const ProgramRun taken = run("take-back " + first + " " + changed + " --reason 'both are wrong'");
+
+  EXPECT_EQ(taken.code, 0) << taken.err;
+  EXPECT_TRUE(people(office()).empty());
   EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
 }
 
@@ -182,7 +205,7 @@ TEST_P(RosterUndo, NothingIsTakenBackOnceSomethingHangsOnOnePerson) {
 
   const ImportedRoster now = importedRosters(office())[0];
   EXPECT_EQ(now.hindrance.str(), "T-02 has decided about a consent");
-  EXPECT_THROW(takeBackRoster(office(), imported.id, "the wrong file"), Error);
+  EXPECT_THROW(takeBackRosters(office(), std::array{imported.id}, "the wrong file"), Error);
   EXPECT_EQ(people(office()).size(), 2U);
 
   commitRoster(office(), "Staff ID,Name\nS-9,Di Intern\n");
