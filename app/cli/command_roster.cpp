@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,7 @@ namespace {
 struct RosterArguments {
   DatabaseOption database;
   CareOptions care;
-  std::string id;
+  std::vector<std::string> ids;
   std::string reason;
   bool json = false;
 };
@@ -60,8 +61,10 @@ void listImports(const RosterArguments& arguments) {
 
 void takeBack(const RosterArguments& arguments) {
   CareDesk desk(arguments.care.taker(), arguments.database.locator());
-  takeBackRoster(desk.session(), arguments.id, arguments.reason);
-  std::cout << "Taken back: " << arguments.id << "\n";
+  takeBackRosters(desk.session(), arguments.ids, arguments.reason);
+  for (const std::string& id : arguments.ids) {
+    std::cout << "Taken back: " << id << "\n";
+  }
 }
 
 }  // namespace
@@ -75,10 +78,10 @@ void addRoster(CLI::App& program) {
   addSignIn(*list, arguments->care, "--as")->required();
   list->add_flag("--json", arguments->json, "JSON");
   list->callback([arguments] { listImports(*arguments); });
-  CLI::App* back = roster->add_subcommand("take-back", "Takes an import back whole, or not at all");
+  CLI::App* back = roster->add_subcommand("take-back", "Takes imports back whole: all of them, or nothing");
   addDatabaseOption(*back, arguments->database);
   addSignIn(*back, arguments->care, "--as")->required();
-  back->add_option("import", arguments->id, "Id, as 'torsio roster imports' shows it")->required();
+  back->add_option("imports", arguments->ids, "Ids, as 'torsio roster imports' shows them")->required();
   back->add_option("--reason", arguments->reason, "Why, for the audit trail")->required();
   back->callback([arguments] { takeBack(*arguments); });
 }

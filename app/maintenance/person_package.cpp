@@ -2,6 +2,7 @@
 #include "app/maintenance/person_package.h"
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "db/migrations/compaction.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/csv_cell.h"
@@ -122,15 +124,19 @@ void writeManifest(const fs::path& folder, const PersonId& personId, const Trail
   writeFileAtomically(folder / "manifest.json", manifest.dump(2) + "\n");
 }
 
+void refuseKnownFolder(const fs::path& folder) {
+  if (fs::exists(folder)) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("this folder exists already"), folder.string(),
+                Text::tr("Name a new folder"));
+  }
+}
+
 }  // namespace
 
 PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId, const fs::path& folder,
                                   const std::string& reason) {
   session.require(Operation::kPersonExport);
-  if (fs::exists(folder)) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("this folder exists already"), folder.string(),
-                Text::tr("Name a new folder"));
-  }
+  refuseKnownFolder(folder);
   const std::vector<PersonTable> tables = exportPerson(session.connection(), personId);
   if (tables.empty()) {
     throw Error(ErrorCode::kBadData, Text::tr("there is no such person"), personId,
@@ -171,6 +177,25 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
                 Text::tr("Choose a folder in which you may write"));
   }
   return package;
+}
+
+std::vector<PersonPackage> exportPersonPackages(SessionContext& session, std::span<const PersonId> people,
+                                                const fs::path& folder, const std::string& reason,
+                                                const ProgressCallback& progress) {
+  session.require(Operation::kPersonExport);
+  refuseKnownFolder(folder);
+  std::vector<PersonPackage> packages;
+  for (const PersonId& id : people) {
+    const std::optional<Person> person = PeopleRepository(session.connection()).find(id);
+    const std::string code = person ? person->code : "";
+    tellProgress(progress, Text::tr("Record of %1", code),
+                 static_cast<double>(packages.size()) / static_cast<double>(people.size()));
+    if (packages.empty()) {
+      ensureFolder(folder);
+    }
+    packages.push_back(exportPersonPackage(session, id, folder / ("record-" + code), reason));
+  }
+  return packages;
 }
 
 void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {

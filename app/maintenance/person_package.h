@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/access/session_context.h"
+#include "app/base/progress.h"
 #include "sim/base/ids.h"
 
 namespace torsio {
@@ -24,6 +27,13 @@ struct PersonPackage {
 /// already, kBadData when there is no such person.
 PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId,
                                   const std::filesystem::path& folder, const std::string& reason);
+
+/// The same of several people, each in a folder "record-CODE" of their own in a new folder. kPersonExport,
+/// each audited. Throws as above, and Cancelled; what was complete by then stays.
+std::vector<PersonPackage> exportPersonPackages(SessionContext& session, std::span<const PersonId> people,
+                                                const std::filesystem::path& folder,
+                                                const std::string& reason,
+                                                const ProgressCallback& progress = {});
 
 /// Erases a person: what goes and what stays is said at erasePerson (db/repository/people/person_data.h).
 /// kPersonErase, audited. Throws Error (kBadParameter) without a reason.

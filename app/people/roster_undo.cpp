@@ -124,6 +124,31 @@ void putBack(SessionContext& session, const StoredRosterPerson& imported, const 
   changePerson(session, imported.personId, before, reason);
 }
 
+void takeBack(SessionContext& session, const std::string& importId, const std::string& reason) {
+  RosterImportRepository repository(session.connection());
+  const std::vector<StoredRosterPerson> people = repository.people(importId);
+  if (const Text hindrance = hindranceOf(session, importId, people, entriesNow(session));
+      !hindrance.empty()) {
+    refuse(
+        hindrance, importId,
+        Text::tr("Nothing was taken back. Set who should not be here to \"left\", or erase them one by one"));
+  }
+  repository.takeBack(importId, session.now_us());
+  std::size_t restored = 0;
+  for (const StoredRosterPerson& person : people) {
+    restored += person.beforeJson ? 1 : 0;
+    putBack(session, person, reason);
+  }
+  session.note(
+      {.action = AuditAction::kRosterImport,
+       .objectKind = AuditObject::kPerson,
+       .objectId = importId,
+       .newJson =
+           nlohmann::json{{"taken_back", true}, {"erased", people.size() - restored}, {"restored", restored}}
+               .dump(),
+       .reason = reason});
+}
+
 }  // namespace
 
 std::string rosterJson(const PersonEntry& entry) {
@@ -184,36 +209,29 @@ std::vector<ImportedRoster> importedRosters(SessionContext& session) {
   return all;
 }
 
-void takeBackRoster(SessionContext& session, const std::string& importId, const std::string& reason) {
+void takeBackRosters(SessionContext& session, std::span<const std::string> importIds,
+                     const std::string& reason) {
   session.require(Operation::kPersonEdit);
   session.require(Operation::kPersonViewIdentity);
   session.require(Operation::kPersonErase);
   if (reason.empty()) {
-    refuse(Text::tr("the reason is missing"), importId, Text::tr("Say in a few words why"));
+    refuse(Text::tr("the reason is missing"), Text::tr("import"), Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());
-  RosterImportRepository repository(session.connection());
-  const std::vector<StoredRosterPerson> people = repository.people(importId);
-  if (const Text hindrance = hindranceOf(session, importId, people, entriesNow(session));
-      !hindrance.empty()) {
-    refuse(
-        hindrance, importId,
-        Text::tr("Nothing was taken back. Set who should not be here to \"left\", or erase them one by one"));
+  std::vector<std::string> newestFirst;
+  for (const StoredRosterImport& known : RosterImportRepository(session.connection()).all()) {
+    if (std::find(importIds.begin(), importIds.end(), known.id) != importIds.end()) {
+      newestFirst.push_back(known.id);
+    }
   }
-  repository.takeBack(importId, session.now_us());
-  std::size_t restored = 0;
-  for (const StoredRosterPerson& person : people) {
-    restored += person.beforeJson ? 1 : 0;
-    putBack(session, person, reason);
+  for (const std::string& asked : importIds) {
+    if (std::find(newestFirst.begin(), newestFirst.end(), asked) == newestFirst.end()) {
+      refuse(Text::tr("there is no such import"), asked, Text::tr("Read the list again"));
+    }
   }
-  session.note(
-      {.action = AuditAction::kRosterImport,
-       .objectKind = AuditObject::kPerson,
-       .objectId = importId,
-       .newJson =
-           nlohmann::json{{"taken_back", true}, {"erased", people.size() - restored}, {"restored", restored}}
-               .dump(),
-       .reason = reason});
+  for (const std::string& importId : newestFirst) {
+    takeBack(session, importId, reason);
+  }
   transaction.commit();
 }
 

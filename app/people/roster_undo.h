@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,13 @@ struct ImportedRoster {
 /// Every roster that was imported, newest first. kPersonEdit and kPersonViewIdentity.
 [[nodiscard]] std::vector<ImportedRoster> importedRosters(SessionContext& session);
 
-/// Takes an import back whole, or not at all: whom it added is erased (the code is never given again, the
-/// number is free), whom it changed is as before. Accounts that nobody used go with their people. Audited: an
-/// entry for each person and one for the import, without names. kPersonEdit, kPersonViewIdentity and
-/// kPersonErase; no second person, since nothing is recorded that could be lost. Throws Error{kBadData} that
-/// names the first person on whom something hangs, or who was changed since.
-void takeBackRoster(SessionContext& session, const std::string& importId, const std::string& reason);
+/// Takes imports back, the newest first: all of them whole, or nothing. Whom they added is erased (the code
+/// is never given again, the number is free), whom they changed is as before. Accounts that nobody used go
+/// with their people. Audited: an entry for each person and one for each import, without names. kPersonEdit,
+/// kPersonViewIdentity and kPersonErase; no second person, since nothing is recorded that could be lost.
+/// Throws Error{kBadData} that names the first person on whom something hangs, or who was changed since, and
+/// for an import that is not there or was taken back already.
+void takeBackRosters(SessionContext& session, std::span<const std::string> importIds,
+                     const std::string& reason);
 
 }  // namespace torsio

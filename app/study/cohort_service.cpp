@@ -83,6 +83,7 @@ std::vector<CohortRow> cohorts(SessionContext& session) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
     for (const Enrolment& enrolment : study.enrolments(cohort.id)) {
+      row.traineeCodes.push_back(enrolment.traineeCode);
       if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;

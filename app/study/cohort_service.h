@@ -21,7 +21,8 @@ struct CohortRow {
   std::size_t enrolled = 0;   ///< not withdrawn
   std::size_t allocated = 0;  ///< of these: in a group
   std::size_t withdrawn = 0;
-  std::string curriculumName{};  ///< empty: follows none yet
+  std::vector<std::string> traineeCodes{};  ///< of all who are or were enrolled
+  std::string curriculumName{};             ///< empty: follows none yet
   std::int64_t curriculumNumber = 0;
   bool today = false;  ///< somebody is expected, called or training today, or sheets are due by now
 };

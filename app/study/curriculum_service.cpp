@@ -174,8 +174,8 @@ CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumI
   return version.id;
 }
 
-void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId) {
-  moveTo(session, versionId, CurriculumState::kRunning, "");
+void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId, const std::string& reason) {
+  moveTo(session, versionId, CurriculumState::kRunning, reason);
 }
 
 void closeCurriculum(SessionContext& session, const CurriculumVersionId& versionId,

@@ -62,9 +62,10 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& cu
 /// Throws Error{kBadData} with the first problem.
 CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumId& curriculumId,
                                       const std::string& note, const std::filesystem::path& assets);
-/// From now on cohorts can follow it / no cohort may begin it any more. Audited. kCurriculumEdit. Throws
-/// Error{kBadData} for any other step.
-void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId);
+/// From now on cohorts can follow it / no cohort may begin it any more; what was closed may run again, with a
+/// reason. Audited. kCurriculumEdit. Throws Error{kBadData} for any other step.
+void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId,
+                   const std::string& reason = {});
 void closeCurriculum(SessionContext& session, const CurriculumVersionId& versionId,
                      const std::string& reason);
 

@@ -32,6 +32,12 @@ struct StationState {
   std::int64_t lastEndedUtc_us = 0;         ///< filled when read: 0: none
 };
 
+/// Whether trainees train there: it has said which device it has, or a run in real time was recorded there.
+/// The desks of raters and of the office are none.
+[[nodiscard]] inline bool isTrainingStation(const StationState& station) noexcept {
+  return !station.deviceJson.empty() || station.lastEndedUtc_us > 0;
+}
+
 /// A station that gave no sign of life for so long is shown as not answering.
 inline constexpr std::int64_t kStationSilence_us = 30'000'000;
 

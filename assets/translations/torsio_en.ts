@@ -96,6 +96,13 @@
             <numerusform>%n trainees lack one of these details: %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n trainee(s) moved by hand; the drawn records stay</source>
+        <translation>
+            <numerusform>%n trainee moved by hand; the drawn record stays</numerusform>
+            <numerusform>%n trainees moved by hand; the drawn records stay</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AuditPage</name>
@@ -171,6 +178,23 @@
         <translation>
             <numerusform>%n form written, without a code</numerusform>
             <numerusform>%n forms written, the last one without a code</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CurriculaPage</name>
+    <message numerus="yes">
+        <source>%n version(s): cohorts can begin it again.</source>
+        <translation>
+            <numerusform>%n version: cohorts can begin it again.</numerusform>
+            <numerusform>%n versions: cohorts can begin them again.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n version(s): no further cohort can begin it; those who follow it go on.</source>
+        <translation>
+            <numerusform>%n version: no further cohort can begin it; those who follow it go on.</numerusform>
+            <numerusform>%n versions: no further cohort can begin them; those who follow them go on.</numerusform>
         </translation>
     </message>
 </context>
@@ -509,6 +533,26 @@
         <translation>
             <numerusform>The identities of %1 are erased for good, and %n recording with them. Marks stay without a person, so that statistics remain right.</numerusform>
             <numerusform>The identities of %1 are erased for good, and %n recordings with them. Marks stay without a person, so that statistics remain right.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterImportsDialog</name>
+    <message numerus="yes">
+        <source>%n import(s) taken back</source>
+        <translation>
+            <numerusform>%n import taken back</numerusform>
+            <numerusform>%n imports taken back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterPage</name>
+    <message numerus="yes">
+        <source>%n record(s) erased</source>
+        <translation>
+            <numerusform>%n record erased</numerusform>
+            <numerusform>%n records erased</numerusform>
         </translation>
     </message>
 </context>

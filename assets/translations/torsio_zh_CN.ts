@@ -88,6 +88,10 @@
         <source>and %1 older ones; torsio db copies lists all</source>
         <translation>另有 %1 个更早的副本；用 torsio db copies 可列出全部</translation>
     </message>
+    <message>
+        <source>These copies still hold these people; Torsio deletes none of them:</source>
+        <translation>以下副本仍含有这些人的数据；Torsio 不会删除其中任何一个：</translation>
+    </message>
 </context>
 <context>
     <name>CurriculumState</name>
@@ -166,10 +170,6 @@
         <translation>调整到其他组</translation>
     </message>
     <message>
-        <source>%1 was put into a group by the draw. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
-        <translation>%1 由随机抽取分入某组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
-    </message>
-    <message>
         <source>&amp;Group</source>
         <translation>组别(&amp;G)</translation>
     </message>
@@ -180,6 +180,10 @@
     <message>
         <source>Move</source>
         <translation>调整</translation>
+    </message>
+    <message>
+        <source>The draw put %1 into a group. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
+        <translation>%1 由随机抽取分入组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
     </message>
 </context>
 <context>
@@ -2587,10 +2591,6 @@
     <message>
         <source>Done</source>
         <translation>完成</translation>
-    </message>
-    <message>
-        <source>Draft becomes running, running becomes closed</source>
-        <translation>草稿之后为进行中，进行中之后为已关闭</translation>
     </message>
     <message>
         <source>Draw the group first</source>
@@ -17738,6 +17738,22 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>was changed behind the trail before this change of it</source>
         <translation>在此次更改之前，曾绕过审计记录被更改</translation>
     </message>
+    <message>
+        <source>Record of %1</source>
+        <translation>%1 的记录</translation>
+    </message>
+    <message>
+        <source>import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>there is no such import</source>
+        <translation>没有此次导入</translation>
+    </message>
+    <message>
+        <source>Draft becomes running, running becomes closed, closed may run again</source>
+        <translation>草稿之后为进行中，进行中之后为已关闭，已关闭的可再次进行</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -18056,10 +18072,6 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>将学员调整到与抽取结果不同的组，并注明原因</translation>
     </message>
     <message>
-        <source>Moved by hand; the drawn record stays beside it</source>
-        <translation>已手动调整；抽取记录仍予保留</translation>
-    </message>
-    <message>
         <source>%1 (salt %2)</source>
         <translation>%1（盐值 %2）</translation>
     </message>
@@ -18092,6 +18104,12 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>Expected</source>
         <translation>各组预期人数</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) moved by hand; the drawn records stay</source>
+        <translation>
+            <numerusform>已手动调整 %n 名学员；抽取记录仍予保留</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -18780,6 +18798,10 @@ MSM = 质点弹簧</translation>
         <source>, </source>
         <translation>、</translation>
     </message>
+    <message>
+        <source>Everybody</source>
+        <translation>全部人员</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CasePage</name>
@@ -19103,10 +19125,6 @@ MSM = 质点弹簧</translation>
         <translation>采用课程</translation>
     </message>
     <message>
-        <source>The groups of the cohort go through its arms, number by number.</source>
-        <translation>各组按编号依次对应课程的各分支。</translation>
-    </message>
-    <message>
         <source>Rename the cohort</source>
         <translation>批次改名</translation>
     </message>
@@ -19173,6 +19191,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>This is the present name.</source>
         <translation>与当前名称相同。</translation>
+    </message>
+    <message>
+        <source>The groups of %1 go through its arms, number by number.</source>
+        <translation>%1 的各组按编号依次对应课程的各分支。</translation>
     </message>
 </context>
 <context>
@@ -19328,6 +19350,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Trainees of %1 (planned: differences up to %2 points do not matter)</source>
         <translation>%1 的学员（计划：不超过 %2 分的差异无关紧要）</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>全部人员</translation>
     </message>
 </context>
 <context>
@@ -19904,14 +19930,6 @@ MSM = 质点弹簧</translation>
         <translation>已发布的版本不再改变。请简述本版的新内容：</translation>
     </message>
     <message>
-        <source>Close a version</source>
-        <translation>关闭版本</translation>
-    </message>
-    <message>
-        <source>No further cohort can begin it; those who follow it go on.</source>
-        <translation>不再有新批次可采用；已采用的继续进行。</translation>
-    </message>
-    <message>
         <source>Curricula</source>
         <translation>课程</translation>
     </message>
@@ -19982,6 +20000,30 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Where to draw the &amp;line…</source>
         <translation>及格线划在哪里(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation>再次进行</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n version(s): cohorts can begin it again.</source>
+        <translation>
+            <numerusform>%n 个版本：批次可再次采用。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n version(s): no further cohort can begin it; those who follow it go on.</source>
+        <translation>
+            <numerusform>%n 个版本：不再有新批次可采用；已采用的继续进行。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run a&amp;gain…</source>
+        <translation>再次进行(&amp;G)…</translation>
     </message>
 </context>
 <context>
@@ -23449,10 +23491,6 @@ Leave it empty to remove it.</source>
         <translation>复制该行(&amp;L)</translation>
     </message>
     <message>
-        <source>S&amp;witch this station over</source>
-        <translation>切换此工作站(&amp;W)</translation>
-    </message>
-    <message>
         <source>&amp;Encryption</source>
         <translation>加密(&amp;E)</translation>
     </message>
@@ -23471,6 +23509,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>the account&apos;s own (~/.postgresql/root.crt)</source>
         <translation>账号自带的证书（~/.postgresql/root.crt）</translation>
+    </message>
+    <message>
+        <source>Sw&amp;itch this station over</source>
+        <translation>切换此工作站(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -25967,10 +26009,6 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
-        <source>Backups and packages may still hold them: torsio db copies lists all.</source>
-        <translation>备份和数据包中可能仍有这些人：用 torsio db copies 可列出全部。</translation>
-    </message>
-    <message>
         <source>Erase records</source>
         <translation>删除记录</translation>
     </message>
@@ -26223,8 +26261,14 @@ Leave it empty to remove it.</source>
         <translation>将移除的人员（连同从未使用的账户）：%1。恢复原样的人员：%2。已分配的编号不会再次使用。</translation>
     </message>
     <message>
-        <source>The import is taken back</source>
-        <translation>已撤回导入</translation>
+        <source>Everybody</source>
+        <translation>全部人员</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n import(s) taken back</source>
+        <translation>
+            <numerusform>已撤回 %n 次导入</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -26366,20 +26410,8 @@ Leave it empty to remove it.</source>
         <translation>已将 %1 人写入 %2</translation>
     </message>
     <message>
-        <source>Export this person’s recor&amp;d…</source>
-        <translation>导出此人的记录(&amp;D)…</translation>
-    </message>
-    <message>
-        <source>Everything the record holds about one person, for themselves</source>
-        <translation>记录中有关此人的全部内容，供其本人使用</translation>
-    </message>
-    <message>
         <source>Erase on re&amp;quest…</source>
         <translation>应要求删除(&amp;Q)…</translation>
-    </message>
-    <message>
-        <source>Export this person’s record</source>
-        <translation>导出此人的记录</translation>
     </message>
     <message>
         <source>A new folder takes everything about %1: tables, recordings and a list of all files. It holds the name; hand it to nobody else.</source>
@@ -26394,20 +26426,12 @@ Leave it empty to remove it.</source>
         <translation>文件夹 (*)</translation>
     </message>
     <message>
-        <source>Exporting a record</source>
-        <translation>正在导出记录</translation>
-    </message>
-    <message>
         <source>Erase on request</source>
         <translation>应要求删除</translation>
     </message>
     <message>
         <source>Name, number and recordings of %1 are erased for good. Marks stay without a person, so that statistics remain right. This cannot be taken back.</source>
         <translation>%1 的姓名、编号和录制将被永久删除。评分会保留但不再关联到个人，以保证统计正确。此操作无法撤销。</translation>
-    </message>
-    <message>
-        <source>The record is erased</source>
-        <translation>记录已删除</translation>
     </message>
     <message>
         <source>C&amp;onsents…</source>
@@ -26436,6 +26460,36 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Undo an import…</source>
         <translation>撤回导入(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Export recor&amp;ds of people…</source>
+        <translation>导出个人记录(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Everything the record holds about each of the chosen people, for themselves</source>
+        <translation>记录中有关所选每个人的全部内容，供其本人使用</translation>
+    </message>
+    <message>
+        <source>Export records of people</source>
+        <translation>导出个人记录</translation>
+    </message>
+    <message>
+        <source>A new folder takes a folder for each of %1, with everything about them: tables, recordings and a list of all files. Each holds a name; hand each to its own person and to nobody else.</source>
+        <translation>一个新文件夹，其中为 %1 各建一个文件夹，含有关其本人的全部内容：表格、录制和所有文件的清单。每个都含姓名；请只交给本人，不要交给任何其他人。</translation>
+    </message>
+    <message>
+        <source>New folder for the records of %1</source>
+        <translation>用于 %1 的记录的新文件夹</translation>
+    </message>
+    <message>
+        <source>Exporting records</source>
+        <translation>正在导出记录</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n record(s) erased</source>
+        <translation>
+            <numerusform>已删除 %n 份记录</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,11 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
       order_.push_back(item.id);
     }
   }
+  // Whoever only draws the groups has one page to go to.
+  if (entries_.contains(PageId::kAllocation) && context_.may(Operation::kAllocationRun) &&
+      !context_.may(Operation::kStudySetup)) {
+    home_ = PageId::kAllocation;
+  }
   if (!home_ && !order_.empty()) {
     home_ = order_.front();
   }
@@ -266,7 +271,13 @@ bool Desk::open(PageId id, const QVariant& argument) {
   return currentId_ == id;
 }
 
-void Desk::openHome() {
+void Desk::openHome(const QString& lastPage) {
+  const auto last =
+      std::find_if(order_.begin(), order_.end(), [&lastPage](PageId id) { return pageText(id) == lastPage; });
+  const bool office = homeOf(context_.session().actor()) == Home::kAdministrator;
+  if (office && last != order_.end() && open(*last)) {
+    return;
+  }
   if (!home_ || open(*home_)) {
     return;
   }

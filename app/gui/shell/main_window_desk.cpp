@@ -79,12 +79,15 @@ void MainWindow::openDesk() {
           [this](bool narrow) { preferences_.setLayout(QStringLiteral("rail_narrow"), narrow); });
   show(desk_);
   deskLevel_ = QThread::currentThread()->loopLevel();
-  desk_->openHome();
+  desk_->openHome(preferences_.page(userId()));
 }
 
 void MainWindow::leaveDesk() {
   if (desk_ == nullptr) {
     return;
+  }
+  if (desk_->pageId()) {
+    preferences_.setPage(userId(), pageText(*desk_->pageId()));
   }
   stack_->removeWidget(desk_);
   delete desk_;

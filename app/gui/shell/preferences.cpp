@@ -47,6 +47,14 @@ void Preferences::setThemeKind(const QString& userId, ThemeKind kind) {
   write(keyFor(userId, "theme"), kind == ThemeKind::kDark ? QStringLiteral("dark") : QStringLiteral("light"));
 }
 
+QString Preferences::page(const QString& userId) const {
+  return read(keyFor(userId, "page")).toString();
+}
+
+void Preferences::setPage(const QString& userId, const QString& text) {
+  write(keyFor(userId, "page"), text);
+}
+
 QString Preferences::database() const {
   return read(QStringLiteral("station/database")).toString();
 }

@@ -27,6 +27,10 @@ class Preferences {
   [[nodiscard]] std::optional<ThemeKind> themeKind(const QString& userId) const;
   void setThemeKind(const QString& userId, ThemeKind kind);
 
+  /// Text of the page on which somebody signed out; empty: none is known.
+  [[nodiscard]] QString page(const QString& userId) const;
+  void setPage(const QString& userId, const QString& text);
+
   /// Locator of the database; empty: the default file.
   [[nodiscard]] QString database() const;
   void setDatabase(const QString& locator);

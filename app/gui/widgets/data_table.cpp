@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMetaMethod>
 #include <QSettings>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -417,7 +418,10 @@ bool DataTable::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !currentId().isEmpty()) {
+    // Where a row opens nothing, Enter goes on to the button that a dialog answers with.
+    static const QMetaMethod kActivated = QMetaMethod::fromSignal(&DataTable::activated);
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !currentId().isEmpty() &&
+        isSignalConnected(kActivated)) {
       Q_EMIT activated(currentId());
       return true;
     }

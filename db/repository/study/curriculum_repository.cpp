@@ -285,16 +285,22 @@ void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, Curricul
                                   const std::string& changedBy, std::int64_t changedUtc_us) {
   Transaction transaction(connection_);
   const std::optional<CurriculumState> now = stateOf(versionId);
-  if (!now || static_cast<int>(state) != static_cast<int>(*now) + 1) {
+  const bool next = now && static_cast<int>(state) == static_cast<int>(*now) + 1;
+  const bool again = now == CurriculumState::kClosed && state == CurriculumState::kRunning;
+  if (!next && !again) {
     throw Error(
         ErrorCode::kBadData,
         !now ? Text::tr("there is no such curriculum")
              : Text::tr("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
-        versionId, Text::tr("Draft becomes running, running becomes closed"));
+        versionId, Text::tr("Draft becomes running, running becomes closed, closed may run again"));
   }
+  const std::int64_t last =
+      selectFirst(connection_, "SELECT max(sequence) FROM curriculum_state WHERE version_id = ?", {versionId},
+                  readInt64)
+          .value_or(0);
   connection_.execute(
       insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
-      {versionId, static_cast<int>(state) + 1, storedText(state), changedBy, changedUtc_us});
+      {versionId, last + 1, storedText(state), changedBy, changedUtc_us});
   transaction.commit();
 }
 

@@ -105,13 +105,19 @@ std::vector<ServiceCall> administratorCalls() {
          (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);
        }},
       {O::kPersonEdit, "importedRosters", [](SessionContext& w, Path) { (void)importedRosters(w); }},
-      {O::kPersonEdit, "takeBackRoster",
-       [](SessionContext& w, Path) { takeBackRoster(w, kNoSuch, "imported by mistake"); }},
+      {O::kPersonEdit, "takeBackRosters",
+       [](SessionContext& w, Path) {
+         takeBackRosters(w, std::array{std::string(kNoSuch)}, "imported by mistake");
+       }},
       {O::kPersonExport, "exportPersonPackage",
        [](SessionContext& w, Path folder) {
          (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked");
        }},
       {O::kPersonErase, "copiesHolding", [](SessionContext& w, Path) { (void)copiesHolding(w, kNoSuch); }},
+      {O::kPersonExport, "exportPersonPackages",
+       [](SessionContext& w, Path folder) {
+         (void)exportPersonPackages(w, std::array{PersonId(kNoSuch)}, folder / "packages", "asked");
+       }},
       {O::kPersonErase, "erasePersonRecord",
        [](SessionContext& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
       {O::kConsentRecord, "recordConsent",

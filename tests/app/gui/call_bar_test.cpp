@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDateTime>
 #include <QDialog>
 #include <QDoubleSpinBox>
@@ -190,6 +191,34 @@ TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
   EXPECT_EQ(board().count(QStringLiteral("overdue")), 2) << board().toStdString();
   EXPECT_TRUE(child<QLabel>(*page_, "alerts").text().contains(QStringLiteral("T-01 was expected at")))
       << child<QLabel>(*page_, "alerts").text().toStdString();
+}
+
+TEST_F(CallsFromTheBoard, APlanBeginsAtTheNextQuarterOfAnHourAtTheStationsOfTrainees) {
+  StudyCentre& centre = office_.centre;
+  const QDateTime morning = QDateTime::fromMSecsSinceEpoch(centre.as("administrator").now_us() / 1000);
+  const QDateTime seen(morning.date(), QTime(14, 7));  // whichever the time zone of this machine
+  centre.passTime_us((morning.msecsTo(seen) + (seen < morning ? 24LL * 3600 * 1000 : 0)) * 1000);
+  StationRepository stations(centre.connection());
+  stations.heartbeat({.station = "simulator-1",
+                      .heartbeatUtc_us = centre.session().now_us(),
+                      .deviceJson = R"({"text":"Touch"})"});
+  stations.heartbeat({.station = "desk-of-r-01", .heartbeatUtc_us = centre.session().now_us()});
+  page_->enter(toQString(cohort_));
+  answer([&](QDialog& dialog) {
+    auto& first = child<QTimeEdit>(dialog, "planFirst");
+    auto& day = child<QDateEdit>(dialog, "planDate");
+    EXPECT_EQ(first.time(), QTime(14, 15));
+    EXPECT_EQ(child<QLineEdit>(dialog, "planPlaces").text(), QStringLiteral("simulator-1"));
+    EXPECT_FALSE(child<QLabel>(dialog, "planOutlook").text().startsWith(QLatin1Char('!')));
+    day.setDate(day.date().addDays(1));
+    EXPECT_EQ(first.time(), QTime(9, 0)) << "another day begins in the morning";
+    first.setTime(QTime(10, 30));
+    day.setDate(day.date().addDays(-1));
+    EXPECT_EQ(first.time(), QTime(10, 30)) << "what somebody typed stays";
+    dialog.reject();
+  });
+
+  press(*page_, QStringLiteral("Plan the day"));
 }
 
 TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReason) {

@@ -95,7 +95,7 @@ TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
   const std::filesystem::path folder = office.centre.folder() / "record-T-01";
 
   ASSERT_TRUE(named(*page, "exportPerson").isEnabled());
-  page->exportPerson(folder, "asked for it");
+  page->exportRecords(folder, "asked for it");
   office.shell().waitForJobs();
 
   EXPECT_TRUE(std::filesystem::exists(folder / "manifest.json"));

@@ -10,6 +10,7 @@
 #include <QClipboard>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QTest>
 #include <QTimer>
@@ -90,6 +91,22 @@ TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
 
   EXPECT_EQ(desk.page(), first);
   EXPECT_EQ(page().entered, 2);
+}
+
+TEST_F(Shell, TheOfficeComesBackToThePageThatItSignedOutOn) {
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  ShellSetup with = setup();
+  with.remember = true;
+  openFoundedCentre(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers) << "the first page of one's own work";
+  window_->desk()->open(PageId::kAudit);
+
+  ASSERT_TRUE(window_->signOut());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kAudit);
 }
 
 TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {

@@ -3,27 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include "app/people/consent_service.h"
 #include "app/people/people_service.h"
-#include "app/people/roster_undo.h"
 #include "assessment/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
+#include "tests/app/people/commit_roster.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
 namespace {
 
+using testing::commitRoster;
 using testing::StudyCentre;
-
-RosterOutcome commitRoster(SessionContext& session, const std::string& text,
-                           RosterKind kind = RosterKind::kTrainees, RosterMode mode = RosterMode::kCommit) {
-  const RosterFile file = parseRoster(text, "roster.csv");
-  const RosterColumns columns = suggestColumns(file, kind);
-  const RosterPreview preview = previewRoster(session, file, kind, columns);
-  return importRoster(session, file, kind, columns, preview.fingerprint, mode);
-}
 
 RosterPreview look(SessionContext& session, const std::string& text,
                    RosterKind kind = RosterKind::kTrainees) {
@@ -309,82 +301,6 @@ TEST(RosterImport, ThousandLinesTakeNoTimeWorthMentioning) {
 
   EXPECT_EQ(outcome.added, 1000U);
   EXPECT_EQ(outcome.newCodes.back(), "T-1000");
-}
-
-/// The one import that added so many; imports of one moment stand in no order.
-ImportedRoster importThatAdded(SessionContext& session, std::int64_t people) {
-  for (const ImportedRoster& one : importedRosters(session)) {
-    if (one.added == people) {
-      return one;
-    }
-  }
-  ADD_FAILURE() << "no import added " << people;
-  return {};
-}
-
-constexpr const char* kChiefsAsTrainees =
-    "Staff ID,Name,E-mail\nC-1,Ann Chief,ann@example.org\nC-2,Bo Chief,bo@example.org\n";
-
-TEST(RosterUndo, TakesBackRatersWhoWereImportedAsTrainees) {
-  StudyCentre centre;
-  SessionContext& session = centre.as("administrator");
-  commitRoster(session, kChiefsAsTrainees);
-  const std::vector<ImportedRoster> imports = importedRosters(session);
-  ASSERT_EQ(imports.size(), 1U);
-  EXPECT_EQ(imports[0].added, 2);
-  EXPECT_EQ(imports[0].codes, (std::vector<std::string>{"T-01", "T-02"}));
-  EXPECT_TRUE(imports[0].hindrance.empty()) << imports[0].hindrance.str();
-
-  takeBackRoster(session, imports[0].id, "these are raters");
-
-  EXPECT_TRUE(people(session).empty());
-  EXPECT_TRUE(importedRosters(session)[0].takenBack);
-  EXPECT_EQ(importedRosters(session)[0].added, 2) << "the list still says what it was";
-  EXPECT_EQ(centre.audited("person.erase"), 2);
-  EXPECT_EQ(centre.audited("roster.import"), 2) << "imported, and taken back";
-  EXPECT_THROW(takeBackRoster(session, imports[0].id, "again"), Error);
-  commitRoster(session, "Staff ID,Name,Class\nC-1,Ann Chief,chief physician\nC-2,Bo Chief,chief physician\n",
-               RosterKind::kRaters);
-  ASSERT_EQ(people(session).size(), 2U) << "their numbers are free again";
-  EXPECT_TRUE(people(session)[0].rater);
-  EXPECT_FALSE(people(session)[0].trainee);
-}
-
-TEST(RosterUndo, PutsPeopleWhomItChangedBackAsTheyWere) {
-  StudyCentre centre;
-  SessionContext& session = centre.as("administrator");
-  commitRoster(session, "Staff ID,Name,Class\nC-1,Ann Chief,chief physician\n", RosterKind::kRaters);
-  commitRoster(session, "Staff ID,Name,E-mail\nC-1,Ann Chief,ann@example.org\n");
-  ASSERT_TRUE(people(session)[0].trainee) << "the chief became a trainee as well";
-
-  takeBackRoster(session, importThatAdded(session, 0).id, "the wrong file");
-
-  ASSERT_EQ(people(session).size(), 1U);
-  EXPECT_TRUE(people(session)[0].rater);
-  EXPECT_FALSE(people(session)[0].trainee);
-  EXPECT_EQ(namedPeople(session)[0].identity.email, "") << "the file brought the address";
-  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
-}
-
-TEST(RosterUndo, NothingIsTakenBackOnceSomethingHangsOnOnePerson) {
-  StudyCentre centre;
-  SessionContext& session = centre.as("administrator");
-  commitRoster(session, kChiefsAsTrainees);
-  const ImportedRoster imported = importedRosters(session)[0];
-  const PersonId last = people(session)[1].person.id;
-  recordConsent(session, last, "training_record", true, shippedConsent(centre.assets()).id);
-
-  const ImportedRoster now = importedRosters(session)[0];
-  EXPECT_EQ(now.hindrance.str(), "T-02 has decided about a consent");
-  EXPECT_THROW(takeBackRoster(session, imported.id, "the wrong file"), Error);
-  EXPECT_EQ(people(session).size(), 2U);
-
-  commitRoster(session, "Staff ID,Name\nS-9,Di Intern\n");
-  const PersonId corrected = people(session)[2].person.id;
-  PersonEntry entry = personEntry(session, corrected);
-  entry.level = "doctoral student";
-  changePerson(session, corrected, entry, "asked");
-  EXPECT_EQ(importThatAdded(session, 1).hindrance.str(), "T-03 was changed since");
 }
 
 }  // namespace

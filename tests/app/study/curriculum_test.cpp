@@ -151,9 +151,12 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
   closeCurriculum(session, version, "replaced");
 
   EXPECT_EQ(curricula(session).at(0).versions.at(0).state, CurriculumState::kClosed);
+  runCurriculum(session, version, "needed after all");
+  EXPECT_EQ(curricula(session).at(0).versions.at(0).state, CurriculumState::kRunning);
+  closeCurriculum(session, version, "no more");
   EXPECT_EQ(centre.audited("curriculum.publish"), 1);
-  EXPECT_EQ(centre.audited("curriculum.running"), 1);
-  EXPECT_EQ(centre.audited("curriculum.closed"), 1);
+  EXPECT_EQ(centre.audited("curriculum.running"), 2);
+  EXPECT_EQ(centre.audited("curriculum.closed"), 2);
 }
 
 TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {

@@ -39,6 +39,7 @@ QVBoxLayout* scrolledColumn(QWidget* page) {
 
 QPushButton* listButton(DataTable* table) {
   auto* button = new QPushButton(table);
+  button->setAutoDefault(false);  // Enter means the dialog's own answer, never what is done to a row
   table->addTool(button);
   return button;
 }
@@ -95,6 +96,14 @@ void chooseId(QComboBox* chooser, const std::string& id) {
 
 QString orDash(const std::string& text) {
   return text.empty() ? QStringLiteral("\u2013") : toQString(text);
+}
+
+QStringList listOf(const std::vector<std::string>& texts) {
+  QStringList all;
+  for (const std::string& text : texts) {
+    all << toQString(text);
+  }
+  return all;
 }
 
 QString firstFew(const QStringList& names) {

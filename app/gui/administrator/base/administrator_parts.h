@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <QLocale>
 #include <QString>
@@ -45,6 +46,7 @@ void chooseId(QComboBox* chooser, const std::string& id);
 
 /// The text, or a dash when there is none.
 [[nodiscard]] QString orDash(const std::string& text);
+[[nodiscard]] QStringList listOf(const std::vector<std::string>& texts);
 /// The first three of some names and how many more there are: "T-01, T-02, T-03 and 5 more".
 [[nodiscard]] QString firstFew(const QStringList& names);
 /// Date and time in the user's language; a dash for 0.

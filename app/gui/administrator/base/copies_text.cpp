@@ -2,6 +2,9 @@
 #include "app/gui/administrator/base/copies_text.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <QCoreApplication>
@@ -21,13 +24,23 @@ struct CopiesText {
 
 }  // namespace
 
-QString copiesText(SessionContext& session, const PersonId& personId, const QLocale& locale) {
-  const std::vector<ListedCopy> copies = copiesHolding(session, personId);
+QString copiesText(SessionContext& session, std::span<const PersonId> people, const QLocale& locale) {
+  std::vector<ListedCopy> copies;
+  std::set<std::string> known;
+  for (const PersonId& person : people) {
+    for (ListedCopy& listed : copiesHolding(session, person)) {
+      if (known.insert(listed.copy.id).second) {
+        copies.push_back(std::move(listed));
+      }
+    }
+  }
   if (copies.empty()) {
     return {};
   }
   QString text = QStringLiteral("\n\n") +
-                 CopiesText::tr("These copies still hold this person; Torsio deletes none of them:");
+                 (people.size() == 1
+                      ? CopiesText::tr("These copies still hold this person; Torsio deletes none of them:")
+                      : CopiesText::tr("These copies still hold these people; Torsio deletes none of them:"));
   for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
     const ListedCopy& listed = copies[i];
     text += QLatin1Char('\n') + CopiesText::tr("%1 at %2: %3, to be deleted by %4")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include <QLocale>
 #include <QString>
 
@@ -12,8 +14,9 @@ class SessionContext;
 
 namespace torsio::gui {
 
-/// The places that still hold a person whom somebody is about to erase, each with the day by which it should
+/// The places that still hold people whom somebody is about to erase, each with the day by which it should
 /// be gone, as a paragraph to be put below the question; empty: none is known. Needs the right to erase.
-[[nodiscard]] QString copiesText(SessionContext& session, const PersonId& personId, const QLocale& locale);
+[[nodiscard]] QString copiesText(SessionContext& session, std::span<const PersonId> people,
+                                 const QLocale& locale);
 
 }  // namespace torsio::gui

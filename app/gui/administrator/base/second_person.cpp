@@ -108,6 +108,22 @@ bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<Du
   return true;
 }
 
+std::size_t actOrAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes,
+                           const std::function<void(const DutyWish&)>& act) {
+  std::vector<DutyWish> waiting;
+  for (const DutyWish& wish : wishes) {
+    try {
+      act(wish);
+    } catch (const SecondPersonNeeded&) {
+      waiting.push_back(wish);
+    }
+  }
+  if (!waiting.empty()) {
+    static_cast<void>(offerToAskForAll(parent, shell, waiting));
+  }
+  return wishes.size() - waiting.size();
+}
+
 bool actOrAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const std::function<void()>& act,
               const QString& login) {
   try {

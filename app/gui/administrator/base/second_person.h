@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -24,6 +25,10 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
 /// what `act` throws else.
 bool actOrAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const std::function<void()>& act,
               const QString& login = {});
+/// The same of several things, of which none makes a start password: `act` does one of them; for those that
+/// need a second person it is offered once to ask. Returns how many were done.
+std::size_t actOrAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes,
+                           const std::function<void(const DutyWish&)>& act);
 /// Offers once to ask a second person for several things, of which none makes a start password; true when
 /// asked. Throws Error.
 bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes);

@@ -2,22 +2,17 @@
 #include "app/gui/administrator/curriculum/curricula_page.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include <QComboBox>
-#include <QFormLayout>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
@@ -253,6 +248,20 @@ const CurriculumVersionRow* CurriculaPage::versionAtHand() const {
   return row == nullptr || row->versions.empty() ? nullptr : &row->versions.back();
 }
 
+std::vector<const CurriculumVersionRow*> CurriculaPage::versionsAtHand(CurriculumState state) const {
+  std::vector<const CurriculumVersionRow*> versions;
+  const auto chosen = chosenRows(*table_, rows_, [](const CurriculumRow& row) { return row.curriculum.id; });
+  for (const CurriculumRow* row : chosen) {
+    const CurriculumVersionRow* version = chosen.size() == 1      ? versionAtHand()
+                                          : row->versions.empty() ? nullptr
+                                                                  : &row->versions.back();
+    if (version != nullptr && version->state == state) {
+      versions.push_back(version);
+    }
+  }
+  return versions;
+}
+
 void CurriculaPage::showButtons() {
   const CurriculumRow* row = current();
   const bool may = row != nullptr && shell().may(Operation::kCurriculumEdit);
@@ -265,8 +274,12 @@ void CurriculaPage::showButtons() {
   save_->setEnabled(may && dirty_);
   publish_->setEnabled(may && editor_->problems().empty());
   take_->setEnabled(may);
-  begin_->setEnabled(may && version != nullptr && version->state == CurriculumState::kDraft);
-  close_->setEnabled(may && version != nullptr && version->state == CurriculumState::kRunning);
+  begin_->setEnabled(may && !versionsAtHand(CurriculumState::kDraft).empty());
+  // Closes what runs; where nothing of it runs, the same button takes it back.
+  const bool running = !versionsAtHand(CurriculumState::kRunning).empty();
+  const bool again = !running && !versionsAtHand(CurriculumState::kClosed).empty();
+  close_->setEnabled(may && (running || again));
+  close_->setText(again ? tr("Run a&gain\u2026") : tr("&Close\u2026"));
   competence_->setEnabled(version != nullptr);
   sayState();
 }
@@ -290,158 +303,6 @@ void CurriculaPage::sayState() {
                                      : versionText(*row, *version, locale()));
 }
 
-bool CurriculaPage::add(const std::string& name, const std::string& templateId) {
-  return attempt(shell(), [&] {
-    std::optional<CurriculumVersion> content;
-    std::string description;
-    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
-      if (known.id == templateId) {
-        content = known.content;
-        description = known.description;
-      }
-    }
-    const CurriculumId id = addCurriculum(shell().session(), name, description, content);
-    read();
-    table_->select(toQString(id));
-  });
-}
-
-bool CurriculaPage::save() {
-  if (shownId_.empty() || shownVersion() != nullptr) {
-    return true;
-  }
-  return attempt(shell(), [&] {
-    draft_.content = editor_->content();
-    draft_.revision = saveCurriculumDraft(shell().session(), shownId_, draft_);
-    dirty_ = false;
-    read();
-    shell().notify(tr("The draft is saved."));
-  });
-}
-
-bool CurriculaPage::publish(const std::string& note) {
-  if (dirty_ && !save()) {
-    return false;
-  }
-  return attempt(shell(), [&] {
-    const CurriculumId id = shownId_;
-    // A curriculum that was never saved as a draft is published from what stands in the editor.
-    if (draft_.revision == 0) {
-      draft_.content = editor_->content();
-      draft_.revision = saveCurriculumDraft(shell().session(), id, draft_);
-    }
-    publishCurriculum(shell().session(), id, note, shell().assets());
-    read();
-    table_->select(toQString(id));
-    shell().notify(tr("Published. Begin it, so that cohorts can follow it."));
-  });
-}
-
-bool CurriculaPage::begin() {
-  const CurriculumVersionRow* version = versionAtHand();
-  if (version == nullptr) {
-    return false;
-  }
-  return attempt(shell(), [&] {
-    const CurriculumId id = shownId_;
-    runCurriculum(shell().session(), version->id);
-    read();
-    table_->select(toQString(id));
-    shell().notify(tr("It runs: cohorts can follow it now."));
-  });
-}
-
-bool CurriculaPage::takeAsDraft() {
-  const CurriculumVersionRow* version = shownVersion();
-  if (version == nullptr) {
-    return false;
-  }
-  const CurriculumVersion content = editor_->content();
-  if (curriculumJson(content) != curriculumJson(draft_.content) &&
-      QMessageBox::question(this, tr("Edit as draft"),
-                            tr("The draft differs from version %1. Put this version in its place? Published "
-                               "versions stay as they are.")
-                                .arg(version->number)) != QMessageBox::Yes) {
-    return false;
-  }
-  return attempt(shell(), [&] {
-    draft_.content = content;
-    draft_.revision = saveCurriculumDraft(shell().session(), shownId_, draft_);
-    dirty_ = false;
-    versions_->setCurrentIndex(0);
-    read();
-    showVersion({});
-  });
-}
-
-void CurriculaPage::askNew() {
-  attempt(shell(), [&] {
-    QuestionDialog dialog(this, tr("New curriculum"));
-    auto* name = new QLineEdit(&dialog);
-    auto* from = new QComboBox(&dialog);
-    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
-      from->addItem(toQString(Text(known.title)), toQString(known.id));
-    }
-    from->addItem(tr("nothing in it yet"), QString());
-    chooseId(from, "paper-three-arms");
-    auto* form = new QFormLayout;
-    form->addRow(tr("&Name"), name);
-    form->addRow(tr("&Begin with"), from);
-    dialog.column()->addLayout(form);
-    QPushButton* create = dialog.finish(tr("Create"));
-    create->setEnabled(false);
-    connect(name, &QLineEdit::textChanged, create,
-            [create](const QString& text) { create->setEnabled(!text.trimmed().isEmpty()); });
-    if (dialog.exec() == QDialog::Accepted) {
-      add(name->text().trimmed().toStdString(), chosenId(from));
-    }
-  });
-}
-
-void CurriculaPage::askOccasion() {
-  bool given = false;
-  const QString label =
-      QInputDialog::getText(this, tr("Add an occasion"),
-                            tr("It comes after all others, for every curriculum from now on, and is never "
-                               "taken away. What is it called?"),
-                            QLineEdit::Normal, QString(), &given);
-  if (!given) {
-    return;
-  }
-  attempt(shell(), [&] {
-    const Occasion added = addOccasion(shell().session(), label.trimmed().toStdString());
-    editor_->setOccasions(knownOccasions(shell().session()));
-    shell().notify(tr("Occasion added: %1").arg(occasionName(added)));
-  });
-}
-
-void CurriculaPage::askPublish() {
-  bool given = false;
-  const QString note =
-      QInputDialog::getText(this, tr("Publish a version"),
-                            tr("A published version never changes. What is new in it, in a few words:"),
-                            QLineEdit::Normal, QString(), &given);
-  if (given) {
-    publish(note.trimmed().toStdString());
-  }
-}
-
-void CurriculaPage::askClose() {
-  const CurriculumVersionRow* version = versionAtHand();
-  if (version == nullptr) {
-    return;
-  }
-  const std::optional<std::string> reason = askReason(
-      this, tr("Close a version"), tr("No further cohort can begin it; those who follow it go on."));
-  if (!reason) {
-    return;
-  }
-  attempt(shell(), [&] {
-    closeCurriculum(shell().session(), version->id, *reason);
-    read();
-  });
-}
-
 void CurriculaPage::retranslate() {
   heading_->setTexts(tr("Curricula"), tr("What the groups go through: exercises, phases, rest and occasions. "
                                          "Published versions never change."));
@@ -451,7 +312,6 @@ void CurriculaPage::retranslate() {
   save_->setText(tr("&Save draft"));
   publish_->setText(tr("&Publish\u2026"));
   begin_->setText(tr("&Begin"));
-  close_->setText(tr("&Close\u2026"));
   competence_->setText(tr("Co&mpetence\u2026"));
   standard_->setText(tr("Where to draw the &line\u2026"));
   table_->setColumns({{tr("Name")}, {tr("Newest version")}});

@@ -33,7 +33,8 @@ class CurriculaPage : public Page {
   bool add(const std::string& name, const std::string& templateId);
   bool save();
   bool publish(const std::string& note);
-  /// Begins the version that is shown (with the draft shown: the newest), so that cohorts can follow it.
+  /// Begins the version that is shown (with the draft shown: the newest; of several curricula the newest of
+  /// each), so that cohorts can follow it.
   bool begin();
   /// What is shown of the chosen curriculum: a published version, or with an empty id the draft.
   void showVersion(const CurriculumVersionId& versionId);
@@ -58,6 +59,9 @@ class CurriculaPage : public Page {
   [[nodiscard]] const CurriculumVersionRow* shownVersion() const;
   /// The one that Begin and Close are about: the shown one, or the newest.
   [[nodiscard]] const CurriculumVersionRow* versionAtHand() const;
+  /// Those that Begin and Close are about when several curricula are chosen: the newest version of each that
+  /// is in this state.
+  [[nodiscard]] std::vector<const CurriculumVersionRow*> versionsAtHand(CurriculumState state) const;
 
   std::vector<CurriculumRow> rows_;
   CurriculumDraft draft_;

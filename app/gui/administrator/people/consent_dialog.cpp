@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/access/first_run.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/printed_consent.h"
@@ -187,11 +188,11 @@ void ConsentDialog::read() {
 void ConsentDialog::record(bool granted) {
   attempt(shell_, [&] {
     const bool today = signed_->date() == QDate::currentDate();
-    for (const auto& [id, code] : people_) {
-      recordConsent(shell_.session(), id, purpose_->currentData().toString().toStdString(), granted,
+    allOrNone(shell_.session(), people_, [&](const auto& person) {
+      recordConsent(shell_.session(), person.first, purpose_->currentData().toString().toStdString(), granted,
                     version_->currentText().toStdString(),
                     today ? 0 : signed_->date().startOfDay().toMSecsSinceEpoch() * 1000);
-    }
+    });
   });
   read();
 }

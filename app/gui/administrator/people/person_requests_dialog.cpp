@@ -9,7 +9,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -92,23 +94,15 @@ void PersonRequestsDialog::showButtons() {
 }
 
 std::vector<const PersonRequest*> PersonRequestsDialog::waiting() const {
-  const QStringList ids = table_->selectedIds();
-  std::vector<const PersonRequest*> chosen;
-  for (const PersonRequest& one : requests_) {
-    if (!one.answer && ids.contains(toQString(one.id))) {
-      chosen.push_back(&one);
-    }
-  }
+  std::vector<const PersonRequest*> chosen =
+      chosenRows(*table_, requests_, [](const PersonRequest& one) { return one.id; });
+  std::erase_if(chosen, [](const PersonRequest* one) { return one->answer.has_value(); });
   return chosen;
 }
 
 void PersonRequestsDialog::answer(bool done) {
   const std::vector<const PersonRequest*> chosen = waiting();
-  QStringList codes;
-  for (const PersonRequest* one : chosen) {
-    codes << toQString(one->personCode);
-  }
-  const QString code = firstFew(codes);
+  const QString code = firstFew(namesOf(chosen, [](const PersonRequest& one) { return one.personCode; }));
   const std::optional<std::string> reason =
       done ? askReason(this, tr("Done"), tr("%1: say what was done, and when it was handed over.").arg(code))
            : askReason(this, tr("Decline"), tr("%1 reads this reason on their page.").arg(code));
@@ -116,9 +110,9 @@ void PersonRequestsDialog::answer(bool done) {
     return;
   }
   attempt(shell_, [&] {
-    for (const PersonRequest* one : chosen) {
+    allOrNone(shell_.session(), chosen, [&](const PersonRequest* one) {
       answerPersonRequest(shell_.session(), one->id, done, *reason);
-    }
+    });
   });
   read();
 }

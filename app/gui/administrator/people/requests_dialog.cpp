@@ -2,6 +2,7 @@
 #include "app/gui/administrator/people/requests_dialog.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/access/first_run.h"
 #include "app/access/invitations.h"
 #include "app/base/progress.h"
@@ -206,7 +208,9 @@ void RequestsDialog::goTo(PageId page, const QString& sentence) {
 
 void RequestsDialog::erase(const OpenRequest& request) {
   QString copies;
-  attempt(shell_, [&] { copies = copiesText(shell_.session(), request.request.subject, locale()); });
+  attempt(shell_, [&] {
+    copies = copiesText(shell_.session(), std::array{PersonId(request.request.subject)}, locale());
+  });
   QuestionDialog dialog(this, tr("Erase a person"),
                         tr("%1 asks to erase %2: \u201C%3\u201D. The identity is gone for good; marks stay "
                            "under the code.")
@@ -309,9 +313,8 @@ void RequestsDialog::decline() {
     return;
   }
   attempt(shell_, [&] {
-    for (const QString& id : table_->selectedIds()) {
-      declineRequest(shell_.session(), id.toStdString(), *why);
-    }
+    allOrNone(shell_.session(), table_->selectedIds(),
+              [&](const QString& id) { declineRequest(shell_.session(), id.toStdString(), *why); });
   });
   read();
 }

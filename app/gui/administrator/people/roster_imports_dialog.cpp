@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -18,6 +19,12 @@
 #include "app/gui/widgets/form.h"
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr int kImportedPeople = 7;  // column
+
+}  // namespace
 
 RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
@@ -45,7 +52,9 @@ RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
                       {tr("Added"), true},
                       {tr("Changed"), true},
                       {tr("People")},
-                      {tr("State")}});
+                      {tr("State")},
+                      {tr("Everybody")}});
+  table_->hideAtFirst(kImportedPeople);  // whoever looks for one code finds the import
   table_->setEmptyText(tr("No roster was imported yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &RosterImportsDialog::reject);
   connect(takeBack_, &QPushButton::clicked, this, &RosterImportsDialog::takeBack);
@@ -67,10 +76,7 @@ void RosterImportsDialog::read() {
   attempt(shell_, [&] { imports_ = importedRosters(shell_.session()); });
   std::vector<Row> rows;
   for (const ImportedRoster& one : imports_) {
-    QStringList codes;
-    for (const std::string& code : one.codes) {
-      codes << toQString(code);
-    }
+    const QStringList codes = listOf(one.codes);
     const QString state = stateText(one);
     rows.push_back({toQString(one.id),
                     {timeCell(one.importedUtc_us),
@@ -79,41 +85,51 @@ void RosterImportsDialog::read() {
                      {QString::number(one.added), static_cast<qlonglong>(one.added)},
                      {QString::number(one.changed), static_cast<qlonglong>(one.changed)},
                      {codes.isEmpty() ? QStringLiteral("\u2013") : firstFew(codes)},
-                     {state, {}, state}}});
+                     {state, {}, state},
+                     {codes.join(QStringLiteral(", "))}}});
   }
   table_->setRows(std::move(rows));
   showButtons();
 }
 
-const ImportedRoster* RosterImportsDialog::current() const {
-  const std::string id = table_->currentId().toStdString();
-  const auto found = std::find_if(imports_.begin(), imports_.end(),
-                                  [&id](const ImportedRoster& one) { return one.id == id; });
-  return found == imports_.end() ? nullptr : &*found;
+std::vector<const ImportedRoster*> RosterImportsDialog::chosen() const {
+  std::vector<const ImportedRoster*> rows =
+      chosenRows(*table_, imports_, [](const ImportedRoster& one) { return one.id; });
+  std::erase_if(rows, [](const ImportedRoster* one) { return one->takenBack; });
+  return rows;
 }
 
 void RosterImportsDialog::showButtons() {
-  const ImportedRoster* one = current();
-  takeBack_->setEnabled(one != nullptr && !one->takenBack && one->hindrance.empty());
+  const std::vector<const ImportedRoster*> rows = chosen();
+  // One import may hold another one back, and both are chosen: what takes them back sees to the order.
+  takeBack_->setEnabled(std::any_of(rows.begin(), rows.end(),
+                                    [](const ImportedRoster* one) { return one->hindrance.empty(); }));
 }
 
 void RosterImportsDialog::takeBack() {
-  const ImportedRoster* one = current();
-  if (one == nullptr) {
+  std::vector<std::string> ids;
+  std::int64_t added = 0;
+  std::int64_t changed = 0;
+  for (const ImportedRoster* one : chosen()) {
+    ids.push_back(one->id);
+    added += one->added;
+    changed += one->changed;
+  }
+  if (ids.empty()) {
     return;
   }
   const std::optional<std::string> reason = askReason(
       this, tr("Take back"),
       tr("People who go, with accounts that nobody used: %1. People who are as before: %2. Codes that were "
          "given are not given again.")
-          .arg(one->added)
-          .arg(one->changed));
+          .arg(added)
+          .arg(changed));
   if (!reason) {
     return;
   }
   attempt(shell_, [&] {
-    takeBackRoster(shell_.session(), one->id, *reason);
-    shell_.notify(tr("The import is taken back"));
+    takeBackRosters(shell_.session(), ids, *reason);
+    shell_.notify(tr("%n import(s) taken back", nullptr, static_cast<int>(ids.size())));
   });
   read();
 }

@@ -26,7 +26,8 @@ class RosterImportsDialog : public QDialog {
   void showButtons();
   void takeBack();
   [[nodiscard]] QString stateText(const ImportedRoster& one) const;
-  [[nodiscard]] const ImportedRoster* current() const;
+  /// Of the chosen ones those that are not taken back yet.
+  [[nodiscard]] std::vector<const ImportedRoster*> chosen() const;
 
   ShellContext& shell_;
   std::vector<ImportedRoster> imports_;

@@ -10,7 +10,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
@@ -87,20 +89,17 @@ RosterPage::RosterPage(ShellContext& shell)
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
   connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
   connect(consents_, &QPushButton::clicked, this, [this] {
-    ConsentDialog::People chosen;
-    const QStringList ids = table_->selectedIds();
-    for (const NamedPersonRow& one : people_) {
-      if (ids.contains(toQString(one.row.person.id))) {
-        chosen.emplace_back(one.row.person.id, toQString(one.row.person.code));
-      }
+    ConsentDialog::People people;
+    for (const NamedPersonRow* one : chosen()) {
+      people.emplace_back(one->row.person.id, toQString(one->row.person.code));
     }
-    if (!chosen.empty()) {
-      ConsentDialog(this->shell(), chosen, this).exec();
+    if (!people.empty()) {
+      ConsentDialog(this->shell(), people, this).exec();
       read();
     }
   });
-  connect(package_, &QPushButton::clicked, this, &RosterPage::askExportPerson);
-  connect(erase_, &QPushButton::clicked, this, &RosterPage::askErasePerson);
+  connect(package_, &QPushButton::clicked, this, &RosterPage::askExportRecords);
+  connect(erase_, &QPushButton::clicked, this, &RosterPage::askEraseRecords);
   connect(names_, &QCheckBox::toggled, this, &RosterPage::read);
   connect(table_, &DataTable::currentChanged, this, &RosterPage::showButtons);
   connect(table_, &DataTable::activated, this, &RosterPage::edit);
@@ -131,8 +130,8 @@ void RosterPage::retranslate() {
   edit_->setText(tr("&Change\u2026"));
   export_->setText(tr("&Export\u2026"));
   consents_->setText(tr("C&onsents\u2026"));
-  package_->setText(tr("Export this person\u2019s recor&d\u2026"));
-  package_->setToolTip(tr("Everything the record holds about one person, for themselves"));
+  package_->setText(tr("Export recor&ds of people\u2026"));
+  package_->setToolTip(tr("Everything the record holds about each of the chosen people, for themselves"));
   erase_->setText(tr("Erase on re&quest\u2026"));
   table_->setColumns({{tr("Code")},
                       {tr("Name")},
@@ -207,23 +206,24 @@ void RosterPage::showContent() {
   showButtons();
 }
 
-const NamedPersonRow* RosterPage::current() const {
-  const PersonId id = table_->currentId().toStdString();
-  const auto person = std::find_if(people_.begin(), people_.end(),
-                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
-  return person == people_.end() ? nullptr : &*person;
+std::vector<const NamedPersonRow*> RosterPage::chosen() const {
+  return chosenRows(*table_, people_, [](const NamedPersonRow& one) { return one.row.person.id; });
+}
+
+QString RosterPage::codesOf(const std::vector<const NamedPersonRow*>& people) {
+  return firstFew(namesOf(people, [](const NamedPersonRow& one) { return one.row.person.code; }));
 }
 
 void RosterPage::showButtons() {
   const PersonId id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
-  edit_->setEnabled(person != people_.end());
-  state_->setEnabled(person != people_.end());
-  consents_->setEnabled(person != people_.end());
-  package_->setEnabled(person != people_.end());
-  erase_->setEnabled(person != people_.end());
-  const bool left = person != people_.end() && person->row.person.state != PersonState::kActive;
+  const bool any = person != people_.end();
+  edit_->setEnabled(any && table_->selectedIds().size() == 1);
+  for (QPushButton* button : {state_, consents_, package_, erase_}) {
+    button->setEnabled(any);
+  }
+  const bool left = any && person->row.person.state != PersonState::kActive;
   state_->setText(left ? tr("Came &back\u2026") : tr("Has &left\u2026"));
 }
 
@@ -275,18 +275,11 @@ void RosterPage::switchState() {
   }
   // All that are chosen and stand as the current one does.
   const PersonState state = person->row.person.state;
-  const QStringList chosen = table_->selectedIds();
-  std::vector<PersonId> ids;
-  QStringList codes;
-  for (const NamedPersonRow& one : people_) {
-    if (one.row.person.state == state && chosen.contains(toQString(one.row.person.id))) {
-      ids.push_back(one.row.person.id);
-      codes << toQString(one.row.person.code);
-    }
-  }
+  std::vector<const NamedPersonRow*> alike = chosen();
+  std::erase_if(alike, [state](const NamedPersonRow* one) { return one->row.person.state != state; });
   attempt(shell(), [&] {
     const bool active = state == PersonState::kActive;
-    const QString code = firstFew(codes);
+    const QString code = codesOf(alike);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
                            tr("%1 keeps the record and is offered nowhere any more.").arg(code))
@@ -294,78 +287,104 @@ void RosterPage::switchState() {
     if (!reason) {
       return;
     }
-    for (const PersonId& one : ids) {
-      setPersonState(shell().session(), one, active ? PersonState::kLeft : PersonState::kActive, *reason);
-    }
+    allOrNone(shell().session(), alike, [&](const NamedPersonRow* one) {
+      setPersonState(shell().session(), one->row.person.id,
+                     active ? PersonState::kLeft : PersonState::kActive, *reason);
+    });
     read();
   });
 }
 
-void RosterPage::askExportPerson() {
-  const NamedPersonRow* person = current();
-  if (person == nullptr) {
+void RosterPage::askExportRecords() {
+  const std::vector<const NamedPersonRow*> people = chosen();
+  if (people.empty()) {
     return;
   }
-  const QString code = toQString(person->row.person.code);
-  const std::optional<std::string> reason =
-      askReason(this, tr("Export this person\u2019s record"),
-                tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
-                   "holds the name; hand it to nobody else.")
-                    .arg(code));
+  const bool one = people.size() == 1;
+  const QString codes = codesOf(people);
+  const std::optional<std::string> reason = askReason(
+      this, tr("Export records of people"),
+      one ? tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
+               "holds the name; hand it to nobody else.")
+                .arg(codes)
+          : tr("A new folder takes a folder for each of %1, with everything about them: tables, recordings "
+               "and a list of all files. Each holds a name; hand each to its own person and to nobody else.")
+                .arg(codes));
   if (!reason) {
     return;
   }
-  const QString folder = askFileToSave(this, tr("New folder for the record of %1").arg(code),
-                                       QStringLiteral("record-%1").arg(code), tr("Folder (*)"));
+  const QString folder = askFileToSave(
+      this,
+      one ? tr("New folder for the record of %1").arg(codes)
+          : tr("New folder for the records of %1").arg(codes),
+      one ? QStringLiteral("record-%1").arg(codes) : QStringLiteral("records"), tr("Folder (*)"));
   if (!folder.isEmpty()) {
-    exportPerson(toPath(folder), *reason);
+    exportRecords(toPath(folder), *reason);
   }
 }
 
-void RosterPage::exportPerson(const std::filesystem::path& folder, const std::string& reason) {
-  const NamedPersonRow* person = current();
-  if (person == nullptr) {
+void RosterPage::exportRecords(const std::filesystem::path& folder, const std::string& reason) {
+  std::vector<PersonId> ids;
+  for (const NamedPersonRow* one : chosen()) {
+    ids.push_back(one->row.person.id);
+  }
+  if (ids.empty()) {
     return;
   }
-  const auto package = std::make_shared<PersonPackage>();
+  const auto written = std::make_shared<PersonPackage>(PersonPackage{.folder = folder});
   shell().run(
-      tr("Exporting a record"),
-      [id = person->row.person.id, folder, reason, package](SessionContext& session,
-                                                            const ProgressCallback&) {
-        *package = exportPersonPackage(session, id, folder, reason);
+      tr("Exporting records"),
+      [ids, folder, reason, written](SessionContext& session, const ProgressCallback& progress) {
+        if (ids.size() == 1) {
+          *written = exportPersonPackage(session, ids.front(), folder, reason);
+          return;
+        }
+        for (const PersonPackage& one : exportPersonPackages(session, ids, folder, reason, progress)) {
+          written->tables += one.tables;
+          written->recordings += one.recordings;
+        }
       },
-      [this, package] {
+      [this, written] {
         shell().notify(tr("Tables (%1) and recordings (%2) written to %3")
-                           .arg(package->tables)
-                           .arg(package->recordings)
-                           .arg(toQString(package->folder.string())));
+                           .arg(written->tables)
+                           .arg(written->recordings)
+                           .arg(toQString(written->folder.string())));
       });
 }
 
-void RosterPage::askErasePerson() {
-  const NamedPersonRow* person = current();
-  if (person == nullptr) {
+void RosterPage::askEraseRecords() {
+  const std::vector<const NamedPersonRow*> people = chosen();
+  std::vector<PersonId> ids;
+  for (const NamedPersonRow* one : people) {
+    ids.push_back(one->row.person.id);
+  }
+  if (ids.empty()) {
     return;
   }
   QString copies;
-  attempt(shell(), [&] { copies = copiesText(shell().session(), person->row.person.id, locale()); });
+  attempt(shell(), [&] { copies = copiesText(shell().session(), ids, locale()); });
   const std::optional<std::string> reason =
       askReason(this, tr("Erase on request"),
                 tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
                    "that statistics remain right. This cannot be taken back.")
-                        .arg(toQString(person->row.person.code)) +
+                        .arg(codesOf(people)) +
                     copies);
   if (!reason) {
     return;
   }
+  std::vector<DutyWish> wishes;
+  for (const PersonId& id : ids) {
+    wishes.push_back({.act = DutyAct::kErase, .subject = id, .reason = *reason});
+  }
   attempt(shell(), [&] {
-    const PersonId id = person->row.person.id;
-    if (actOrAsk(this, shell(), {.act = DutyAct::kErase, .subject = id, .reason = *reason},
-                 [&] { erasePersonRecord(shell().session(), id, *reason); })) {
-      read();
-      shell().notify(tr("The record is erased"));
+    const std::size_t erased = actOrAskForAll(this, shell(), wishes, [&](const DutyWish& wish) {
+      erasePersonRecord(shell().session(), wish.subject, *reason);
+    });
+    if (erased > 0) {
+      shell().notify(tr("%n record(s) erased", nullptr, static_cast<int>(erased)));
     }
   });
+  read();
 }
 
 void RosterPage::exportList() {

@@ -26,8 +26,8 @@ class RosterPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  /// Writes everything about the chosen person into a new folder.
-  void exportPerson(const std::filesystem::path& folder, const std::string& reason);
+  /// Writes everything about the chosen person into a new folder; of several into a folder each in it.
+  void exportRecords(const std::filesystem::path& folder, const std::string& reason);
 
  private:
   void read();
@@ -38,10 +38,11 @@ class RosterPage : public Page {
   void edit();
   void switchState();
   void exportList();
-  void askExportPerson();
-  void askErasePerson();
+  void askExportRecords();
+  void askEraseRecords();
   void showRequests();
-  [[nodiscard]] const NamedPersonRow* current() const;
+  [[nodiscard]] std::vector<const NamedPersonRow*> chosen() const;
+  [[nodiscard]] static QString codesOf(const std::vector<const NamedPersonRow*>& people);
 
   std::size_t waiting_ = 0;             // requests of people about their own record
   std::vector<NamedPersonRow> people_;  // identities empty while names are hidden

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/access/all_or_none.h"
 #include "app/access/browser_sessions.h"
 #include "app/access/first_run.h"
 #include "app/access/invitations.h"
@@ -468,9 +469,8 @@ void UsersPage::switchActive() {
     if (!reason) {
       return;
     }
-    for (const UserId& id : ids) {
-      setUserActive(shell().session(), id, !active, *reason);
-    }
+    allOrNone(shell().session(), ids,
+              [&](const UserId& id) { setUserActive(shell().session(), id, !active, *reason); });
     enter({});
   });
 }

@@ -18,6 +18,12 @@
 
 namespace torsio::gui {
 
+namespace {
+
+constexpr int kRatersOfRow = 6;  // column
+
+}  // namespace
+
 CampaignsPage::CampaignsPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
@@ -60,6 +66,10 @@ void CampaignsPage::showContent() {
     for (const CampaignModel& model : row.campaign.models) {
       models << tr("%1 (shown as %2)").arg(toQString(Text(model.label)), toQString(model.hiddenLabel));
     }
+    QStringList raters;
+    for (const CampaignRow::Rater& rater : row.raters) {
+      raters << toQString(rater.code);
+    }
     rows.push_back({toQString(row.campaign.id),
                     {{toQString(Text(row.campaign.name))},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
@@ -67,7 +77,8 @@ void CampaignsPage::showContent() {
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
                      timeCell(row.campaign.createdUtc_us),
-                     {models.join(tr(", "))}}});
+                     {models.join(tr(", "))},
+                     {raters.join(QStringLiteral(", "))}}});
   }
   table_->setRows(std::move(rows));
   showRaters();
@@ -123,8 +134,14 @@ void CampaignsPage::retranslate() {
   heading_->setTexts(tr("Evaluation of models"), tr("Raters score tissue models on nine indices; they see "
                                                     "letters, not names, in an order of their own."));
   add_->setText(tr("&New evaluation\u2026"));
-  table_->setColumns(
-      {{tr("Name")}, {tr("Raters"), true}, {tr("Marks"), true}, {tr("Kind")}, {tr("Since")}, {tr("Models")}});
+  table_->setColumns({{tr("Name")},
+                      {tr("Raters"), true},
+                      {tr("Marks"), true},
+                      {tr("Kind")},
+                      {tr("Since")},
+                      {tr("Models")},
+                      {tr("Everybody")}});
+  table_->hideAtFirst(kRatersOfRow);  // whoever looks for one rater finds the evaluation
   table_->setEmptyText(
       tr("No evaluation yet. An evaluation asks raters of three classes to score models on nine indices."));
   raters_->setColumns({{tr("Rater")}, {tr("Class")}, {tr("Marks"), true}, {tr("State")}});

@@ -18,6 +18,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/clock_time.h"
@@ -207,9 +208,9 @@ void RaterCalibrationDialog::withdraw() {
     return;
   }
   attempt(shell_, [&] {
-    for (const QString& run : chosen) {
+    allOrNone(shell_.session(), chosen, [&](const QString& run) {
       withdrawReferenceRun(shell_.session(), run.toStdString(), *reason);
-    }
+    });
     read();
     shell_.notify(
         tr("Withdrawn from rater calibration: %n run(s)", nullptr, static_cast<int>(chosen.size())));

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/reminder_text.h"
@@ -283,9 +284,9 @@ void ScoringPage::assignThirdRater() {
     return;
   }
   attempt(shell(), [&] {
-    for (const ThirdChosen& one : chosen) {
+    allOrNone(shell().session(), chosen, [&](const ThirdChosen& one) {
       assignThird(shell().session(), chosenId(cohort_), one.assignmentId, one.raterId);
-    }
+    });
     read();
     shell().notify(chosen.size() == 1 ? tr("The adjudicator finds the case in their queue")
                                       : tr("The adjudicators find the cases in their queues"));

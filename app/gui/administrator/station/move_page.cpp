@@ -342,7 +342,7 @@ void MovePage::retranslate() {
   switchCard_->setTitle(tr("3  This station"));
   line_->setAccessibleName(tr("Line of the password file"));
   copyLine_->setText(tr("Copy the &line"));
-  switch_->setText(tr("S&witch this station over"));
+  switch_->setText(tr("Sw&itch this station over"));
   showCheck();
 }
 

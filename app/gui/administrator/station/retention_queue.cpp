@@ -12,6 +12,7 @@
 
 #include "app/access/two_people.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
@@ -36,11 +37,7 @@ std::vector<PersonId> idsOf(const std::vector<const RetentionItem*>& items) {
 }
 
 QString codesOf(const std::vector<const RetentionItem*>& items) {
-  QStringList codes;
-  for (const RetentionItem* item : items) {
-    codes << toQString(item->code);
-  }
-  return firstFew(codes);
+  return firstFew(namesOf(items, [](const RetentionItem& item) { return item.code; }));
 }
 
 }  // namespace
@@ -100,14 +97,7 @@ void RetentionQueue::showRows() {
 }
 
 std::vector<const RetentionItem*> RetentionQueue::chosen() const {
-  const QStringList ids = table_->selectedIds();
-  std::vector<const RetentionItem*> items;
-  for (const RetentionItem& item : due_) {
-    if (ids.contains(toQString(item.personId))) {
-      items.push_back(&item);
-    }
-  }
-  return items;
+  return chosenRows(*table_, due_, [](const RetentionItem& item) { return item.personId; });
 }
 
 std::vector<const RetentionItem*> RetentionQueue::chosen(bool held) const {
@@ -188,27 +178,18 @@ void RetentionQueue::erase() {
                           "stay without a person, so that statistics remain right.",
                           nullptr, static_cast<int>(tried.recordings))
                            .arg(codesOf(items));
-    if (who.size() == 1) {
-      question += copiesText(shell_.session(), who.front(), locale());
-    } else {
-      question +=
-          QLatin1Char(' ') + tr("Backups and packages may still hold them: torsio db copies lists all.");
-    }
+    question += copiesText(shell_.session(), who, locale());
     const std::optional<std::string> reason = askReason(this, tr("Erase records"), question);
     if (!reason) {
       return;
     }
-    std::vector<DutyWish> wishes;  // of those who need a second person
+    std::vector<DutyWish> wishes;
     for (const PersonId& id : who) {
-      try {
-        static_cast<void>(eraseDue(shell_.session(), std::array{id}, *reason, false));
-      } catch (const SecondPersonNeeded&) {
-        wishes.push_back({.act = DutyAct::kErase, .subject = id, .reason = *reason});
-      }
+      wishes.push_back({.act = DutyAct::kErase, .subject = id, .reason = *reason});
     }
-    if (!wishes.empty()) {
-      static_cast<void>(offerToAskForAll(this, shell_, wishes));
-    }
+    static_cast<void>(actOrAskForAll(this, shell_, wishes, [&](const DutyWish& wish) {
+      static_cast<void>(eraseDue(shell_.session(), std::array{PersonId(wish.subject)}, *reason, false));
+    }));
     read();
   });
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page of the allocation does: lock, draw, move, open the seal, print, check.
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include <QComboBox>
 #include <QMessageBox>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/printed_cards.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/second_person.h"
@@ -57,34 +60,26 @@ bool AllocationPage::allocateEverybody() {
   });
 }
 
-bool AllocationPage::moveByHand(const EnrolmentId& enrolmentId, const GroupId& groupId,
-                                const std::string& reason) {
-  return attempt(shell(), [&] {
-    overrideAllocation(shell().session(), chosenId(cohort_), enrolmentId, groupId, reason);
-    read();
-    shell().notify(tr("Moved by hand; the drawn record stays beside it"));
-  });
-}
-
 void AllocationPage::askMove() {
-  const AllocationId id = records_->currentId().toStdString();
-  const auto record =
-      std::find_if(drawn_.begin(), drawn_.end(), [&](const AllocationEntry& one) { return one.id == id; });
-  if (record == drawn_.end()) {
+  // Where the newest record puts each trainee of the chosen records.
+  std::map<EnrolmentId, GroupId> present;
+  for (const AllocationEntry* record :
+       chosenRows(*records_, drawn_, [](const AllocationEntry& one) { return one.id; })) {
+    present[record->enrolmentId];
+  }
+  for (const AllocationEntry& record : drawn_) {
+    if (const auto known = present.find(record.enrolmentId); known != present.end()) {
+      known->second = record.groupId;
+    }
+  }
+  if (present.empty()) {
     return;
   }
   attempt(shell(), [&] {
-    const EnrolmentId enrolmentId = record->enrolmentId;
-    std::string present;  // where the newest record puts them
-    for (const AllocationEntry& one : drawn_) {
-      if (one.enrolmentId == enrolmentId) {
-        present = one.groupId;
-      }
-    }
-    QString code;
+    QStringList codes;
     for (const Enrolment& one : enrolments(shell().session(), chosenId(cohort_))) {
-      if (one.id == enrolmentId) {
-        code = toQString(one.traineeCode);
+      if (present.contains(one.id)) {
+        codes << toQString(one.traineeCode);
       }
     }
     std::vector<StudyGroup> groups;
@@ -93,10 +88,21 @@ void AllocationPage::askMove() {
         groups = cohort.groups;
       }
     }
-    std::erase_if(groups, [&](const StudyGroup& group) { return group.id == present; });
-    if (const std::optional<GroupMove> move = askGroupMove(this, code, groups)) {
-      moveByHand(enrolmentId, move->groupId, move->reason);
+    std::erase_if(groups, [&](const StudyGroup& group) {
+      return std::all_of(present.begin(), present.end(),
+                         [&](const auto& one) { return one.second == group.id; });
+    });
+    const std::optional<GroupMove> move = askGroupMove(this, firstFew(codes), groups);
+    if (!move) {
+      return;
     }
+    std::erase_if(present, [&](const auto& one) { return one.second == move->groupId; });
+    allOrNone(shell().session(), present, [&](const auto& one) {
+      overrideAllocation(shell().session(), chosenId(cohort_), one.first, move->groupId, move->reason);
+    });
+    read();
+    shell().notify(
+        tr("%n trainee(s) moved by hand; the drawn records stay", nullptr, static_cast<int>(present.size())));
   });
 }
 

@@ -44,8 +44,6 @@ class AllocationPage : public Page {
   /// The sealed cards as a PDF to print.
   bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
-  /// Puts a trainee into another group than the draw did.
-  bool moveByHand(const EnrolmentId& enrolmentId, const GroupId& groupId, const std::string& reason);
 
  private:
   QWidget* designForm();

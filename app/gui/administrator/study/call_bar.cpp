@@ -36,14 +36,6 @@ constexpr int kRoomWidth = 160;
 constexpr std::size_t kLinesSeen = 4;  // before they scroll
 const QString kRoomKey = QStringLiteral("runday/room");
 
-QStringList listOf(const std::vector<std::string>& codes) {
-  QStringList all;
-  for (const std::string& code : codes) {
-    all << toQString(code);
-  }
-  return all;
-}
-
 QString joined(const std::vector<std::string>& codes) {
   return listOf(codes).join(QStringLiteral(", "));
 }

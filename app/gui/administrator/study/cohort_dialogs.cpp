@@ -132,18 +132,18 @@ std::optional<std::string> askCohortName(QWidget* parent, const std::string& nam
   return field->text().trimmed().toStdString();
 }
 
-std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& cohort) {
-  QuestionDialog dialog(parent, CohortDialog::tr("Close or archive"), toQString(cohort.name));
+std::optional<CohortStateChange> askCohortState(QWidget* parent, const QString& names, CohortState state) {
+  QuestionDialog dialog(parent, CohortDialog::tr("Close or archive"), names);
   auto* step = new QComboBox(&dialog);
   step->setObjectName(QStringLiteral("step"));
-  const auto offer = [step](CohortState state, const QString& text) {
-    step->addItem(text, static_cast<int>(state));
+  const auto offer = [step](CohortState next, const QString& text) {
+    step->addItem(text, static_cast<int>(next));
   };
-  if (cohort.state == CohortState::kRunning) {
+  if (state == CohortState::kRunning) {
     offer(CohortState::kClosed,
           CohortDialog::tr("close: nobody trains, is enrolled, called or newly asked for sheets"));
   } else {
-    if (cohort.state == CohortState::kClosed) {
+    if (state == CohortState::kClosed) {
       offer(CohortState::kArchived, CohortDialog::tr("archive: closed, and left out of the lists"));
     }
     offer(CohortState::kRunning, CohortDialog::tr("open again: it trains and is scored as before"));
@@ -163,7 +163,8 @@ std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& c
                            reason->text().trimmed().toStdString()};
 }
 
-std::optional<std::string> askCurriculum(QWidget* parent, const std::vector<CurriculumRow>& curricula) {
+std::optional<std::string> askCurriculum(QWidget* parent, const QString& names,
+                                         const std::vector<CurriculumRow>& curricula) {
   const auto running = runningVersions(curricula);
   QStringList titles;
   for (const auto& [id, title] : running) {
@@ -172,8 +173,8 @@ std::optional<std::string> askCurriculum(QWidget* parent, const std::vector<Curr
   bool given = false;
   const QString title = QInputDialog::getItem(
       parent, CohortDialog::tr("Follow a curriculum"),
-      CohortDialog::tr("The groups of the cohort go through its arms, number by number."), titles, 0, false,
-      &given);
+      CohortDialog::tr("The groups of %1 go through its arms, number by number.").arg(names), titles, 0,
+      false, &given);
   if (!given) {
     return std::nullopt;
   }

@@ -54,13 +54,14 @@ struct CohortStateChange {
 };
 /// Asks for the next step: to close what runs; to archive what is closed, or to open it again. Empty: given
 /// up.
-[[nodiscard]] std::optional<CohortStateChange> askCohortState(QWidget* parent, const Cohort& cohort);
+[[nodiscard]] std::optional<CohortStateChange> askCohortState(QWidget* parent, const QString& names,
+                                                              CohortState state);
 
 /// Running versions, newest first: id and "Name, version 2".
 [[nodiscard]] std::vector<std::pair<std::string, QString>> runningVersions(
     const std::vector<CurriculumRow>& curricula);
 /// Asks which running curriculum to follow. Empty: given up.
-[[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent,
+[[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent, const QString& names,
                                                        const std::vector<CurriculumRow>& curricula);
 
 }  // namespace torsio::gui

@@ -2,7 +2,9 @@
 #include "app/gui/administrator/study/cohorts_page.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
+#include <utility>
 
 #include <QCheckBox>
 #include <QLabel>
@@ -10,7 +12,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
@@ -21,6 +25,20 @@
 #include "app/gui/widgets/page_heading.h"
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr int kCohortPeople = 9;  // column
+
+bool takesNew(const CohortRow& row) {
+  return row.cohort.state == CohortState::kDraft || row.cohort.state == CohortState::kRunning;
+}
+
+QString namesShown(const std::vector<const CohortRow*>& rows) {
+  return firstFew(namesOf(rows, [](const CohortRow& row) { return Text(row.cohort.name); }));
+}
+
+}  // namespace
 
 CohortsPage::CohortsPage(ShellContext& shell)
     : Page(shell),
@@ -109,7 +127,8 @@ void CohortsPage::showContent() {
           {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
           {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
           {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
-          timeCell(row.cohort.createdUtc_us)}});
+          timeCell(row.cohort.createdUtc_us),
+          {listOf(row.traineeCodes).join(QStringLiteral(", "))}}});
   }
   table_->setRows(std::move(rows));
   showMembers();
@@ -122,18 +141,24 @@ const CohortRow* CohortsPage::current() const {
   return found == rows_.end() ? nullptr : &*found;
 }
 
+std::vector<const CohortRow*> CohortsPage::chosen(const std::function<bool(const CohortRow&)>& fits) const {
+  std::vector<const CohortRow*> rows =
+      chosenRows(*table_, rows_, [](const CohortRow& row) { return row.cohort.id; });
+  std::erase_if(rows, [&fits](const CohortRow* row) { return !fits(*row); });
+  return rows;
+}
+
 void CohortsPage::showMembers() {
   const CohortRow* row = current();
   SessionContext& session = shell().session();
   add_->setEnabled(shell().may(Operation::kStudySetup));
-  const bool takesNew = row != nullptr && (row->cohort.state == CohortState::kDraft ||
-                                           row->cohort.state == CohortState::kRunning);
-  enrol_->setEnabled(takesNew && shell().may(Operation::kStudyEnrol));
-  follow_->setEnabled(takesNew && shell().may(Operation::kStudySetup));
-  rename_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  const bool one = row != nullptr && table_->selectedIds().size() == 1;
+  enrol_->setEnabled(one && takesNew(*row) && shell().may(Operation::kStudyEnrol));
+  follow_->setEnabled(!chosen(takesNew).empty() && shell().may(Operation::kStudySetup));
+  rename_->setEnabled(one && shell().may(Operation::kStudySetup));
   life_->setEnabled(row != nullptr && row->cohort.state != CohortState::kDraft &&
                     shell().may(Operation::kStudySetup));
-  allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
+  allocate_->setEnabled(one && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
   membersTitle_->setText(row == nullptr ? QString()
                          : row->cohort.equivalenceMargin
@@ -203,8 +228,8 @@ void CohortsPage::enrol() {
 }
 
 void CohortsPage::follow() {
-  const CohortRow* row = current();
-  if (row == nullptr) {
+  const std::vector<const CohortRow*> open = chosen(takesNew);
+  if (open.empty()) {
     return;
   }
   attempt(shell(), [&] {
@@ -214,14 +239,13 @@ void CohortsPage::follow() {
                                tr("No curriculum is running. Publish one under Curricula and begin it."));
       return;
     }
-    const std::optional<std::string> version = askCurriculum(this, all);
+    const std::optional<std::string> version = askCurriculum(this, namesShown(open), all);
     if (!version) {
       return;
     }
-    const CohortId cohort = row->cohort.id;
-    assignCurriculum(shell().session(), cohort, *version);
+    allOrNone(shell().session(), open,
+              [&](const CohortRow* one) { assignCurriculum(shell().session(), one->cohort.id, *version); });
     read();
-    table_->select(toQString(cohort));
   });
 }
 
@@ -235,28 +259,24 @@ void CohortsPage::changeState() {
   }
   // All that are chosen and stand as the current one does.
   const bool back = enrolment->state == EnrolmentState::kWithdrawn;
-  const QStringList chosen = members_->selectedIds();
-  std::vector<EnrolmentId> ids;
-  QStringList codes;
-  for (const Enrolment& one : enrolments_) {
-    if ((one.state == EnrolmentState::kWithdrawn) == back && chosen.contains(toQString(one.id))) {
-      ids.push_back(one.id);
-      codes << toQString(one.traineeCode);
-    }
-  }
+  std::vector<const Enrolment*> alike =
+      chosenRows(*members_, enrolments_, [](const Enrolment& one) { return one.id; });
+  std::erase_if(alike,
+                [back](const Enrolment* one) { return (one->state == EnrolmentState::kWithdrawn) != back; });
+  const QString codes = firstFew(namesOf(alike, [](const Enrolment& one) { return one.traineeCode; }));
   const std::optional<std::string> reason =
       askReason(this, back ? tr("Back into the study") : tr("Withdraw from the study"),
-                back ? tr("%1 takes part again.").arg(firstFew(codes))
-                     : tr("%1 trains no further; what was recorded stays.").arg(firstFew(codes)));
+                back ? tr("%1 takes part again.").arg(codes)
+                     : tr("%1 trains no further; what was recorded stays.").arg(codes));
   if (!reason) {
     return;
   }
   const CohortId cohort = row->cohort.id;
   attempt(shell(), [&] {
-    for (const EnrolmentId& one : ids) {
-      setEnrolmentState(shell().session(), cohort, one,
+    allOrNone(shell().session(), alike, [&](const Enrolment* one) {
+      setEnrolmentState(shell().session(), cohort, one->id,
                         back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
-    }
+    });
     read();
   });
 }
@@ -281,12 +301,16 @@ void CohortsPage::changeLife() {
   if (row == nullptr) {
     return;
   }
-  const CohortId id = row->cohort.id;
-  if (const std::optional<CohortStateChange> change = askCohortState(this, row->cohort)) {
+  // All that are chosen and stand as the current one does.
+  const CohortState now = row->cohort.state;
+  const std::vector<const CohortRow*> alike =
+      chosen([now](const CohortRow& one) { return one.cohort.state == now; });
+  if (const std::optional<CohortStateChange> change = askCohortState(this, namesShown(alike), now)) {
     attempt(shell(), [&] {
-      setCohortState(shell().session(), id, change->state, change->reason);
+      allOrNone(shell().session(), alike, [&](const CohortRow* one) {
+        setCohortState(shell().session(), one->cohort.id, change->state, change->reason);
+      });
       read();
-      table_->select(toQString(id));
     });
   }
 }
@@ -310,7 +334,9 @@ void CohortsPage::retranslate() {
                       {tr("In a group"), true, true},
                       {tr("Withdrew"), true, true},
                       {tr("Kind")},
-                      {tr("Since")}});
+                      {tr("Since")},
+                      {tr("Everybody")}});
+  table_->hideAtFirst(kCohortPeople);  // whoever looks for one code finds the cohort
   table_->setEmptyText(tr("No cohort yet. A cohort is a group of trainees who go through one study."));
   members_->setColumns(
       {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled")}});

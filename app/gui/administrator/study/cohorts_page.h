@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -37,6 +38,7 @@ class CohortsPage : public Page {
   void rename();
   void changeLife();
   [[nodiscard]] const CohortRow* current() const;
+  [[nodiscard]] std::vector<const CohortRow*> chosen(const std::function<bool(const CohortRow&)>& fits) const;
 
   std::vector<CohortRow> rows_;
   std::vector<Enrolment> enrolments_;

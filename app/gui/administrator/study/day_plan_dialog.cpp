@@ -35,6 +35,7 @@ constexpr int kUsualSlot_min = 60;
 constexpr int kLongestSlot_min = 600;
 constexpr int kLongestPause_min = 240;
 constexpr int kFirstHour = 9;
+constexpr int kStep_min = 15;  // slots begin at whole quarters of an hour
 
 std::int64_t utcOf(const QDateTime& time) {
   return time.toMSecsSinceEpoch() * 1000;
@@ -42,6 +43,18 @@ std::int64_t utcOf(const QDateTime& time) {
 
 QDateTime timeOf(std::int64_t utc_us) {
   return QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
+}
+
+/// When the first slot of a day begins, unless somebody says otherwise: in the morning, and of a day that has
+/// begun at the next quarter of an hour, as long as there is one.
+QTime usualFirst(QDate day, const QDateTime& now) {
+  const QTime morning(kFirstHour, 0);
+  if (day != now.date() || now.time() <= morning) {
+    return morning;
+  }
+  const int minutes = now.time().hour() * 60 + now.time().minute();
+  const QTime next = QTime(0, 0).addSecs(60 * (minutes / kStep_min + 1) * kStep_min);
+  return next > now.time() ? next : morning;
 }
 
 }  // namespace
@@ -61,7 +74,7 @@ DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trai
       cohortId_(cohortId),
       trainees_(std::move(trainees)),
       day_(new QDateEdit(timeOf(shell.session().now_us()).date(), this)),
-      first_(new QTimeEdit(QTime(kFirstHour, 0), this)),
+      first_(new QTimeEdit(usualFirst(day_->date(), timeOf(shell.session().now_us())), this)),
       minutes_(new QSpinBox(this)),
       pause_(new QSpinBox(this)),
       places_(new QLineEdit(this)),
@@ -123,7 +136,9 @@ void DayPlanDialog::build(const QStringList& places) {
   table_->setColumns({{tr("From")}, {tr("Until")}, {tr("Place")}, {tr("Trainee")}});
   table_->setEmptyText(tr("Nobody is planned for this day yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &DayPlanDialog::reject);
+  suggested_ = first_->time();
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::read);
+  connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::suggestFirst);
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::showOutlook);
   connect(first_, &QTimeEdit::timeChanged, this, &DayPlanDialog::showOutlook);
   connect(minutes_, &QSpinBox::valueChanged, this, &DayPlanDialog::showOutlook);
@@ -146,6 +161,14 @@ QStringList DayPlanDialog::namedPlaces() const {
     }
   }
   return places;
+}
+
+void DayPlanDialog::suggestFirst() {
+  if (first_->time() != suggested_) {
+    return;  // somebody has said when
+  }
+  suggested_ = usualFirst(day_->date(), timeOf(shell_.session().now_us()));
+  first_->setTime(suggested_);
 }
 
 void DayPlanDialog::showOutlook() {

@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QString>
 #include <QStringList>
+#include <QTime>
 
 #include "assessment/study/day_slot.h"
 #include "sim/base/ids.h"
@@ -49,6 +50,7 @@ class DayPlanDialog : public QDialog {
   [[nodiscard]] QStringList namedPlaces() const;
   /// When the last slot would end, and whether that is still this day.
   void showOutlook();
+  void suggestFirst();
   void plan();
   void remove();
   void askPrint();
@@ -59,6 +61,7 @@ class DayPlanDialog : public QDialog {
   std::vector<DaySlot> slots_;
   QDateEdit* day_;
   QTimeEdit* first_;
+  QTime suggested_{};
   QSpinBox* minutes_;
   QSpinBox* pause_;
   QLineEdit* places_;

@@ -22,13 +22,13 @@ struct GroupMoveDialog {
 
 }  // namespace
 
-std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
+std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& codes,
                                       const std::vector<StudyGroup>& groups) {
   QuestionDialog asked(
       parent, GroupMoveDialog::tr("Move to another group"),
-      GroupMoveDialog::tr("%1 was put into a group by the draw. A move by hand stands beside the drawn "
-                          "record for good, with its reason, and weakens the study.")
-          .arg(traineeCode));
+      GroupMoveDialog::tr("The draw put %1 into a group. A move by hand stands beside the drawn record "
+                          "for good, with its reason, and weakens the study.")
+          .arg(codes));
   auto* group = new QComboBox(&asked);
   group->setObjectName(QStringLiteral("group"));
   for (const StudyGroup& one : groups) {

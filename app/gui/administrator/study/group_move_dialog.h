@@ -20,8 +20,8 @@ struct GroupMove {
   GroupId groupId{};
   std::string reason{};
 };
-/// Asks where a trainee goes and why. `groups`: those that can be chosen. Empty: given up.
-[[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCode,
+/// Asks where trainees go and why. `groups`: those that can be chosen. Empty: given up.
+[[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& codes,
                                                     const std::vector<StudyGroup>& groups);
 
 }  // namespace torsio::gui

@@ -2,7 +2,9 @@
 // Of RunDayPage: what is done to the chosen trainees.
 #include <QComboBox>
 
+#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/run_day_dialogs.h"
@@ -15,17 +17,10 @@
 namespace torsio::gui {
 
 std::vector<const RunDayRow*> RunDayPage::chosen() const {
-  const QStringList ids = table_->selectedIds();
-  std::vector<const RunDayRow*> rows;
   if (!board_) {
-    return rows;
+    return {};
   }
-  for (const RunDayRow& row : board_->rows) {
-    if (ids.contains(toQString(row.enrolmentId))) {
-      rows.push_back(&row);
-    }
-  }
-  return rows;
+  return chosenRows(*table_, board_->rows, [](const RunDayRow& row) { return row.enrolmentId; });
 }
 
 void RunDayPage::planDay() {
@@ -46,7 +41,9 @@ void RunDayPage::planDay() {
   }
   QStringList places;
   for (const StationState& station : board_->stations) {
-    places << toQString(station.station);
+    if (isTrainingStation(station)) {
+      places << toQString(station.station);
+    }
   }
   attempt(shell(), [&] {
     DayPlanDialog(shell(), chosenId(cohort_), some.size() > 1 ? some : everybody, places, this).exec();
@@ -96,11 +93,11 @@ void RunDayPage::logTime() {
   }
   attempt(shell(), [&] {
     exposure->cohortId = chosenId(cohort_);
-    for (const EnrolmentId& id : ids) {
+    allOrNone(shell().session(), ids, [&](const EnrolmentId& id) {
       exposure->enrolmentId = id;
       exposure->startedUtc_us = shell().session().now_us() - exposure->duration_us;
       recordExposure(shell().session(), *exposure);
-    }
+    });
     read();
   });
 }
@@ -155,10 +152,10 @@ void RunDayPage::changeState() {
     return;
   }
   attempt(shell(), [&] {
-    for (const EnrolmentId& id : ids) {
+    allOrNone(shell().session(), ids, [&](const EnrolmentId& id) {
       setEnrolmentState(shell().session(), chosenId(cohort_), id,
                         back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
-    }
+    });
     read();
   });
 }
