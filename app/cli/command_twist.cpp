@@ -155,10 +155,10 @@ TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad = angleOf_rad(arguments, scene);
   const std::vector<TaskPoint> path =
       scene.rod->follow(graspOf(arguments, scene), angle_rad, arguments.allowFold);
-  if (std::abs(path.back().angle_rad) < std::abs(angle_rad)) {
+  if (!reaches(path, angle_rad)) {
     throw Error(ErrorCode::kFolded,
-                Text::verbatim("the turn ends at %1 degrees: beyond it the organ folds, or the hand turns "
-                               "without it",
+                Text::verbatim("the turn ends at %1 degrees: beyond it the organ folds or slips back by a "
+                               "whole turn, or the hand turns without it",
                                std::to_string(degrees(path.back().angle_rad))),
                 Text::tr("organ %1", arguments.organ.organ), Text::verbatim("Twist less far."));
   }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keeps a draft from being published.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 
 #include "app/study/curriculum_content.h"
+#include "app/study/target_reach.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
@@ -162,6 +165,20 @@ class Examination {
     if (!scene->second.contains(module.patternId)) {
       add(where, Text::tr("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
           Text::tr("Choose one from the list"), CurriculumField::kScene);
+      return;
+    }
+    try {
+      const double reach_rad =
+          targetReach_rad(assets_, module.sceneId, module.patternId, module.targetAngle_rad);
+      if (reach_rad != module.targetAngle_rad) {
+        add(where,
+            Text::tr("asks for a turn of %1 degrees, but the organ folds or slips back beyond %2",
+                     std::lround(degrees(module.targetAngle_rad)),
+                     std::lround(std::trunc(degrees(reach_rad)))),
+            Text::tr("Enter a smaller target"), CurriculumField::kTarget);
+      }
+    } catch (const Error& problem) {
+      add(where, problem.happenedText(), problem.remedyText(), CurriculumField::kScene);
     }
   }
 

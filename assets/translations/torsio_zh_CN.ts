@@ -17754,6 +17754,14 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>Draft becomes running, running becomes closed, closed may run again</source>
         <translation>草稿之后为进行中，进行中之后为已关闭，已关闭的可再次进行</translation>
     </message>
+    <message>
+        <source>asks for a turn of %1 degrees, but the organ folds or slips back beyond %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a smaller target</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -25082,10 +25090,6 @@ Leave it empty to remove it.</source>
         <translation>%1 /秒</translation>
     </message>
     <message>
-        <source>The tissue would have folded, so the jaw let go. Turn less far.</source>
-        <translation>组织即将折叠，夹钳已松开。请少转一些。</translation>
-    </message>
-    <message>
         <source>The jaw slipped off: it was pulled too far. The tissue returns to rest.</source>
         <translation>夹钳滑脱：牵拉过度。组织正在复原。</translation>
     </message>
@@ -25096,6 +25100,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>You are pressing too deep: draw back</source>
         <translation>压得过深：请退回</translation>
+    </message>
+    <message>
+        <source>The tissue would have folded or slipped back by a whole turn, so the jaw let go. Turn less far.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

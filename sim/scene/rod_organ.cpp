@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/base/angle.h"
@@ -21,6 +22,8 @@ constexpr double kPathStep_rad = radians(3.0);
 constexpr double kBeyondTarget = 1.15;  // of the target: how far the path goes
 constexpr double kMostHandTurn = 3.0;   // of the target, for a measured turn that stays behind the hand
 constexpr double kNearLine_m = 1e-6;
+// Nothing slips back by a whole turn before the organ has turned by about half a one.
+constexpr double kLeastBeforeSlip_rad = radians(120.0);
 
 OrganRod organOf(const TwistModel& model, const SolvedSections& sections, double graspArc) {
   return rodOfOrgan(model.lattice(), sections, {model.material().shearModulus_Pa},
@@ -161,6 +164,12 @@ TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad) {
   return path.back();
 }
 
+bool reaches(std::span<const TaskPoint> path, double angle_rad) noexcept {
+  const double end_rad = path.back().angle_rad;
+  return angle_rad == 0.0 ||
+         (std::abs(end_rad) >= std::abs(angle_rad) && (end_rad < 0.0) == (angle_rad < 0.0));
+}
+
 RodOrgan::RodOrgan(const Parts& parts)
     : RodOrgan(parts, solvedSections(parts.model->lattice(), parts.model->options())) {}
 
@@ -170,6 +179,7 @@ RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
       rod_(organ_.elements, organ_.rest, organ_.radii_m,
            placed(parts.restraints, organ_, parts.model->lattice()), {.drag_Ns_per_m = kDrag_Ns_per_m}),
       length_m_(parts.model->lattice().length_m()),
+      graspArc_(parts.graspArc),
       task_(parts.task) {
   if (task_.measured) {
     marks_ = {skin_.placeOf(task_.measured->from), skin_.placeOf(task_.measured->point),
@@ -238,6 +248,41 @@ double RodOrgan::turn_rad(const OrganGrip& grip, const RodPose& pose, const RodC
   return sectionTurn_rad(rest, pose.nodes[torsio::at(grip.node)].orientation, axis, before_rad);
 }
 
+/// Turn of one section about the axis of the grip, or about its own, near `before_rad`.
+double RodOrgan::nodeTurn_rad(const OrganGrip& grip, const RodPose& pose, std::size_t node,
+                              double before_rad) const noexcept {
+  const Quat& rest = rod_.rest().nodes[node].orientation;
+  const Vec3 axis = task_.axis == GripAxis::kLine ? grip.axis.tangent : rotate(rest, {0, 0, 1});
+  return sectionTurn_rad(rest, pose.nodes[node].orientation, axis, before_rad);
+}
+
+std::optional<double> RodOrgan::slippedBack_rad(const OrganGrip& grip, const RodPose& pose,
+                                                double turn_rad) const noexcept {
+  if (task_.measured || task_.axis == GripAxis::kInstrument || std::abs(turn_rad) < kLeastBeforeSlip_rad) {
+    return std::nullopt;
+  }
+  double counted_rad = 0.0;
+  for (std::size_t node = 0; node <= torsio::at(grip.node); ++node) {
+    counted_rad = nodeTurn_rad(grip, pose, node, counted_rad);
+  }
+  return std::abs(counted_rad - turn_rad) > kPi ? std::optional(counted_rad) : std::nullopt;
+}
+
+/// Counts the turns of all sections on in time; tells whether they are others from section to section.
+bool RodOrgan::losesTurns(const OrganGrip& grip, const RodPose& pose, std::vector<double>& turns_rad) const {
+  if (task_.axis == GripAxis::kInstrument) {
+    return false;
+  }
+  double counted_rad = 0.0;
+  bool loses = false;
+  for (std::size_t node = 0; node < turns_rad.size(); ++node) {
+    turns_rad[node] = nodeTurn_rad(grip, pose, node, turns_rad[node]);
+    counted_rad = nodeTurn_rad(grip, pose, node, counted_rad);
+    loses = loses || std::abs(counted_rad - turns_rad[node]) > kPi;
+  }
+  return loses;
+}
+
 double RodOrgan::torque_Nm(const OrganGrip& grip, const GripLoad& load, const Pose& hand) noexcept {
   const Vec3 moment = load.torque_Nm + cross(hand.position_m - grip.axis.centre_m, load.force_N);
   return -dot(moment, grip.axis.tangent);
@@ -264,6 +309,11 @@ double RodOrgan::twistRateAt(double arc_m, const RodPose& pose) const noexcept {
          element.restCurvature_per_m[2];
 }
 
+TaskPoint RodOrgan::pointAt(double angle_rad) const {
+  return reaches(path_, angle_rad) ? atAngle(path_, angle_rad)
+                                   : atAngle(follow(graspArc_, angle_rad), angle_rad);
+}
+
 std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool pastFolds) const {
   const RodPose& rest = rod_.rest();
   const Pose closed = rest.nodes[nearestNode(organ_.arcs_m, graspArc * length_m_)];
@@ -272,6 +322,7 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
   path.front().pose = rest;
   const double direction = angle_rad < 0.0 ? -1.0 : 1.0;
   const double farthest_rad = kMostHandTurn * std::abs(angle_rad);
+  std::vector<double> turns_rad(static_cast<std::size_t>(rest.count), 0.0);
   for (int step = 1; step * kPathStep_rad <= farthest_rad; ++step) {
     TaskPoint next = path.back();
     next.hand_rad = direction * step * kPathStep_rad;
@@ -284,7 +335,8 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
     next.angle_rad = turn_rad(grip, next.pose, curve, path.back().angle_rad);
     next.torque_Nm = torque_Nm(grip, balance.load, now);
     next.force_N = norm(balance.load.force_N);
-    if (!balance.converged || (!pastFolds && skin_.sharpestBend(curve) > kFoldingBend)) {
+    const bool slips = losesTurns(grip, next.pose, turns_rad);
+    if (!balance.converged || slips || (!pastFolds && skin_.sharpestBend(curve) > kFoldingBend)) {
       break;
     }
     path.push_back(next);

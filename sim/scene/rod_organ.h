@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +46,9 @@ struct TaskPoint {
 /// outside.
 [[nodiscard]] TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad);
 
+/// Tells whether a path, from rest on, goes as far as `angle_rad`, to the same side.
+[[nodiscard]] bool reaches(std::span<const TaskPoint> path, double angle_rad) noexcept;
+
 /// An organ as a rod, with its restraints, its skin and the task of a pattern. Immutable; what is marked so
 /// runs in the tick.
 class RodOrgan {
@@ -75,6 +80,12 @@ class RodOrgan {
   /// Returns the turn of the task, unwrapped near `before_rad`; `curve`: of the pose. In the tick.
   [[nodiscard]] double turn_rad(const OrganGrip& grip, const RodPose& pose, const RodCurve& curve,
                                 double before_rad) const noexcept;
+  /// Returns the turn of the gripped section as it is counted from section to section from the fixed end, if
+  /// that is another whole turn than `turn_rad`, which was counted in time: then a stretch of the organ, or
+  /// what holds its end, was turned by more than half a turn and has slipped back. None if not, and of a task
+  /// that measures landmarks, whose turn is seen on the skin. In the tick.
+  [[nodiscard]] std::optional<double> slippedBack_rad(const OrganGrip& grip, const RodPose& pose,
+                                                      double turn_rad) const noexcept;
   /// Returns the moment of the hand about the axis of the grip, N m. In the tick.
   [[nodiscard]] static double torque_Nm(const OrganGrip& grip, const GripLoad& load,
                                         const Pose& hand) noexcept;
@@ -85,8 +96,12 @@ class RodOrgan {
 
   /// Returns the organ as the task turns it, from rest past the target, in steps of the hand.
   [[nodiscard]] std::span<const TaskPoint> path() const noexcept { return path_; }
+  /// Returns the point of the task, gripped where the pattern does, where the measured turn is `angle_rad`;
+  /// beyond the path it is followed on. The farthest point where it goes no further. Not for the tick.
+  [[nodiscard]] TaskPoint pointAt(double angle_rad) const;
   /// Follows the task with a jaw at another place until the measured turn is `angle_rad`, or the hand has
-  /// turned two and a half times as far, or the tissue folds (unless `pastFolds`).
+  /// turned three times as far, or the tissue folds (unless `pastFolds`), or a part of the organ slips back
+  /// by a whole turn.
   [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad,
                                               bool pastFolds = false) const;
 
@@ -96,6 +111,10 @@ class RodOrgan {
  private:
   [[nodiscard]] AxisFrame axisOf(const RodPose& pose, int node, const Vec3& hand_m) const noexcept;
   [[nodiscard]] Landmarks marksOf(const RodCurve& curve) const noexcept;
+  [[nodiscard]] double nodeTurn_rad(const OrganGrip& grip, const RodPose& pose, std::size_t node,
+                                    double before_rad) const noexcept;
+  [[nodiscard]] bool losesTurns(const OrganGrip& grip, const RodPose& pose,
+                                std::vector<double>& turns_rad) const;
 
   RodOrgan(const Parts& parts, const SolvedSections& sections);
 
@@ -103,6 +122,7 @@ class RodOrgan {
   RodSkin skin_;
   Rod rod_;
   double length_m_ = 0.0;
+  double graspArc_ = 0.5;
   TurnTask task_;
   std::array<RodSkinPlace, 3> marks_{};
   std::vector<TaskPoint> path_;

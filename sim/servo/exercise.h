@@ -29,7 +29,7 @@ enum ExerciseEvent : std::uint32_t {
   kEventReturned = 1U << 5,  ///< the organ is at rest again
   kEventShaftTouched = 1U << 6,
   kEventShaftLeft = 1U << 7,
-  kEventFolded = 1U << 8,  ///< with kEventReleased: the tissue would have folded, so the jaw let go
+  kEventFolded = 1U << 8,  ///< with kEventReleased: the tissue would have folded, or slipped back by a turn
   // Of a hollow organ that came twisted.
   kEventBruised = 1U << 9,     ///< the jaw has pressed too hard for too long
   kEventTorn = 1U << 10,       ///< through the wall: the content leaves

@@ -148,7 +148,7 @@ HandTask handTask(const Scene& scene, double angle_rad) {
   const double arc_m = graspArc_m(scene);
   HandTask task = taskAt(scene, arc_m, reachable(scene, arc_m));
   // What the task of a rod measures is not what the hand turns.
-  task.targetAngle_rad = scene.rod ? atAngle(scene.rod->path(), angle_rad).hand_rad : angle_rad;
+  task.targetAngle_rad = scene.rod ? scene.rod->pointAt(angle_rad).hand_rad : angle_rad;
   return task;
 }
 

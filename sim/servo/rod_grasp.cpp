@@ -30,6 +30,10 @@ void RodGrasp::look(const RodOrgan& organ, OrganState& state) noexcept {
   const RodCurve curve = organ.skin().curveOf(state.pose);
   state.twist.graspAngle_rad = organ.turn_rad(grip_, state.pose, curve, state.twist.graspAngle_rad);
   folds_ = organ.skin().sharpestBend(curve) > kFoldingBend;
+  if (const auto counted_rad = organ.slippedBack_rad(grip_, state.pose, state.twist.graspAngle_rad)) {
+    state.twist.graspAngle_rad = *counted_rad;
+    folds_ = true;
+  }
 }
 
 void RodGrasp::follow(const RodOrgan& organ, const Pose& tool, double turn_rad, TwistDrive drive,

@@ -45,7 +45,7 @@ class RodGrasp {
   /// round the axis. Nearer than sqrt(K / stiffness cap) that falls with the arm, as
   /// TwistModel::graspForce_N.
   [[nodiscard]] Vec3 force_N(const RodOrgan& organ, const Vec3& tip_m) const noexcept;
-  /// Tells whether the tissue would fold in the pose of the last tick.
+  /// Tells whether the tissue would fold in the pose of the last tick, or has slipped back by a whole turn.
   [[nodiscard]] bool folds() const noexcept { return folds_; }
   /// Tells whether the coupling is drawn out further than `way_m`.
   [[nodiscard]] bool drawnBeyond(double way_m) const noexcept;

@@ -133,7 +133,8 @@ QString ReadoutPanel::releaseText(const LiveState& state) {
     return time_us >= 0 && time_us == state.times.released_us;
   };
   if (endedBy(state.times.folded_us)) {
-    return tr("The tissue would have folded, so the jaw let go. Turn less far.");
+    return tr(
+        "The tissue would have folded or slipped back by a whole turn, so the jaw let go. Turn less far.");
   }
   if (endedBy(state.times.slipped_us)) {
     return tr("The jaw slipped off: it was pulled too far. The tissue returns to rest.");

@@ -203,6 +203,23 @@ TEST(RodTwist, ATwistThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
   EXPECT_TRUE(fs::exists(scratch / "folded.obj"));
 }
 
+TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRefused) {
+  const fs::path scratch = emptyFolder("turns");
+
+  const nlohmann::json half = resultOf("--organ stomach --pattern partial --angle 170", scratch);
+  const nlohmann::json beyond = resultOf("--organ stomach --pattern partial --angle 200", scratch);
+  const nlohmann::json loop = resultOf("--organ intestine --angle 400", scratch);
+  const ProgramRun slipped =
+      runTorsio("twist --organ stomach --pattern partial --angle 270 --allow-fold", scratch);
+
+  EXPECT_GT(half["torque_nm"], 0.05);
+  EXPECT_GT(beyond["torque_nm"], half["torque_nm"]);  // not that of a turn the other way round
+  EXPECT_NEAR(degrees(loop["angle_rad"]), 400.0, 1e-6);
+  EXPECT_GT(loop["torque_nm"], 0.01);
+  EXPECT_EQ(slipped.code, exitCode(ErrorCode::kFolded)) << slipped.out;
+  EXPECT_NE(slipped.err.find("slips back by a whole turn"), std::string::npos) << slipped.err;
+}
+
 TEST(RodTwist, TheTwistedSurfaceIsWrittenWithItsVolume) {
   const fs::path scratch = emptyFolder("rod-out");
   const Tube tube{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}};

@@ -12,6 +12,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
@@ -122,6 +123,26 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   EXPECT_TRUE(mentions(problems, "arm G1, phase 1", "takes no time"));
   EXPECT_TRUE(mentions(problems, "occasion mid", "comes before"));
   EXPECT_TRUE(mentions(problems, "occasion \"later\"", "not known"));
+}
+
+TEST(CurriculumContent, RefusesATurnThatTheOrganCannotMake) {
+  StudyCentre centre;
+  CurriculumVersion far = shipped(centre, "first-steps");
+  TrainingModule partial = far.modules[0];
+  partial.requires_.clear();
+  partial.sceneId = "stomach";
+  partial.patternId = "partial";
+  partial.targetAngle_rad = radians(-200.0);
+  far.modules = {partial, partial};
+  far.modules[0].code = "P1";
+  far.modules[1].code = "P2";
+  far.modules[1].targetAngle_rad = radians(300.0);
+
+  const auto problems =
+      curriculumProblems(far, centre.assets(), OccasionRepository(centre.connection()).all());
+
+  EXPECT_FALSE(mentions(problems, "module P1", "degrees"));
+  EXPECT_TRUE(mentions(problems, "module P2", "300 degrees"));
 }
 
 TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {

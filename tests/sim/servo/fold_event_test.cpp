@@ -148,5 +148,56 @@ TEST(FoldEvent, OfTheRecordingIsFoundWhenItIsRunAgain) {
   EXPECT_GT(bend(), kFoldingBend);
 }
 
+/// How a hand ends that turns the antrum of the shipped stomach about its own axis by 330 degrees, where the
+/// held pylorus slips back by a whole turn.
+struct Overturned {
+  std::int64_t folded_tick = -1;
+  double largest_rad = 0.0;  // while the jaw held
+  Sample before, at, last;   // of the moment
+};
+
+Overturned overturned() {
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = "stomach";
+  request.pattern = "partial";
+  const Scene scene = loadScene(request);
+  HandTask task = handTask(scene);
+  task.targetAngle_rad = radians(330.0);
+  ScriptedHand hand(
+      {.seed = 5, .task = task, .profile = {.initialSkill = 1.0, .finalSkill = 1.0}, .duration_s = 6.0});
+  SpscRing<ExerciseMoment> events(256);
+  ServoLoop loop({.device = &hand, .scene = &scene, .events = &events}, {});
+  Overturned run;
+  for (int i = 0; i < 8500; ++i) {
+    loop.tick(1000LL * i);
+    for (ExerciseMoment moment; events.pop(moment);) {
+      if ((moment.events & kEventFolded) != 0 && run.folded_tick < 0) {
+        run.folded_tick = moment.tick;
+        run.before = run.last;
+        run.at = loop.lastSample();
+      }
+    }
+    run.last = loop.lastSample();
+    if (run.folded_tick < 0) {
+      run.largest_rad = std::max(run.largest_rad, run.last.response.angle_rad);
+    }
+  }
+  return run;
+}
+
+TEST(FoldEvent, EndsTheGripOfAnOrganThatSlipsBackByAWholeTurn) {
+  const Overturned run = overturned();
+
+  ASSERT_GE(run.folded_tick, 0);
+  EXPECT_GT(run.largest_rad, radians(200.0));
+  EXPECT_LT(run.largest_rad, radians(300.0));
+  EXPECT_EQ(run.before.phase, ExercisePhase::kTwisting);
+  EXPECT_GT(run.before.response.torque_Nm, 0.0);  // it still holds the turn that is counted
+  EXPECT_EQ(run.at.phase, ExercisePhase::kReleased);
+  EXPECT_EQ(run.last.phase, ExercisePhase::kTracking);
+  EXPECT_NEAR(run.last.response.angle_rad, 0.0, 0.02);
+}
+
 }  // namespace
 }  // namespace torsio
