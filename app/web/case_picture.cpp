@@ -16,8 +16,10 @@
 
 #include "app/recording/trial_playback.h"
 #include "app/web/binary_container.h"
+#include "app/web/blood_paint.h"
 #include "app/web/case_json.h"
 #include "app/web/shapes/shape_basis.h"
+#include "app/web/skin_shelf.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -159,7 +161,7 @@ class ShapeTrack {
   }
 
   [[nodiscard]] std::size_t states() const noexcept { return states_.size(); }
-  [[nodiscard]] const OrganState& state(std::size_t at) const { return states_[at]; }
+  [[nodiscard]] std::span<const OrganState> all() const noexcept { return states_; }
   [[nodiscard]] const std::vector<std::size_t>& stateOfFrame() const noexcept { return stateOfFrame_; }
   [[nodiscard]] std::vector<float> shape(std::size_t state) {
     scene_.deform(states_[state], places_m_);
@@ -270,31 +272,8 @@ std::vector<std::uint8_t> tissueColours(const Scene& scene) {
   return colours;
 }
 
-/// How an untwisted organ's blood colours it: the share of each vertex and the factor of each frame, both as
-/// the window has them. Marks of the jaw and the clip are not in it.
-void addBloodColours(BinaryContainer& container, const std::shared_ptr<const Scene>& scene,
-                     const ShapeTrack& track) {
-  const BloodMap map(scene);
-  if (map.empty()) {
-    return;
-  }
-  constexpr float kWhole = 255.0F;
-  constexpr float kFactorStep = 0.001F;
-  std::vector<std::uint8_t> fed;
-  for (const float share : map.fed()) {
-    fed.push_back(static_cast<std::uint8_t>(std::lround(kWhole * share)));
-  }
-  std::vector<float> blood;
-  for (const std::size_t state : track.stateOfFrame()) {
-    const std::array<float, 3> factor = BloodMap::twistedFactor(track.state(state).hollow);
-    blood.insert(blood.end(), factor.begin(), factor.end());
-  }
-  container.add("fed", std::span<const std::uint8_t>(fed));
-  container.addMultiples("blood", blood, kFactorStep, 3);
-}
-
 std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
-                    const std::filesystem::path& assets, float& farthest_mm) {
+                    const std::filesystem::path& assets, SkinShelf& skins, float& farthest_mm) {
   const auto shared = std::make_shared<const Scene>(loadScene(sceneOf(recording, assets)));
   const Scene& scene = *shared;
   checkScene(recording, scene);
@@ -315,20 +294,21 @@ std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
                       {"components", components},
                       {"frames", track.stateOfFrame().size()},
                       {"rate_hz", kShapeRate_hz},
-                      {"scale", found.basis.scale}};
+                      {"scale", found.basis.scale},
+                      {"skin", skins.put(scene)}};
   addMesh(container, "index", scene.mesh);
   container.addMultiples("mean", found.basis.mean, found.basis.meanStep, 3);
   container.addDifferences("basis", std::span<const std::int16_t>(found.basis.steps), 3);
   container.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
   container.add("colour", std::span<const std::uint8_t>(colour));
-  addBloodColours(container, shared, track);
+  addBloodPaint(container, BloodMap(shared), track.all(), track.stateOfFrame());
   addInstrument(container, assets, "grasper");
   return gzipped(container.bytes());
 }
 
 }  // namespace
 
-CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets) {
+CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets, SkinShelf& skins) {
   CasePicture picture;
   std::optional<TrialPlayback> playback;
   FrameColumns columns;
@@ -341,7 +321,7 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
     rethrowBlinded(std::current_exception(), recording.label);
   }
   try {
-    picture.organ = organOf(recording, *playback, assets, picture.farthest_mm);
+    picture.organ = organOf(recording, *playback, assets, skins, picture.farthest_mm);
   } catch (const Error&) {
     picture.organ.clear();  // a user's own organ: the traces tell what can be told
   }

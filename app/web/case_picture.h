@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/review/blinded_case.h"
+#include "app/web/skin_shelf.h"
 
 namespace torsio::web {
 
@@ -20,7 +21,8 @@ inline constexpr float kWithin_mm = 0.15F;
 
 /// The same for every rater of a recording. Decodes, rebuilds the scene and follows it through the recording:
 /// a second of processor time, some more for long ones. Takes what it needs out of `recording`. No byte of it
-/// tells whose recording it is. Throws as loadBlindedRecording.
-[[nodiscard]] CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets);
+/// tells whose recording it is. Its organ's skin is put on the shelf. Throws as loadBlindedRecording.
+[[nodiscard]] CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets,
+                                      SkinShelf& skins);
 
 }  // namespace torsio::web

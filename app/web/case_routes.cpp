@@ -170,12 +170,24 @@ HttpResponse answerOrgan(Call& call) {
   return organAnswer(call, *pictureOf(call));
 }
 
+/// A skin is asked for by what its own bytes are: whoever knows that has been shown its organ.
+HttpResponse answerSkin(Call& call) {
+  const auto skin = call.desk.skins().find(call.parts.front());
+  if (skin == nullptr) {
+    throw Error(ErrorCode::kBadData, Text::tr("there is nothing at this address"), "",
+                Text::tr("Load the page again"));
+  }
+  HttpResponse response = binaryAnswer(call, *skin);
+  response.headers.front().second = "private, max-age=604800, immutable";
+  return response;
+}
+
 }  // namespace
 
 std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
                                              const AssignmentId& assignmentId) {
   return desk.pictures().of(recordingName(context, assignmentId).key, [&] {
-    return casePicture(loadBlindedRecording(context, assignmentId), assetsFolder());
+    return casePicture(loadBlindedRecording(context, assignmentId), assetsFolder(), desk.skins());
   });
 }
 
@@ -190,7 +202,8 @@ std::vector<Route> caseRoutes() {
           {"POST", "/api/cases/*/remarks", kIn, answerRemark},
           {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
           {"GET", "/api/cases/*/recording", kIn, answerRecording, true},
-          {"GET", "/api/cases/*/organ", kIn, answerOrgan, true}};
+          {"GET", "/api/cases/*/organ", kIn, answerOrgan, true},
+          {"GET", "/api/skins/*", kIn, answerSkin}};
 }
 
 }  // namespace torsio::web

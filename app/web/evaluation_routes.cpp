@@ -91,10 +91,11 @@ HttpResponse answerSubmitModel(Call& call) {
 
 std::shared_ptr<const CasePicture> modelPicture(Call& call) {
   const auto [campaignId, label] = modelOf(call);
-  return call.desk.pictures().of(
-      kCampaign + campaignId.text() + " " + label, [&, &campaign = campaignId, &model = label] {
-        return casePicture(loadEvaluationRecording(call.context, campaign, model), assetsFolder());
-      });
+  return call.desk.pictures().of(kCampaign + campaignId.text() + " " + label,
+                                 [&, &campaign = campaignId, &model = label] {
+                                   return casePicture(loadEvaluationRecording(call.context, campaign, model),
+                                                      assetsFolder(), call.desk.skins());
+                                 });
 }
 
 HttpResponse answerModelRecording(Call& call) {

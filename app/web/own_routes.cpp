@@ -193,7 +193,8 @@ std::shared_ptr<const CasePicture> runPicture(Call& call) {
   const TrialId id = runOf(call);
   (void)ownTrial(call.context, ownRecord(call.context, Operation::kTrialViewOwn), id);
   return call.desk.pictures().of(kRun + id.text(), [&] {
-    return casePicture(blindedRecordingOf(call.context.connection(), id, "", ""), assetsFolder());
+    return casePicture(blindedRecordingOf(call.context.connection(), id, "", ""), assetsFolder(),
+                       call.desk.skins());
   });
 }
 

@@ -12,36 +12,46 @@ namespace {
 
 constexpr const char* kIndex = "/index.html";
 constexpr std::size_t kTagDigits = 16;
+constexpr const char* kTissueShader = "quick_tissue.frag";  // the window's own
 
 /// Other files of the folder (notes, tests) are not served.
 std::string typeOf(const std::filesystem::path& file) {
   static const std::map<std::string, std::string> kTypes = {{".html", "text/html; charset=utf-8"},
                                                             {".css", "text/css; charset=utf-8"},
                                                             {".js", "text/javascript; charset=utf-8"},
-                                                            {".svg", "image/svg+xml"}};
+                                                            {".svg", "image/svg+xml"},
+                                                            {".frag", "text/plain; charset=utf-8"}};
   const auto found = kTypes.find(file.extension().string());
   return found == kTypes.end() ? std::string() : found->second;
 }
 
 }  // namespace
 
-PageFiles::PageFiles(const std::filesystem::path& folder) {
+PageFiles::PageFiles(const std::filesystem::path& assets) {
+  const std::filesystem::path folder = assets / "web";
   if (!std::filesystem::is_directory(folder)) {
     throw Error(ErrorCode::kFileMissing, Text::verbatim("the pages of the review desk are not installed"),
                 folder.string(), Text::verbatim("Install Torsio with its assets"));
   }
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const std::string type = typeOf(entry.path());
-    if (!entry.is_regular_file() || type.empty()) {
-      continue;
+    if (entry.is_regular_file()) {
+      add(entry.path(), "/" + std::filesystem::relative(entry.path(), folder).generic_string());
     }
-    File file{type, readFile(entry.path()), {}, {}};
-    file.packed = gzipped(file.bytes);
-    Digest digest;
-    digest.update(std::string_view(file.bytes));
-    file.tag = '"' + digest.hex().substr(0, kTagDigits) + '"';
-    files_.emplace("/" + std::filesystem::relative(entry.path(), folder).generic_string(), std::move(file));
   }
+  add(assets / "shaders" / kTissueShader, std::string("/") + kTissueShader);
+}
+
+void PageFiles::add(const std::filesystem::path& path, const std::string& address) {
+  const std::string type = typeOf(path);
+  if (type.empty()) {
+    return;
+  }
+  File file{type, readFile(path), {}, {}};
+  file.packed = gzipped(file.bytes);
+  Digest digest;
+  digest.update(std::string_view(file.bytes));
+  file.tag = '"' + digest.hex().substr(0, kTagDigits) + '"';
+  files_.emplace(address, std::move(file));
 }
 
 std::optional<HttpResponse> PageFiles::answer(const HttpRequest& request) const {

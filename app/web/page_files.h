@@ -10,11 +10,12 @@
 
 namespace torsio::web {
 
-/// The pages of assets/web, in memory: nothing on the disk is reached by an address that a browser sends.
+/// The pages of assets/web and the shader of the tissue that they share with the window, in memory: nothing
+/// on the disk is reached by an address that a browser sends.
 class PageFiles {
  public:
-  /// Reads the folder. Throws Error{kFileMissing, kFileUnreadable}.
-  explicit PageFiles(const std::filesystem::path& folder);
+  /// Reads them out of the folder of the program's assets. Throws Error{kFileMissing, kFileUnreadable}.
+  explicit PageFiles(const std::filesystem::path& assets);
   /// Returns the answer to a request for a page; nothing for an address that is none. "/" and "/join" are the
   /// page itself.
   [[nodiscard]] std::optional<HttpResponse> answer(const HttpRequest& request) const;
@@ -26,6 +27,8 @@ class PageFiles {
     std::string packed{};  // gzip
     std::string tag{};     // changes with the content
   };
+  void add(const std::filesystem::path& path, const std::string& address);
+
   std::map<std::string, File> files_;  // by address
 };
 

@@ -73,7 +73,8 @@ HttpResponse answerReferenceScore(Call& call) {
 std::shared_ptr<const CasePicture> referencePicture(Call& call) {
   BlindedRecording recording = loadReferenceRun(call.context, numberOf(call));
   const std::string key = "reference " + recording.label + " " + recording.digest;
-  return call.desk.pictures().of(key, [&] { return casePicture(std::move(recording), assetsFolder()); });
+  return call.desk.pictures().of(
+      key, [&] { return casePicture(std::move(recording), assetsFolder(), call.desk.skins()); });
 }
 
 HttpResponse answerReferenceRecording(Call& call) {

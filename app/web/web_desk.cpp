@@ -130,7 +130,7 @@ HttpResponse answerOf(const std::exception_ptr& thrown, const Wording& wording) 
 
 WebDesk::WebDesk(const DeskSettings& settings)
     : settings_(settings),
-      pages_(settings.assets / "web"),
+      pages_(settings.assets),
       router_(allRoutes()),
       sessions_({}),
       signInTries_(kSignInTries, std::chrono::minutes(1)),

@@ -16,6 +16,7 @@
 #include "app/web/page_files.h"
 #include "app/web/picture_cache.h"
 #include "app/web/router.h"
+#include "app/web/skin_shelf.h"
 #include "app/web/web_sessions.h"
 #include "assessment/people/account.h"
 
@@ -50,6 +51,7 @@ class WebDesk {
   [[nodiscard]] const Router& router() const noexcept { return router_; }
   [[nodiscard]] WebSessions& sessions() noexcept { return sessions_; }
   [[nodiscard]] PictureCache& pictures() noexcept { return pictures_; }
+  [[nodiscard]] SkinShelf& skins() noexcept { return skins_; }
   [[nodiscard]] const std::map<std::string, Wording>& languages() const noexcept { return languages_; }
 
   /// "https://desk.example.org": as the browser of this request reaches the desk.
@@ -75,6 +77,7 @@ class WebDesk {
   WebSessions sessions_;
   TryLimit signInTries_;
   PictureCache pictures_;
+  SkinShelf skins_;
   std::map<std::string, Wording> languages_;
   std::mutex hashing_;
   std::atomic<int> hashers_{0};

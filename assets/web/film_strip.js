@@ -55,9 +55,13 @@ export class FilmStrip {
     const vertices = morph.evaluate(time_s);
     this.camera ??= new OrbitCamera();
     this.camera.frame(morph.ball(), kWidth / kHeight);
-    const bytes = rasterPicture([{ index: morph.index, vertices, colour: morph.colour },
+    const bytes = rasterPicture([{ index: morph.index, vertices, colour: tinted(morph.colour, morph.tintsAt(time_s)) },
       { ...this.tool, model: poseMatrix(this.recording, time_s) }], this.camera, kWidth, kHeight);
     canvas.getContext('2d').putImageData(new ImageData(bytes, kWidth, kHeight), 0, 0);
     setTimeout(() => this.#drawFrom(number + 1));
   }
+}
+
+function tinted(colour, tints) {
+  return tints ? colour.map((byte, i) => Math.min(byte * tints[i], 255)) : colour;
 }

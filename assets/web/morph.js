@@ -2,6 +2,7 @@
 // The organ at any moment: mean shape plus weighted components, and its normals. Knows no page and no WebGL.
 
 const kFloatsAVertex = 6; // x y z, nx ny nz
+const kMoments = 7; // that tell how much room the organ takes
 
 export class Morph {
   #weights;
@@ -11,8 +12,6 @@ export class Morph {
     this.meta = meta;
     this.index = arrays.index;
     this.colour = arrays.colour;
-    this.rest = arrays.mean;
-    this.fed = arrays.fed ?? null;
     this.arrays = arrays;
     this.vertices = new Float32Array(kFloatsAVertex * meta.vertices);
     this.#weights = new Float32Array(meta.components);
@@ -26,12 +25,19 @@ export class Morph {
     return this.vertices;
   }
 
-  /// The factor on the colour of what is fed through the twist.
-  bloodAt(time_s) {
-    const { blood } = this.arrays;
-    if (!blood) return [1, 1, 1];
+  /// A factor on the colour of each vertex, three each, as the screen has colours: blood, then what was done to the
+  /// tissue, the lowest first. Null for an organ whose colour stays.
+  tintsAt(time_s) {
+    const { fed, blood, paint } = this.arrays;
+    if (!fed) return null;
     const frame = Math.min(Math.max(Math.round(time_s * this.meta.rate_hz), 0), this.meta.frames - 1);
-    return blood.slice(3 * frame, 3 * frame + 3);
+    const tints = (this.tints ??= new Float32Array(3 * this.meta.vertices));
+    mixTints(tints.fill(1), blood.subarray(3 * frame, 3 * frame + 3), fed);
+    (this.meta.paints ?? []).forEach(({ factor, from, to }, number) => {
+      if (frame < from || frame >= to) return;
+      mixTints(tints, factor, paint.subarray(number * fed.length, (number + 1) * fed.length));
+    });
+    return tints;
   }
 
   /// Weights at this time, each times its scale: linear between frames.
@@ -73,24 +79,50 @@ export class Morph {
     addNormals(this.index, this.vertices);
   }
 
-  /// Centre and radius of a ball round the organ as it is now.
+  /// Centre and radius of a ball round the organ at some moments from the first to the last.
   ball() {
+    if (this.#ball) return this.#ball;
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
-    for (let o = 0; o < this.vertices.length; o += kFloatsAVertex) {
+    const moments = Array.from({ length: kMoments }, (_, i) => (i * (this.meta.frames - 1)) / this.meta.rate_hz / (kMoments - 1));
+    const everywhere = (visit) => moments.forEach((time_s) => {
+      this.#mix(time_s);
+      this.#place();
+      for (let i = 0; i < this.placed.length; i += 3) visit(this.placed, i);
+    });
+    everywhere((placed, i) => {
       for (let axis = 0; axis < 3; ++axis) {
-        low[axis] = Math.min(low[axis], this.vertices[o + axis]);
-        high[axis] = Math.max(high[axis], this.vertices[o + axis]);
+        low[axis] = Math.min(low[axis], placed[i + axis]);
+        high[axis] = Math.max(high[axis], placed[i + axis]);
       }
-    }
+    });
     const centre = low.map((value, axis) => 0.5 * (value + high[axis]));
     let radius = 0;
-    for (let o = 0; o < this.vertices.length; o += kFloatsAVertex) {
-      const [x, y, z] = centre.map((value, axis) => this.vertices[o + axis] - value);
-      radius = Math.max(radius, Math.hypot(x, y, z));
-    }
-    return { centre, radius };
+    everywhere((placed, i) => {
+      radius = Math.max(radius, Math.hypot(placed[i] - centre[0], placed[i + 1] - centre[1], placed[i + 2] - centre[2]));
+    });
+    this.#ball = { centre, radius };
+    return this.#ball;
   }
+  #ball = null;
+}
+
+/// Goes from each tint towards a factor by the share, of 255, of its vertex.
+function mixTints(tints, factor, shares) {
+  for (let i = 0, o = 0; i < shares.length; ++i, o += 3) {
+    const share = shares[i] / 255;
+    if (share === 0) continue;
+    for (let k = 0; k < 3; ++k) tints[o + k] += share * (factor[k] - tints[o + k]);
+  }
+}
+
+/// Copies `width` numbers of each corner's vertex out of `from`: corners on a seam of the skin share a vertex.
+export function spread(from, corner, width, out) {
+  for (let i = 0, o = 0; i < corner.length; ++i) {
+    const begin = width * corner[i];
+    for (let k = 0; k < width; ++k) out[o++] = from[begin + k];
+  }
+  return out;
 }
 
 /// Adds to `vertices` (x y z nx ny nz each) the normals of the triangles of `index`, weighted by area.

@@ -7,6 +7,7 @@ import { FilmStrip } from './film_strip.js';
 import { icon } from './icons.js';
 import { clockTime, figure, pointsText } from './numbers.js';
 import { joined, kJump_us, kStep_us, Playback } from './playback.js';
+import { skinOf } from './skin.js';
 import { Stage } from './stage.js';
 import { followInput } from './stage_input.js';
 import { t } from './texts.js';
@@ -60,6 +61,8 @@ export class Player {
       say(this.sentence, t('The organ of this recording is not on this machine; the traces are complete.'));
       return;
     }
+    const tissue = api.file('/quick_tissue.frag').then((bytes) => new TextDecoder().decode(bytes));
+    tissue.catch(() => {}); // heard of where it is needed
     const organ = readContainer(await api.file(`${this.path}/organ`));
     show(this.stagePlace, true);
     if (!this.stage.open()) {
@@ -73,7 +76,9 @@ export class Player {
     this.stage.canvas.setAttribute('role', 'application');
     this.stage.canvas.setAttribute('aria-label', t('The organ in three dimensions. Arrows turn it, plus and minus zoom'));
     followInput(this.stage);
-    this.stage.setCase(recording, organ);
+    this.stage.setCase(recording, organ, await tissue);
+    const skin = await skinOf(organ.meta.skin);
+    if (skin) this.stage.setSkin(skin);
   }
 
   seek(position_us) {

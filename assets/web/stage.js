@@ -2,14 +2,17 @@
 // The organ and the instrument in three dimensions. Draws only when something moved; draws fewer pixels when
 // pictures take too long.
 import { h } from './dom.js';
-import { makeMesh, makeProgram, openContext } from './gl.js';
-import { addNormals, Morph } from './morph.js';
+import { joinedTexture, makeMesh, makeProgram, makeTexture, openContext } from './gl.js';
+import { addNormals, Morph, spread } from './morph.js';
 import { OrbitCamera } from './orbit.js';
-import { kSteelShader, kTissueShader, kVertexShader } from './shaders.js';
+import { kJoinShader, kJoinVertexShader, kLamps, kSteelShader, kVertexShader, tissueShader } from './shaders.js';
 import { jawOpening, poseMatrix, product, turnedAbout } from './tool_pose.js';
 
 const kIdentity = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 const kSteel = [0.66, 0.68, 0.7];
+const kWhite = [1, 1, 1];
+/// Of an organ without a painted skin.
+const kPlainLook = { wetness: 0.38, scatter: 1, relief_mm: 0 };
 /// Share of the screen's pixels that are drawn; the first may be more than one a point of the layout.
 const kShares = [1, 0.8, 0.6, 0.45];
 const kMostRatio = 2;
@@ -46,17 +49,24 @@ export class Stage {
 
   #meshes = null;
   #toolParts = [];
-  /// Containers of the recording and the organ.
-  setCase(recording, organ) {
+  /// Containers of the recording and the organ; `tissue`: source of the window's shader.
+  setCase(recording, organ, tissue) {
     this.recording = recording;
     this.organ = new Morph(organ);
+    this.source = tissue;
+    this.skin = null;
     this.#upload();
     this.fit();
   }
+  /// What skinOf() gives: the tissue's picture in place of its plain colours.
+  setSkin(skin) {
+    this.skin = skin;
+    this.#upload();
+  }
   #upload() {
     const gl = this.#gl;
-    if (!this.organ) return;
-    this.tissue = makeProgram(gl, kVertexShader, kTissueShader);
+    if (!this.organ || gl.isContextLost()) return;
+    this.tissue = makeProgram(gl, kVertexShader, tissueShader(this.source));
     this.steel = makeProgram(gl, kVertexShader, kSteelShader);
     const { organ } = this;
     const { tool_index: index, tool_mean: mean } = organ.arrays;
@@ -64,12 +74,31 @@ export class Stage {
     for (let i = 0; i < mean.length; ++i) vertices[6 * Math.floor(i / 3) + (i % 3)] = mean[i];
     addNormals(index, vertices);
     this.#toolParts = partsOf(index, organ.meta.tool.parts);
-    this.#meshes = {
-      organ: makeMesh(gl, { ...organ, vertices: organ.evaluate(this.#time_s), moves: true }),
-      tool: makeMesh(gl, { index, vertices, colour: kSteel }),
-    };
+    this.#meshes = { organ: this.#organMesh(), tool: makeMesh(gl, { index, vertices, colour: kSteel }) };
+    this.#map = this.#skinTexture();
+    this.#moved = true;
     gl.enable(gl.DEPTH_TEST);
     this.redraw();
+  }
+  #map = null;
+  #organMesh() {
+    const { organ, skin } = this;
+    const moves = { moves: true, tinted: organ.tintsAt(0) !== null };
+    if (!skin) return makeMesh(this.#gl, { ...moves, index: organ.index, colour: organ.colour, vertices: organ.evaluate(this.#time_s) });
+    const { corner, place, width, height, index } = skin;
+    const map = place.map((value, i) => value / (i % 2 === 0 ? width : height));
+    this.spreadVertices = new Float32Array(6 * corner.length);
+    this.spreadTints = moves.tinted ? new Float32Array(3 * corner.length) : null;
+    return makeMesh(this.#gl, { ...moves, index, map, colour: kWhite, vertices: this.spreadVertices });
+  }
+  #skinTexture() {
+    const gl = this.#gl;
+    if (!this.skin) return makeTexture(gl, new Uint8Array([255, 255, 255, 128]));
+    const { width, height, colour, relief } = this.skin;
+    const sources = { colourMap: makeTexture(gl, colour), reliefMap: makeTexture(gl, relief) };
+    const joined = joinedTexture(gl, makeProgram(gl, kJoinVertexShader, kJoinShader), width, height, sources);
+    Object.values(sources).forEach((one) => gl.deleteTexture(one));
+    return joined;
   }
 
   setTime(time_s) {
@@ -82,7 +111,6 @@ export class Stage {
 
   fit() {
     if (!this.organ) return;
-    this.organ.evaluate(this.#time_s);
     this.camera.frame(this.organ.ball(), this.#aspect());
     this.redraw();
   }
@@ -151,27 +179,42 @@ export class Stage {
 
   #draw() {
     const gl = this.#gl;
-    const { organ, tool } = this.#meshes;
-    if (this.#moved) organ.move(this.organ.evaluate(this.#time_s));
+    if (this.#moved) this.#move();
     this.#moved = false;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const { wetness, scatter, relief_mm } = this.skin?.look ?? kPlainLook;
     this.#begin(this.tissue);
-    this.tissue.fine(this.#still || this.#share === 0);
-    this.tissue.model(kIdentity);
-    this.tissue.blood(this.organ.bloodAt(this.#time_s));
-    organ.draw();
+    gl.bindTexture(gl.TEXTURE_2D, this.#map);
+    this.tissue.set('lampColour', kLamps.lampColour);
+    for (const name of ['scatterWay', 'scatterRim']) this.tissue.set(name, kLamps[name].map((part) => part * scatter));
+    this.tissue.set('wetness', wetness);
+    this.tissue.set('relief', relief_mm);
+    this.tissue.set('model', kIdentity);
+    this.#meshes.organ.draw();
     this.#begin(this.steel);
-    this.#drawTool(tool);
+    this.#drawTool(this.#meshes.tool);
     this.#sharpen();
   }
+  /// The organ as it is at this time, and the colour of its blood.
+  #move() {
+    const vertices = this.organ.evaluate(this.#time_s);
+    const tints = this.organ.tintsAt(this.#time_s);
+    if (!this.skin) return this.#meshes.organ.move(vertices, tints);
+    const { corner } = this.skin;
+    return this.#meshes.organ.move(spread(vertices, corner, 6, this.spreadVertices),
+      tints && spread(tints, corner, 3, this.spreadTints));
+  }
+  /// The operating lamp stays where the room has it, the one beside the lens goes along.
   #begin(program) {
     const { right, up, back } = this.camera.axes();
+    const lens = kLamps.lensDirection;
     program.use();
-    program.viewProjection(this.camera.matrix(this.#aspect()));
-    program.eye(this.camera.position());
-    program.headlight(new Float32Array([...right, ...up, ...back]));
+    program.set('viewProjection', this.camera.matrix(this.#aspect()));
+    program.set('eye', this.camera.position());
+    program.set('lampDirection', kLamps.lampDirection);
+    program.set('lensDirection', [0, 1, 2].map((k) => lens[0] * right[k] + lens[1] * up[k] + lens[2] * back[k]));
   }
   /// meta.tool.parts: {name, first, count} of vertices; 'upper_jaw' opens by +opening_deg about axis and pivot,
   /// 'lower_jaw' by -opening_deg.
@@ -182,7 +225,7 @@ export class Stage {
     const sides = { upper_jaw: 1, lower_jaw: -1 };
     for (const { name, first, count } of this.#toolParts) {
       const side = sides[name] ?? 0;
-      this.steel.model(side === 0 ? pose : product(pose, turnedAbout(axis, pivot_mm, side * opening_rad)));
+      this.steel.set('model', side === 0 ? pose : product(pose, turnedAbout(axis, pivot_mm, side * opening_rad)));
       mesh.draw(first, count);
     }
   }

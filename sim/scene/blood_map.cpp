@@ -84,31 +84,46 @@ void BloodMap::evaluate(const OrganState& state, std::span<Factor> factors) cons
     blend(factors[v], twisted, places_[v].fed);
   }
   for (int i = 0; i < pose.markCount; ++i) {
-    paintMark(pose.marks[static_cast<std::size_t>(i)], factors);
+    const TissueMark& mark = pose.marks[static_cast<std::size_t>(i)];
+    for (std::size_t v = 0; v < factors.size(); ++v) {
+      blend(factors[v], mark.torn ? kTear : kBruise, markShare(places_[v], mark));
+    }
   }
   if (pose.clipped) {
-    paintClip(state.twist.graspArc_m, factors);
-  }
-}
-
-void BloodMap::paintMark(const TissueMark& mark, std::span<Factor> factors) const {
-  const double reach_m = mark.torn ? kTearRadius_m : kBruiseRadius_m;
-  for (std::size_t v = 0; v < factors.size(); ++v) {
-    const Place& place = places_[v];
-    const double along_m = place.arc_m - mark.arc_m;
-    if (std::abs(along_m) < reach_m) {
-      const double round_m = place.radius_m * std::remainder(place.round_rad - mark.round_rad, kTurn);
-      const double share = 1.0 - std::hypot(along_m, round_m) / reach_m;
-      blend(factors[v], mark.torn ? kTear : kBruise, smooth(2.0 * share));
+    for (std::size_t v = 0; v < factors.size(); ++v) {
+      blend(factors[v], kClip, clipShare(places_[v], state.twist.graspArc_m));
     }
   }
 }
 
-void BloodMap::paintClip(double arc_m, std::span<Factor> factors) const {
-  for (std::size_t v = 0; v < factors.size(); ++v) {
-    const double share = 1.0 - std::abs(places_[v].arc_m - arc_m) / kClipWidth_m;
-    blend(factors[v], kClip, smooth(2.0 * share));
+BloodMap::Paint BloodMap::markPaint(const TissueMark& mark) const {
+  Paint paint{mark.torn ? kTear : kBruise, {}};
+  for (const Place& place : places_) {
+    paint.share.push_back(markShare(place, mark));
   }
+  return paint;
+}
+
+BloodMap::Paint BloodMap::clipPaint(double arc_m) const {
+  Paint paint{kClip, {}};
+  for (const Place& place : places_) {
+    paint.share.push_back(clipShare(place, arc_m));
+  }
+  return paint;
+}
+
+float BloodMap::markShare(const Place& place, const TissueMark& mark) {
+  const double reach_m = mark.torn ? kTearRadius_m : kBruiseRadius_m;
+  const double along_m = place.arc_m - mark.arc_m;
+  if (std::abs(along_m) >= reach_m) {
+    return 0.0F;
+  }
+  const double round_m = place.radius_m * std::remainder(place.round_rad - mark.round_rad, kTurn);
+  return smooth(2.0 * (1.0 - std::hypot(along_m, round_m) / reach_m));
+}
+
+float BloodMap::clipShare(const Place& place, double arc_m) {
+  return smooth(2.0 * (1.0 - std::abs(place.arc_m - arc_m) / kClipWidth_m));
 }
 
 }  // namespace torsio

@@ -23,7 +23,16 @@ class BloodMap {
   [[nodiscard]] std::vector<float> fed() const;
   /// Returns the factor on the colour of what is fed through the twist alone, sRGB.
   [[nodiscard]] static std::array<float, 3> twistedFactor(const HollowPose& pose);
-  /// Computes the factor on the tissue's own colour, sRGB, one a vertex of the mesh.
+  /// What lies over the tissue's own colour: a bruise, a tear, the clip.
+  struct Paint {
+    std::array<float, 3> factor{};  ///< on the colour where it covers all, sRGB
+    std::vector<float> share;       ///< how far it covers each vertex, 0 .. 1
+  };
+  /// Returns what evaluate() lays over the blood's colour, the lowest first.
+  [[nodiscard]] Paint markPaint(const TissueMark& mark) const;
+  [[nodiscard]] Paint clipPaint(double arc_m) const;
+  /// Computes the factor on the tissue's own colour, sRGB, one a vertex of the mesh: blood, marks in their
+  /// order, the clip.
   void evaluate(const OrganState& state, std::span<std::array<float, 3>> factors) const;
 
  private:
@@ -33,8 +42,8 @@ class BloodMap {
     double radius_m = 0.0;
     float fed = 0.0F;  ///< share of the twisted vessels in the blood here
   };
-  void paintMark(const TissueMark& mark, std::span<std::array<float, 3>> factors) const;
-  void paintClip(double arc_m, std::span<std::array<float, 3>> factors) const;
+  [[nodiscard]] static float markShare(const Place& place, const TissueMark& mark);
+  [[nodiscard]] static float clipShare(const Place& place, double arc_m);
 
   std::shared_ptr<const Scene> scene_;  // null: not hollow
   std::vector<Place> places_;           // one a vertex

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real review desk with a centre of made-up people, for the browser's tests: prints its port and what
 // stands in an invitation of "physician1", and ends with its standard input. A number on it: the first
-// physician goes on with the draft at the desk. `desk_server SCENE`: what the recordings twist.
+// physician goes on with the draft at the desk. `desk_server SCENE PATTERN`: what the recordings
+// twist, and how.
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
@@ -69,6 +70,7 @@ int main(int argc, char** argv) {
   SceneRequest organ;
   organ.assets = assetsFolder();
   organ.id = argc > 1 ? argv[1] : "forearm";
+  organ.pattern = argc > 2 ? argv[2] : "";
   const Scene scene = loadScene(organ);
   testing::ReviewCentre centre({.raters = 2, .trainees = 3, .trial_s = 6.0, .live = true, .scene = &scene});
   AccessRepository access(centre.connection(), PasswordCost::kTest);

@@ -17,13 +17,14 @@ import mock_recording
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ROOT / "assets" / "web"
+SHADERS = ROOT / "assets" / "shaders"
 TRANSLATIONS = ROOT / "assets" / "translations" / "torsio_zh_CN.ts"
 RUBRIC = ROOT / "assets" / "rubrics" / "twist-training.json"
 POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; "
           "font-src 'self'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'; "
           "require-trusted-types-for 'script'")
 KINDS = {".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
-         ".svg": "image/svg+xml"}
+         ".svg": "image/svg+xml", ".frag": "text/plain; charset=utf-8"}
 PASSWORD = "correct horse battery"
 INVITATION = "abcde-fghjk-mnpqr-stuvw"  # of the rater
 
@@ -356,7 +357,9 @@ class Handler(BaseHTTPRequestHandler):
 
     def page(self):
         path = (PAGES / ("index.html" if self.path in ("/", "/join") else self.path.lstrip("/"))).resolve()
-        if PAGES not in path.parents or not path.is_file():
+        if self.path == "/quick_tissue.frag":
+            path = SHADERS / "quick_tissue.frag"
+        elif PAGES not in path.parents or not path.is_file():
             raise Refused(404, "There is nothing here")
         return self.send(200, path.read_bytes(), KINDS.get(path.suffix, "text/plain"))
 

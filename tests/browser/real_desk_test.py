@@ -55,6 +55,13 @@ def submit_and_seal(browser):
     browser.says("body", "sealed")
 
 
+def skin_arrived(browser):
+    """Bytes that came over the network until the tissue's picture did, 0 before that."""
+    return browser.run("const all = performance.getEntriesByType('resource');"
+                       "return all.some((one) => one.name.includes('/api/skins/') && one.responseEnd > 0)"
+                       " ? all.reduce((sum, one) => sum + one.transferSize, 0) : 0")
+
+
 def test_score_a_case(kind, desk, pictures):
     with kind() as browser:
         sign_in(browser, desk.url, "physician0")
@@ -65,6 +72,9 @@ def test_score_a_case(kind, desk, pictures):
         browser.there(".strip")
         browser.there(".stage-canvas")
         browser.until("something is drawn", lambda: drawn(browser)["share"] > 0.02)
+        arrived = browser.until("the painted skin is there", lambda: skin_arrived(browser))
+        print(f"transferred until then: {arrived / 1e6:.2f} MB")
+        check("a first case takes 1.5 MB at most", arrived <= 1.5e6)
         browser.keys("7", "ArrowDown", "8", "ArrowDown", "7")
         browser.says(".saved", "Saved")
         browser.keys("Space")

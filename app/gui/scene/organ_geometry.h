@@ -9,7 +9,7 @@
 #include "app/gui/scene/moving_geometry.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/outline.h"
-#include "app/gui/scene/tissue_skin.h"
+#include "sim/scene/skin/tissue_skin.h"
 
 namespace torsio::gui {
 

@@ -13,10 +13,10 @@
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/surroundings.h"
-#include "app/gui/scene/tissue_skin.h"
 #include "sim/base/vec3.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/organ_state.h"
+#include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {

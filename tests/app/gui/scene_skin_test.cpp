@@ -19,10 +19,10 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/stress_legend.h"
-#include "app/gui/scene/surface_walk.h"
-#include "app/gui/scene/tissue_skin.h"
-#include "app/gui/scene/vessels.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/scene/skin/surface_walk.h"
+#include "sim/scene/skin/tissue_skin.h"
+#include "sim/scene/skin/vessels.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { readContainer } from '../../../assets/web/container.js';
-import { Morph } from '../../../assets/web/morph.js';
+import { Morph, spread } from '../../../assets/web/morph.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
+import { kLamps } from '../../../assets/web/shaders.js';
 import { lane, scaleText, sizeText } from '../../../assets/web/trace_lane.js';
 import { filledIn } from '../../../assets/web/texts.js';
 import { jawOpening, poseMatrix, turnedAbout } from '../../../assets/web/tool_pose.js';
@@ -78,15 +80,40 @@ test('the organ at a moment is the mean and its weighted components, linear betw
   assert.deepEqual(heights, [0, 0, 0.5, 1, 2, 2].map(Math.fround));
 });
 
-test('blood colours what is fed through the twist by the frame, and nothing else', () => {
-  const plain = new Morph(kTriangle);
-  assert.deepEqual([...plain.bloodAt(0.5)], [1, 1, 1]);
-  assert.equal(plain.fed, null);
-  const blood = new Float32Array([1, 1, 1, 0.5, 0.25, 0.75, 0, 0, 0]);
-  const fed = new Uint8Array([0, 128, 255]);
-  const twisted = new Morph({ meta: kTriangle.meta, arrays: { ...kTriangle.arrays, blood, fed } });
-  assert.deepEqual([-1, 0.5, 9].map((time_s) => [...twisted.bloodAt(time_s)]), [[1, 1, 1], [0.5, 0.25, 0.75], [0, 0, 0]]);
-  assert.equal(twisted.fed, fed);
+test('blood, then what was done to the tissue, colours each vertex by its share and the frame', () => {
+  assert.equal(new Morph(kTriangle).tintsAt(0.5), null);
+  const arrays = {
+    ...kTriangle.arrays,
+    blood: new Float32Array([1, 1, 1, 0.5, 0.25, 0.75, 0, 0, 0]),
+    fed: new Uint8Array([0, 51, 255]),
+    paint: new Uint8Array([255, 0, 0, 0, 0, 102]),
+  };
+  const paints = [{ factor: [0.5, 0, 1], from: 1, to: 2 }, { factor: [1, 1, 0], from: 2, to: 3 }];
+  const twisted = new Morph({ meta: { ...kTriangle.meta, paints }, arrays });
+  const near = (time_s, wanted) => [...twisted.tintsAt(time_s)].forEach((value, i) => assert.ok(Math.abs(value - wanted[i]) < 1e-6, `${time_s} ${i}: ${value}`));
+  near(-1, [1, 1, 1, 1, 1, 1, 1, 1, 1]);
+  near(0.5, [0.5, 0, 1, 0.9, 0.85, 0.95, 0.5, 0.25, 0.75]);
+  near(9, [1, 1, 1, 0.8, 0.8, 0.8, 0.4, 0.4, 0]);
+});
+
+test('corners on a seam of the skin get the numbers of their vertex', () => {
+  const out = spread([0, 1, 10, 11, 20, 21], [2, 0, 2, 1], 2, new Float32Array(8));
+  assert.deepEqual([...out], [20, 21, 0, 1, 20, 21, 10, 11]);
+});
+
+test('the lamps are those of the window', () => {
+  const scene = readFileSync(new URL('../../../app/gui/scene/scene_view.qml', import.meta.url), 'utf8');
+  const said = (pattern) => {
+    const found = scene.match(pattern);
+    assert.ok(found, `${pattern} is in scene_view.qml`);
+    return found.slice(1, 4).map(Number);
+  };
+  const three = '\\((-?[\\d.]+), (-?[\\d.]+), (-?[\\d.]+)\\)';
+  assert.deepEqual(kLamps.lampDirection, said(new RegExp(`vector3d lampDirection: Qt.vector3d${three}`)));
+  assert.deepEqual(kLamps.lensDirection, said(new RegExp(`vector3d lensDirection: .*Qt.vector3d${three}`)));
+  assert.deepEqual(kLamps.lampColour, said(new RegExp(`vector3d lampColour: Qt.vector3d${three}`)));
+  assert.deepEqual(kLamps.scatterWay, said(new RegExp(`vector3d scatterWay: Qt.vector3d${three}.times.root.scatter`)));
+  assert.deepEqual(kLamps.scatterRim, said(new RegExp(`vector3d scatterRim: Qt.vector3d${three}.times.root.scatter`)));
 });
 
 test('normals are those of the triangles as they are now', () => {
@@ -96,12 +123,10 @@ test('normals are those of the triangles as they are now', () => {
   assert.deepEqual([x, y, z].map((one) => Math.round(1e6 * one) / 1e6), [0, -2, 1]);
 });
 
-test('the ball round the organ holds each vertex', () => {
-  const morph = new Morph(kTriangle);
-  morph.evaluate(0);
-  const { centre, radius } = morph.ball();
-  assert.deepEqual(centre, [0.5, 0.5, 0]);
-  assert.ok(Math.abs(radius - Math.SQRT1_2) < 1e-6);
+test('the ball round the organ holds each vertex, also of its last shape', () => {
+  const { centre, radius } = new Morph(kTriangle).ball();
+  assert.deepEqual(centre, [0.5, 0.5, 1]);
+  assert.ok(Math.abs(radius - Math.sqrt(1.5)) < 1e-6);
 });
 
 test('the instrument goes the shorter way between two orientations, and its jaw moves with it', () => {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/surface_walk.h"
+#include "sim/scene/skin/surface_walk.h"
 
 #include <cmath>
 #include <limits>
 #include <unordered_map>
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -89,4 +89,4 @@ void SurfaceWalk::head(SurfaceWalker& walker, const Vec3& direction) const {
   walker.heading = normalized(direction - normal * dot(normal, direction));
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -8,7 +8,7 @@
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/scene/tissue_look.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// A short straight piece of a vessel on the organ at rest.
 struct VesselPiece {
@@ -24,4 +24,4 @@ struct VesselPiece {
 [[nodiscard]] std::vector<VesselPiece> growVessels(const TriangleMesh& mesh, const SectionLattice& lattice,
                                                    const TissueLook& look);
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -7,7 +7,7 @@
 
 #include "sim/geometry/mesh/triangle_mesh.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// A flat map of a closed surface: pieces that look nearly one way, each laid flat and packed beside the
 /// others. A vertex on the border of pieces is drawn once for each.
@@ -29,4 +29,4 @@ inline constexpr int kChartMargin = 3;
 /// Lays the surface flat. `pixel_m`: the wished size; larger when the map would pass `mostPixels`.
 [[nodiscard]] SkinCharts layFlat(const TriangleMesh& mesh, double pixel_m, int mostPixels);
 
-}  // namespace torsio::gui
+}  // namespace torsio

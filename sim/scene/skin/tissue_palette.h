@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/gui/scene/linear_light.h"
+#include "sim/scene/skin/linear_light.h"
 #include "sim/scene/tissue_look.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// How the layers of a tissue are mixed.
 struct TissuePalette {
@@ -23,4 +23,4 @@ struct TissuePalette {
 /// Gives how the layers of a kind of tissue are mixed.
 [[nodiscard]] TissuePalette paletteOf(TissueKind kind);
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/tissue_skin.h"
+#include "sim/scene/skin/tissue_skin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "app/gui/scene/tissue_palette.h"
-#include "app/gui/scene/vessels.h"
-#include "app/gui/scene/view_frame.h"
 #include "sim/base/angle.h"
+#include "sim/scene/skin/tissue_palette.h"
+#include "sim/scene/skin/vessels.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -59,7 +58,7 @@ class Painter {
         mesh_(scene.mesh),
         look_(look),
         palette_(paletteOf(look.kind)),
-        base_(linear(QColor(look.colour[0], look.colour[1], look.colour[2]))),
+        base_(linear(look.colour)),
         skin_(skin),
         vessels_(growVessels(mesh_, scene.lattice(), look)) {
     for (const Vec3& v : mesh_.vertices_m) {
@@ -418,12 +417,14 @@ TissueSkin paintSkin(const Scene& scene, const TissueLook& look) {
   TissueSkin skin;
   skin.charts = layFlat(scene.mesh, kPixel_m, kMostPixels);
   for (std::size_t i = 0; i < scene.mesh.vertices_m.size(); ++i) {
-    const QVector3D p = toView(scene.mesh.vertices_m[i]);
-    skin.rest_mm.push_back({p.x(), p.y(), p.z()});
+    const Vec3& p = scene.mesh.vertices_m[i];
+    constexpr float kMillimetres = 1000.0F;
+    skin.rest_mm.push_back({kMillimetres * static_cast<float>(p.x), kMillimetres * static_cast<float>(p.z),
+                            -kMillimetres * static_cast<float>(p.y)});
     skin.arc_mm.push_back(static_cast<float>(scene.lattice().vertexCoordinates()[i].arc_m * 1000.0));
   }
   Painter(scene, look, skin).paint();
   return skin;
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

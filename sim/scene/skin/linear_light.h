@@ -7,19 +7,18 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <QColor>
-
-namespace torsio::gui {
+namespace torsio {
 
 /// Linear red, green, blue.
 using Light = std::array<float, 3>;
 
-/// Gives the light of a colour of the screen.
-[[nodiscard]] inline Light linear(const QColor& colour) {
-  const auto one = [](double c) {
+/// Gives the light of a colour of the screen, sRGB bytes.
+[[nodiscard]] inline Light linear(const std::array<std::uint8_t, 3>& colour) {
+  const auto one = [](std::uint8_t byte) {
+    const double c = byte / 255.0;
     return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
   };
-  return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
+  return {one(colour[0]), one(colour[1]), one(colour[2])};
 }
 
 /// Gives the byte of the screen for a part of light, 0 to 1.
@@ -65,4 +64,4 @@ using Light = std::array<float, 3>;
   return sum;
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

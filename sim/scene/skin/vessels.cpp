@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/vessels.h"
+#include "sim/scene/skin/vessels.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "app/gui/scene/surface_walk.h"
 #include "sim/base/angle.h"
 #include "sim/base/random.h"
+#include "sim/scene/skin/surface_walk.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -266,4 +266,4 @@ std::vector<VesselPiece> growVessels(const TriangleMesh& mesh, const SectionLatt
   return Growth(mesh, lattice, planOf(look.kind)).grow();
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

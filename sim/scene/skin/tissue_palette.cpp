@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/tissue_palette.h"
+#include "sim/scene/skin/tissue_palette.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 TissuePalette paletteOf(TissueKind kind) {
   switch (kind) {
@@ -21,7 +21,7 @@ TissuePalette paletteOf(TissueKind kind) {
               0.62F,
               {0.99F, 0.86F, 0.86F},
               0.6F,
-              linear(QColor(236, 200, 140)),
+              linear({236, 200, 140}),
               0.55F,
               0.03F,
               0.07F,
@@ -34,7 +34,7 @@ TissuePalette paletteOf(TissueKind kind) {
           0.62F,
           {0.99F, 0.86F, 0.86F},
           0.6F,
-          linear(QColor(236, 200, 140)),
+          linear({236, 200, 140}),
           0.5F,
           0.06F,
           0.0F,
@@ -42,4 +42,4 @@ TissuePalette paletteOf(TissueKind kind) {
           0.00030};
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

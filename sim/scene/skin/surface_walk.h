@@ -7,7 +7,7 @@
 
 #include "sim/geometry/mesh/triangle_mesh.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// A point that walks on a surface: where it is, in which triangle, and the unit direction in its plane.
 struct SurfaceWalker {
@@ -42,4 +42,4 @@ class SurfaceWalk {
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
 };
 
-}  // namespace torsio::gui
+}  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/scene/skin_charts.h"
+#include "sim/scene/skin/skin_charts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "app/gui/scene/surface_walk.h"
+#include "sim/scene/skin/surface_walk.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 namespace {
 
@@ -156,4 +156,4 @@ SkinCharts layFlat(const TriangleMesh& mesh, double pixel_m, int mostPixels) {
   return map;
 }
 
-}  // namespace torsio::gui
+}  // namespace torsio

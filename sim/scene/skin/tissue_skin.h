@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gui/scene/skin_charts.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/skin/skin_charts.h"
 #include "sim/scene/tissue_look.h"
 
-namespace torsio::gui {
+namespace torsio {
 
 /// What an organ's skin looks like, painted once at rest: it sticks to the tissue however that is twisted.
 struct TissueSkin {
@@ -22,4 +22,4 @@ struct TissueSkin {
 /// Lays the organ flat and paints mottling, fibres and vessels on it. A fraction of a second; any thread.
 [[nodiscard]] TissueSkin paintSkin(const Scene& scene, const TissueLook& look);
 
-}  // namespace torsio::gui
+}  // namespace torsio
