@@ -14,6 +14,7 @@
 #include "sim/base/portable_math.h"
 #include "sim/base/refusal.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
+#include "sim/scene/scene_file.h"
 
 namespace torsio {
 
@@ -189,11 +190,9 @@ void writeMarkers(const std::filesystem::path& file, const std::vector<OrganMark
 }
 
 std::vector<OrganMarker> readOrganMarkers(const std::filesystem::path& assets, const Scene& scene) {
-  const std::filesystem::path file = assets / "organs" / (scene.id + "_markers.json");
+  const std::filesystem::path file = organMarkersFile(assets, scene);
   std::error_code failed;
-  // A former organ has none: they lie on the organ of today.
-  return !scene.former && std::filesystem::exists(file, failed) ? readMarkers(file, scene)
-                                                                : std::vector<OrganMarker>{};
+  return std::filesystem::exists(file, failed) ? readMarkers(file, scene) : std::vector<OrganMarker>{};
 }
 
 std::vector<OrganMarker> spreadMarkers(const Scene& scene) {

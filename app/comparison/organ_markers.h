@@ -40,7 +40,7 @@ void placeMarker(const Scene& scene, std::uint32_t face, const std::array<double
 void writeMarkers(const std::filesystem::path& file, const std::vector<OrganMarker>& markers,
                   const Scene& scene);
 
-/// Reads the markers of a shipped organ, organs/<scene id>_markers.json; none when it has no such file.
+/// Reads the markers of a shipped organ (organMarkersFile()); none when it has no such file.
 /// Throws as readMarkers().
 [[nodiscard]] std::vector<OrganMarker> readOrganMarkers(const std::filesystem::path& assets,
                                                         const Scene& scene);

@@ -17762,6 +17762,162 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>Enter a smaller target</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>cord, lower end, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cord, middle, back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cord, middle, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cord, upper end, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>descending limb, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>descending limb, taenia libera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epididymis, body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first foot, antimesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first foot, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first limb, antimesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first limb, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot towards the descending colon, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot towards the descending colon, taenia libera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot towards the rectum, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot towards the rectum, taenia libera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, front, above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, front, below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pack, right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectal limb, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectal limb, taenia libera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second foot, antimesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second foot, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second limb, antimesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second limb, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stalk, at the pack, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stalk, middle, above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stalk, middle, below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stalk, root, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>testis, lower pole, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>testis, middle, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>testis, middle, lateral</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>testis, middle, medial</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>testis, upper pole, front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top, antimesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top, mesenteric border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>top, taenia libera</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>

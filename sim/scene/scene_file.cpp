@@ -349,6 +349,20 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   return readScene(assets, assets / "scenes" / (own ? "own" : "") / (id + ".json"), id);
 }
 
+fs::path organMarkersFile(const fs::path& assets, const Scene& scene) {
+  const std::vector<std::string> known = sceneIds(assets);
+  if (scene.former || std::find(known.begin(), known.end(), scene.id) == known.end()) {
+    return {};
+  }
+  const SceneDescription description = readSceneFile(assets, scene.id);
+  if (scene.provenance != description.provenance) {
+    return {};  // an organ of the user's with the patterns of this scene
+  }
+  fs::path file = description.organ;
+  file.replace_filename(description.organ.stem().string() + "_markers.json");
+  return file;
+}
+
 std::optional<SceneDescription> readFormerScene(const fs::path& assets, const std::string& id) {
   const fs::path file = assets / "scenes" / "former" / (id + ".json");
   std::error_code failed;

@@ -65,6 +65,11 @@ inline constexpr InstrumentRange kInstrumentReach_mm{0.5, 30.0};
 [[nodiscard]] std::optional<SceneDescription> readFormerScene(const std::filesystem::path& assets,
                                                               const std::string& id);
 
+/// Returns where the markers of a shipped organ lie, NAME_markers.json beside NAME.ply, which scenes of one
+/// organ share; the file need not exist. Empty for an organ of the user's and for a former one, on which they
+/// do not lie. Throws as readSceneFile.
+[[nodiscard]] std::filesystem::path organMarkersFile(const std::filesystem::path& assets, const Scene& scene);
+
 /// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as
 /// readSceneFile.
 [[nodiscard]] std::vector<Material> readMaterials(const std::filesystem::path& assets);

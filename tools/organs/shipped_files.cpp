@@ -91,9 +91,9 @@ std::string polyline(const std::vector<Vec3>& points_m) {
   return linesOf(points);
 }
 
-std::string placesJson(const std::vector<StomachPlace>& places) {
+std::string placesJson(const std::vector<OrganPlace>& places) {
   std::vector<std::string> entries;
-  for (const StomachPlace& place : places) {
+  for (const OrganPlace& place : places) {
     JsonObject one("      ");
     one.raw("number", std::to_string(entries.size() + 1))
         .text("name", place.name)
@@ -130,6 +130,21 @@ std::string stomachJson(const WholeStomach& stomach) {
   json.raw("lesser_omentum_mm", polyline(stomach.lesserOmentum_m));
   json.raw("markers", placesJson(stomach.markers));
   json.raw("landmarks", placesJson(stomach.landmarks));
+  return json.lines() + "\n";
+}
+
+/// Markers, zero line and length of a tube-like organ. `angles`: what its angles mean.
+std::string markersJson(const TubeOrgan& organ, const char* file, const std::string& angles) {
+  JsonObject json;
+  json.text("organ", file).text("provenance", kProvenance).text("licence", kLicence);
+  json.text("frame",
+            "LPS; arc_mm along the centreline from the fixed end; angles about it, right-handed in that "
+            "direction, " +
+                angles);
+  json.raw("fixed_end_mm", millimetres(organ.fixedEnd_m)).raw("free_end_mm", millimetres(organ.freeEnd_m));
+  json.raw("length_mm", hundredths(organ.length_mm));
+  json.raw("zero_line_mm", polyline(organ.places.zeroLine_m));
+  json.raw("markers", placesJson(organ.places.markers));
   return json.lines() + "\n";
 }
 
@@ -183,6 +198,10 @@ std::vector<ShippedFile> shippedFiles() {
   const Arm arm = makeArm();
   const WholeStomach stomach = makeWholeStomach();
   const Grasper grasper = makeGrasper();
+  const TubeOrgan intestine = makeIntestine();
+  const TubeOrgan testis = makeTestis();
+  const TubeOrgan sigmoid = makeSigmoid();
+  const TubeOrgan midgut = makeMidgut();
   const std::string grasperSize = "a usual 5 mm laparoscopic grasper";
   return {
       {"organs/forearm.ply",
@@ -201,13 +220,24 @@ std::vector<ShippedFile> shippedFiles() {
            "centreline 267 mm, 0.71 l, section widths after the BodyParts3D stomach and MRI of "
            "fed adults")},
       {"organs/intestine.ply",
-       ply(makeIntestine(), "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
+       ply(intestine, "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
+      {"organs/intestine_markers.json",
+       markersJson(intestine, "intestine.ply", "from the antimesenteric border")},
+      {"organs/former/intestine.ply",
+       ply(makeFormerIntestine(), "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
       {"organs/testis.ply",
-       ply(makeTestis(), "left testis on its cord", "testis 50 x 30 x 20 mm, cord 60 mm long, 12 mm wide")},
-      {"organs/sigmoid.ply", ply(makeSigmoid(), "omega loop of sigmoid colon, dilated",
+       ply(testis, "left testis on its cord", "testis 50 x 30 x 20 mm, cord 60 mm long, 12 mm wide")},
+      {"organs/testis_markers.json",
+       markersJson(testis, "testis.ply",
+                   "from the medial side over the back (epididymis) and the lateral side")},
+      {"organs/sigmoid.ply", ply(sigmoid, "omega loop of sigmoid colon, dilated",
                                  "limbs 200 mm long on a root of 40 mm, 60 to 80 mm wide; assumed")},
-      {"organs/midgut.ply", ply(makeMidgut(), "pack of small-bowel coils on its stalk",
+      {"organs/sigmoid_markers.json",
+       markersJson(sigmoid, "sigmoid.ply", "from the taenia libera, opposite the mesenteric border")},
+      {"organs/midgut.ply", ply(midgut, "pack of small-bowel coils on its stalk",
                                 "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
+      {"organs/midgut_markers.json",
+       markersJson(midgut, "midgut.ply", "from the patient's left over the head's side and the right")},
       {"instruments/grasper.json", grasperJson(grasper)},
       {"instruments/gloved_hand.ply", ply(makeGlovedHand(), "gloved right hand about the end of a shaft",
                                           "a man's hand, 84 mm broad at the fingers; assumed")},
@@ -223,7 +253,7 @@ std::vector<ShippedFile> fineOrgans() {
   const Arm arm = makeArm({}, 0.43);
   return {{"forearm.ply", ply(arm.surface, "right forearm and hand", dimensions, arm.texture)},
           {"stomach.ply", ply(makeWholeStomach(0.45).organ, "stomach", dimensions)},
-          {"intestine.ply", ply(makeIntestine(0.26), "loop of small intestine", dimensions)},
+          {"intestine.ply", ply(makeIntestine(0.446), "loop of small intestine", dimensions)},
           {"testis.ply", ply(makeTestis(0.46), "left testis on its cord", dimensions)},
           {"sigmoid.ply", ply(makeSigmoid(0.465), "omega loop of sigmoid colon", dimensions)},
           {"midgut.ply", ply(makeMidgut(0.433), "pack of small-bowel coils", dimensions)}};

@@ -102,7 +102,9 @@ TubeOrgan makeStomach() {
   return organ;
 }
 
-TubeOrgan makeIntestine(double edges) {
+namespace {
+
+TubeOrgan intestineOf(double edge_mm) {
   // A loop in the frontal plane, slightly out of it, 200 mm long; mm, LPS.
   const SplineCurve centreline(
       {{-84, 0, 0}, {-61, 3, 26}, {-30.5, 4, 40}, {0, 2, 44.5}, {30.5, -2, 40}, {61, -5, 26}, {84, -4, 0}});
@@ -114,7 +116,6 @@ TubeOrgan makeIntestine(double edges) {
   constexpr std::size_t kRings = 180;
   constexpr std::size_t kAround = 64;
   constexpr Domes kDomes{.first = 0.35, .last = 0.35};
-  constexpr double kEdge_mm = 2.4;
 
   const std::vector<CurveFrame> frames = framesAlong(centreline, kRings, {0, -1, 0});
   const auto size = [](double) { return SectionSize{kRadius_mm, 0.94 * kRadius_mm}; };
@@ -123,14 +124,38 @@ TubeOrgan makeIntestine(double edges) {
     return fade(share) * folds + wavesAt(kUneven, share, angle);
   };
   TubeOrgan organ;
-  const TriangleMesh surface = remeshed(closedTube(frames, kAround, kDomes, size, bump),
-                                        [edges](const Vec3&) { return edges * kEdge_mm; });
+  const TriangleMesh surface =
+      remeshed(closedTube(frames, kAround, kDomes, size, bump), [edge_mm](const Vec3&) { return edge_mm; });
   organ.texture = textureAlong(surface, frames);
   organ.surface = inMetres(surface);
   organ.fixedEnd_m = kMillimetre_m * frames.front().centre;
   organ.freeEnd_m = kMillimetre_m * frames.back().centre;
   organ.ridgeZero = frames.front().e1;
+  organ.length_mm = frames.back().arc;
+  constexpr double kAntimesenteric_deg = 270.0;  // of e1, which points to the front: the outside of the bend
+  organ.places = placesOn(organ.surface, frames, kAntimesenteric_deg,
+                          {{"first foot, antimesenteric border", 0.08, 0.0},
+                           {"first foot, mesenteric border", 0.08, 180.0},
+                           {"first limb, antimesenteric border", 0.28, 0.0},
+                           {"first limb, mesenteric border", 0.28, 180.0},
+                           {"top, antimesenteric border", 0.5, 0.0},
+                           {"top, mesenteric border", 0.5, 180.0},
+                           {"second limb, antimesenteric border", 0.72, 0.0},
+                           {"second limb, mesenteric border", 0.72, 180.0},
+                           {"second foot, antimesenteric border", 0.92, 0.0},
+                           {"second foot, mesenteric border", 0.92, 180.0}});
   return organ;
+}
+
+}  // namespace
+
+TubeOrgan makeIntestine(double edges) {
+  constexpr double kEdge_mm = 1.4;
+  return intestineOf(edges * kEdge_mm);
+}
+
+TubeOrgan makeFormerIntestine() {
+  return intestineOf(2.4);
 }
 
 }  // namespace torsio

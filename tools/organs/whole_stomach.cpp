@@ -151,12 +151,12 @@ std::vector<CurveFrame> backwards(const std::vector<CurveFrame>& frames) {
   return turned;
 }
 
-StomachPlace placeAt(const StomachShape& shape, const char* name, double arc_mm, double angle_deg) {
+OrganPlace placeAt(const StomachShape& shape, const char* name, double arc_mm, double angle_deg) {
   return {name, arc_mm, angle_deg, kMillimetre_m * shape.surfaceAt(arc_mm, angle_deg)};
 }
 
 /// The bottom of the notch between oesophagus and fundus, seen from above.
-StomachPlace angleOfHis(const StomachShape& shape) {
+OrganPlace angleOfHis(const StomachShape& shape) {
   constexpr double kMiddle_mm = 20.0;  // from front to back
   constexpr double kStep_mm = 0.25;
   Vec3 notch{0.0, kMiddle_mm, 100.0};

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <string>
 #include <vector>
 
 #include "sim/base/vec3.h"
+#include "tools/organs/organ_places.h"
 #include "tools/organs/stomach.h"
 
 namespace torsio {
-
-/// A place on the outer surface, by the way along the centreline from the pylorus towards the top of the
-/// fundus and the angle about it: 0 the lesser curvature, right-handed about that direction.
-struct StomachPlace {
-  std::string name;
-  double arc_mm = 0.0;
-  double angle_deg = 0.0;  ///< [0, 360)
-  Vec3 position_m;
-};
 
 /// Thickness of the wall at a share of the length from the pylorus (0) to the top of the fundus (1).
 struct WallThickness {
@@ -28,15 +18,16 @@ struct WallThickness {
 /// The stomach with what belongs to it. Metres, LPS.
 struct WholeStomach {
   TubeOrgan organ;
-  double length_mm = 0.0;               ///< of the centreline from the pylorus to the top of the fundus
-  Vec3 cardia_m;                        ///< middle of the opening of the oesophagus
-  Vec3 oesophagus;                      ///< direction of its stub, outwards
-  std::vector<StomachPlace> markers;    ///< ten
-  std::vector<StomachPlace> landmarks;  ///< others of the anatomy
-  std::vector<WallThickness> wall;      ///< ascending shares
-  std::vector<Vec3> greaterOmentum_m;   ///< where it is fixed, pylorus to fundus
-  std::vector<Vec3> lesserOmentum_m;    ///< pylorus to cardia
-  std::vector<Vec3> zeroLine_m;         ///< lesser curvature, pylorus to cardia
+  double length_mm = 0.0;  ///< of the centreline from the pylorus to the top of the fundus
+  Vec3 cardia_m;           ///< middle of the opening of the oesophagus
+  Vec3 oesophagus;         ///< direction of its stub, outwards
+  /// Ten; angles from the lesser curvature over the front.
+  std::vector<OrganPlace> markers;
+  std::vector<OrganPlace> landmarks;   ///< others of the anatomy
+  std::vector<WallThickness> wall;     ///< ascending shares
+  std::vector<Vec3> greaterOmentum_m;  ///< where it is fixed, pylorus to fundus
+  std::vector<Vec3> lesserOmentum_m;   ///< pylorus to cardia
+  std::vector<Vec3> zeroLine_m;        ///< lesser curvature, pylorus to cardia
 };
 
 /// Draws the J-shaped stomach with stub of the oesophagus, cardia, angle of His, a fundus that rises above

@@ -13,6 +13,7 @@
 #include <QJsonObject>
 
 #include "sim/base/error.h"
+#include "sim/scene/scene_file.h"
 
 namespace torsio::gui {
 
@@ -44,10 +45,7 @@ using Attribute = QQuick3DGeometry::Attribute;
 }  // namespace
 
 std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets) {
-  if (scene.former) {
-    return {};  // they lie on the organ of today
-  }
-  const std::filesystem::path path = assets / "organs" / (scene.id + "_markers.json");
+  const std::filesystem::path path = organMarkersFile(assets, scene);
   QFile file(QString::fromStdString(path.string()));
   if (!file.open(QIODevice::ReadOnly)) {
     return {};

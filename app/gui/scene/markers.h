@@ -10,7 +10,7 @@
 namespace torsio::gui {
 
 /// The ten marker points of the paper's Fig. 11 (or an organ's own), tied to the skin.
-/// `assets`: the assets folder; the file is organs/<scene id>_markers.json. Empty when the organ has none.
+/// `assets`: the assets folder; the file is organMarkersFile(). Empty when the organ has none.
 /// Throws Error{kBadData} for a file that breaks its rules.
 [[nodiscard]] std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets);
 

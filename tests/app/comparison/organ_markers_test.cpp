@@ -59,6 +59,23 @@ TEST(OrganMarkers, OfTheForearmAreTenPointsOfItsSurface) {
   EXPECT_NEAR(norm(markers[7].position_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-4);
 }
 
+TEST(OrganMarkers, AreSharedByTheScenesOfOneOrganAndByNoOther) {
+  SceneRequest request;
+  request.assets = kAssetFolder;
+  request.id = "small-bowel-loop";
+  const Scene loop = loadScene(request);
+  EXPECT_EQ(readOrganMarkers(kAssetFolder, loop).size(), 10U);
+  request.former = true;
+  EXPECT_TRUE(readOrganMarkers(kAssetFolder, loadScene(request)).empty());
+
+  // A user's organ with the patterns of the forearm is not the forearm.
+  SceneRequest own;
+  own.assets = kAssetFolder;
+  own.organFile = kAssetFolder / "organs" / "forearm.ply";
+  own.pattern = "pronation";
+  EXPECT_TRUE(readOrganMarkers(kAssetFolder, loadScene(own)).empty());
+}
+
 TEST(OrganMarkers, AreReadAsTheyWereWritten) {
   const std::vector<OrganMarker> before = spreadMarkers(forearm());
 

@@ -108,7 +108,8 @@ INSTANTIATE_TEST_SUITE_P(
         OrganCase{"former/stomach.ply", 690, 730, 189, 9000, 11000},
         // The same curve a little wider, with stub, pylorus and bulb.
         OrganCase{"stomach.ply", 690, 790, 198, 19000, 23000},
-        OrganCase{"intestine.ply", 90, 115, 190, 5000, 9000},
+        OrganCase{"intestine.ply", 90, 115, 190, 18000, 22000},
+        OrganCase{"former/intestine.ply", 90, 115, 190, 5000, 9000},
         // Testis: an ellipsoid of 50 x 30 x 20 mm (15.7 ml), a cord of 60 mm and radius 6 (6.8 ml),
         // epididymis.
         OrganCase{"testis.ply", 20, 27, 113, 15000, 25000},
@@ -120,6 +121,51 @@ INSTANTIATE_TEST_SUITE_P(
       const fs::path file(test.param.file);
       return file.parent_path().string() + file.stem().string();
     });
+
+class OrganMarkers : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(OrganMarkers, AreTenNamesOnTheSkinRoundTheZeroLine) {
+  const std::string stem = GetParam();
+  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / (stem + "_markers.json")));
+  const CollisionMesh skin(importMesh(kAssets / "organs" / (stem + ".ply")));
+  constexpr double kWritten_m = 2e-5;  // written in hundredths of a millimetre
+  const auto onSkin = [&](const nlohmann::json& p) { return std::abs(skin.closest(pointMm(p)).distance_m); };
+
+  ASSERT_EQ(json.at("markers").size(), 10U);
+  std::map<std::string, Vec3> places;
+  for (const auto& marker : json.at("markers")) {
+    places[marker.at("name").get<std::string>()] = pointMm(marker.at("position_mm"));
+    EXPECT_LT(onSkin(marker.at("position_mm")), kWritten_m) << marker;
+    EXPECT_GT(marker.at("arc_mm").get<double>(), 0.0);
+    EXPECT_LT(marker.at("arc_mm").get<double>(), json.at("length_mm").get<double>());
+    EXPECT_GE(marker.at("angle_deg").get<double>(), 0.0);
+  }
+  EXPECT_EQ(places.size(), 10U);
+  EXPECT_GT(json.at("zero_line_mm").size(), 8U);
+  for (const auto& point : json.at("zero_line_mm")) {
+    EXPECT_LT(onSkin(point), kWritten_m) << point;
+  }
+  // What the names say of the place, LPS.
+  if (stem == "intestine") {
+    EXPECT_GT(places.at("top, antimesenteric border").z, places.at("top, mesenteric border").z + 0.02);
+  } else if (stem == "sigmoid") {
+    EXPECT_GT(places.at("top, taenia libera").z, places.at("top, mesenteric border").z + 0.06);
+    EXPECT_GT(places.at("descending limb, taenia libera").x,
+              places.at("descending limb, mesenteric border").x);
+    EXPECT_LT(places.at("rectal limb, taenia libera").x, places.at("rectal limb, mesenteric border").x);
+  } else if (stem == "testis") {
+    EXPECT_GT(places.at("epididymis, body").y, 0.009);
+    EXPECT_LT(places.at("testis, middle, medial").x, places.at("testis, middle, lateral").x);
+    EXPECT_LT(places.at("testis, lower pole, front").z, places.at("cord, upper end, front").z);
+  } else {
+    EXPECT_GT(places.at("pack, left").x, 0.05);
+    EXPECT_GT(places.at("pack, above").z, 0.04);
+    EXPECT_LT(places.at("pack, front, above").y, places.at("stalk, root, left").y);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, OrganMarkers, ::testing::Values("intestine", "testis", "sigmoid", "midgut"),
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
   const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "forearm_markers.json"));

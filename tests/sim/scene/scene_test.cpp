@@ -128,7 +128,8 @@ TEST(Scene, RecordingsFindTheOrganThatTheyWereMadeOn) {
 }
 
 TEST(Scene, HasAFormerStateOnlyWhereSomethingWasChanged) {
-  for (const char* id : {"stomach", "gastric-organo-axial", "gastric-mesentero-axial"}) {
+  for (const char* id :
+       {"stomach", "gastric-organo-axial", "gastric-mesentero-axial", "intestine", "small-bowel-loop"}) {
     const std::optional<SceneDescription> former = readFormerScene(kShippedAssets, id);
     ASSERT_TRUE(former) << id;
     EXPECT_EQ(former->id, id);
