@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <pthread.h>
 #include <string>
+#include <system_error>
+#include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/web/http_server.h"
+#include "app/web/own_certificate.h"
 #include "app/web/web_desk.h"
 #include "db/connection/connection.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/file_lock.h"
 
 namespace torsio::cli {
 
@@ -29,6 +41,9 @@ struct ServeArguments {
   std::string certificate;
   std::string key;
   std::string publicUrl;
+  std::string ownCertificate;
+  std::string state;
+  std::int64_t endsWith = 0;
   bool quiet = false;
 };
 
@@ -44,12 +59,16 @@ void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& 
     throw Error(ErrorCode::kUsage, Text::verbatim("certificate and key belong together"), "",
                 Text::verbatim("Give both --certificate and --key"));
   }
-  if (arguments.certificate.empty() && !proxied && !address.isLoopback()) {
-    throw Error(
-        ErrorCode::kUsage, Text::verbatim("other machines would reach the desk without encryption"),
-        arguments.listen,
-        Text::verbatim("Give --certificate and --key, or --public-url of a proxy that encrypts, or listen "
-                       "at 127.0.0.1"));
+  if (!arguments.certificate.empty() && !arguments.ownCertificate.empty()) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("a desk has one certificate"), "",
+                Text::verbatim("Give --own-certificate, or --certificate and --key"));
+  }
+  if (arguments.certificate.empty() && arguments.ownCertificate.empty() && !proxied &&
+      !address.isLoopback()) {
+    throw Error(ErrorCode::kUsage, Text::verbatim("other machines would reach the desk without encryption"),
+                arguments.listen,
+                Text::verbatim("Give --certificate and --key, --own-certificate, or --public-url of a proxy "
+                               "that encrypts, or listen at 127.0.0.1"));
   }
 }
 
@@ -70,12 +89,81 @@ void writeAccess(const std::string& line) {
   std::cerr << line << "\n";
 }
 
+/// As browsers reach it: of a desk that listens everywhere, one for each name of this machine.
+std::vector<std::string> addressesOf(const ServeArguments& arguments, const web::HttpAddress& address,
+                                     bool encrypted, std::uint16_t port) {
+  if (!arguments.publicUrl.empty()) {
+    return {arguments.publicUrl};
+  }
+  std::vector<std::string> names{arguments.listen.substr(0, arguments.listen.rfind(':'))};
+  if (address.host == "0.0.0.0" || address.host == "::") {
+    names = web::machineNames();
+  }
+  std::vector<std::string> addresses;
+  for (const std::string& name : names) {
+    addresses.push_back((encrypted ? "https://" : "http://") + name + ":" + std::to_string(port) + "/");
+  }
+  return addresses;
+}
+
+/// Waits for a signal that ends the server, or for the end of the process that it belongs to.
+void waitForTheEnd(const sigset_t& signals, std::int64_t process) {
+  if (process == 0) {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    return;
+  }
+  const timespec aSecond{.tv_sec = 1, .tv_nsec = 0};
+  while (sigtimedwait(&signals, nullptr, &aSecond) < 0) {
+    if (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
+      return;
+    }
+  }
+}
+
+/// What somebody else on this machine needs to know of a desk that is open, in a file that goes with it.
+class DeskNotice {
+ public:
+  explicit DeskNotice(std::filesystem::path file) : file_(std::move(file)) {
+    if (file_.empty()) {
+      return;
+    }
+    lock_.emplace(lockNameOf(file_), std::chrono::seconds(2));
+    lock_->requireHeld(file_);
+  }
+  DeskNotice(const DeskNotice&) = delete;
+  DeskNotice& operator=(const DeskNotice&) = delete;
+  ~DeskNotice() {
+    if (lock_) {
+      std::error_code gone;
+      std::filesystem::remove(file_, gone);
+    }
+  }
+  void write(const std::vector<std::string>& addresses, const std::string& fingerprint,
+             std::int64_t endsWith) const {
+    if (lock_) {
+      writeFileAtomically(file_, nlohmann::json{{"process", getpid()},
+                                                {"addresses", addresses},
+                                                {"fingerprint", fingerprint},
+                                                {"ends_with", endsWith}}
+                                     .dump());
+    }
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::optional<FileLock> lock_;
+};
+
 void serve(const ServeArguments& arguments) {
   const web::HttpAddress address = web::addressOf(arguments.listen);
   requireEncryption(arguments, address);
+  const DeskNotice notice(arguments.state);
   web::TlsMaterial tls;
   if (!arguments.certificate.empty()) {
     tls = {readFile(arguments.certificate), readFile(arguments.key)};
+  } else if (!arguments.ownCertificate.empty()) {
+    tls = web::ownCertificate(arguments.ownCertificate, web::machineNames(), std::time(nullptr)).tls;
   }
   const std::string locator = arguments.database.locator();
   (void)openDatabase(locator, OpenMode::kReadWrite);  // no new centre is founded here
@@ -84,17 +172,26 @@ void serve(const ServeArguments& arguments) {
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
                      .accessLog = arguments.quiet ? std::function<void(const std::string&)>() : writeAccess});
-  const web::HttpServer server(address, tls, {},
+  web::HttpLimits limits;
+  if (!arguments.publicUrl.empty()) {
+    limits.connectionsAnAddress = limits.connections;  // all come from the proxy's
+  }
+  const web::HttpServer server(address, tls, limits,
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
                                  desk.handle(std::move(request), std::move(reply));
                                });
-  const std::string own = (tls.certificate.empty() ? "http://" : "https://") +
-                          arguments.listen.substr(0, arguments.listen.rfind(':') + 1) +
-                          std::to_string(server.port()) + "/";
-  std::cout << "The review desk is open at " << (arguments.publicUrl.empty() ? own : arguments.publicUrl)
-            << "  (Ctrl+C closes it)" << std::endl;
-  int signal = 0;
-  sigwait(&signals, &signal);
+  const std::vector<std::string> addresses =
+      addressesOf(arguments, address, !tls.certificate.empty(), server.port());
+  const std::string fingerprint = web::fingerprintOf(tls.certificate);
+  for (const std::string& own : addresses) {
+    std::cout << "The review desk is open at " << own << "\n";
+  }
+  if (!arguments.ownCertificate.empty()) {
+    std::cout << "Browsers ask whether they may trust its certificate, SHA-256 " << fingerprint << "\n";
+  }
+  std::cout << "Ctrl+C closes it" << std::endl;
+  notice.write(addresses, fingerprint, arguments.endsWith);
+  waitForTheEnd(signals, arguments.endsWith);
 }
 
 }  // namespace
@@ -108,6 +205,12 @@ void addServe(CLI::App& program) {
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,
                       "https://... as browsers reach it through a proxy");
+  command->add_option("--own-certificate", arguments->ownCertificate,
+                      "Folder: keeps a certificate there that this machine signs for itself");
+  command->add_option("--state", arguments->state,
+                      "File that says where the desk is open, for as long as it is");
+  command->add_option("--ends-with", arguments->endsWith, "Number of a process: the desk ends with it")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--quiet", arguments->quiet, "Writes no line for each answer");
   command->callback([arguments] { serve(*arguments); });
 }

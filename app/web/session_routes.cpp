@@ -35,7 +35,7 @@ json sessionsJson(const Call& call, bool ofAll) {
   return {{"sessions", std::move(lines)}};
 }
 
-HttpResponse answerOwn(Call& call) {
+HttpResponse answerOwnSessions(Call& call) {
   return jsonAnswer(sessionsJson(call, false));
 }
 
@@ -72,7 +72,7 @@ HttpResponse answerEndAny(Call& call) {
 
 std::vector<Route> sessionRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  return {{"GET", "/api/sessions", kIn, answerOwn},
+  return {{"GET", "/api/sessions", kIn, answerOwnSessions},
           {"POST", "/api/sessions/end", kIn, answerEndOwn},
           {"GET", "/api/all-sessions", kIn, answerAll},
           {"POST", "/api/all-sessions/end", kIn, answerEndAny}};

@@ -108,7 +108,7 @@ HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
 }
 
 HttpResponse answerSignIn(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.request.address, call.now);
+  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
   if (left.count() > 0) {
     return wait(call, left);
   }
@@ -118,7 +118,7 @@ HttpResponse answerSignIn(Call& call) {
 }
 
 HttpResponse answerPassword(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.request.address, call.now);
+  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
   if (left.count() > 0) {
     return wait(call, left);
   }
@@ -135,7 +135,7 @@ HttpResponse answerPassword(Call& call) {
 
 /// The link of an invitation and a password: whatever is wrong with a link is answered alike.
 HttpResponse answerJoin(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.request.address, call.now);
+  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
   if (left.count() > 0) {
     return wait(call, left);
   }

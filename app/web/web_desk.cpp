@@ -194,6 +194,15 @@ std::string WebDesk::addressFor(const HttpRequest& request) const {
   return settings_.publicUrl.empty() ? scheme + request.header("host") : settings_.publicUrl;
 }
 
+std::string WebDesk::clientOf(const HttpRequest& request) const {
+  const std::string forwarded = request.header("x-forwarded-for");
+  if (settings_.publicUrl.empty() || forwarded.empty() || !HttpAddress{request.address, 0}.isLoopback()) {
+    return request.address;
+  }
+  const std::size_t begin = forwarded.find_last_of(", ");
+  return forwarded.substr(begin == std::string::npos ? 0 : begin + 1);
+}
+
 void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   const Wording& wording = wordingFor(request);
   Router::Match match = router_.find(request.method, request.path);

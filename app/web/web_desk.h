@@ -56,6 +56,9 @@ class WebDesk {
 
   /// "https://desk.example.org": as the browser of this request reaches the desk.
   [[nodiscard]] std::string addressFor(const HttpRequest& request) const;
+  /// Whose address this is for counting tries: of the peer, or, where the peer is a proxy on this machine
+  /// (publicUrl), the last one that it names in X-Forwarded-For. Nobody else is believed.
+  [[nodiscard]] std::string clientOf(const HttpRequest& request) const;
   /// Held while a password is hashed, which takes a quarter of a gigabyte: one at a time, and only few wait.
   /// False: too many wait already.
   [[nodiscard]] bool enterHashing();

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstddef>
 
+#include "assessment/people/common_passwords.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -64,6 +65,10 @@ void checkPassword(const std::string& password, const std::string& login) {
   }
   const std::string plain = lowered(password);
   const std::string name = lowered(login);
+  if (isCommonPassword(password)) {
+    refuse(Text::tr("the password is made of words that are tried first"),
+           Text::tr("Take a sentence of your own"));
+  }
   if (repeats(plain) || isRun(plain)) {
     refuse(Text::tr("the password is a simple pattern"), Text::tr("Take a sentence of your own"));
   }

@@ -11,7 +11,7 @@ inline constexpr int kLongestPassword = 1024;  ///< bytes
 inline constexpr int kShortestPin = 4;
 
 /// Checks a new password. Throws Error{kBadParameter} with a plain reason: too short, too long, one character
-/// or a short pattern over and over, or made of the login name.
+/// or a short pattern over and over, made of the login name, or a common one (isCommonPassword).
 void checkPassword(const std::string& password, const std::string& login);
 
 }  // namespace torsio

@@ -17918,6 +17918,50 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <source>top, taenia libera</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>another program uses this port</source>
+        <translation>该端口已被其他程序占用</translation>
+    </message>
+    <message>
+        <source>Choose another one, or close that program</source>
+        <translation>请换一个端口，或关闭该程序</translation>
+    </message>
+    <message>
+        <source>the review desk did not open</source>
+        <translation>评分台未能开放</translation>
+    </message>
+    <message>
+        <source>Look at what it said last, mend that, and try again</source>
+        <translation>请查看其最后的提示，排除问题后重试</translation>
+    </message>
+    <message>
+        <source>this record lies on a server</source>
+        <translation>该记录库位于服务器上</translation>
+    </message>
+    <message>
+        <source>Whoever runs the server opens the review desk there, by torsio serve</source>
+        <translation>由服务器管理者在服务器上用 torsio serve 开放评分台</translation>
+    </message>
+    <message>
+        <source>the review desk is open already</source>
+        <translation>评分台已经开放</translation>
+    </message>
+    <message>
+        <source>Close it first</source>
+        <translation>请先关闭</translation>
+    </message>
+    <message>
+        <source>certificate and key belong together</source>
+        <translation>证书与密钥须成对使用</translation>
+    </message>
+    <message>
+        <source>Choose both files</source>
+        <translation>请同时选择两个文件</translation>
+    </message>
+    <message>
+        <source>the password is made of words that are tried first</source>
+        <translation>密码由最先被尝试的常见词组成</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -26226,6 +26270,123 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::ReviewDeskDialog</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Stays open when Torsio is closed here</source>
+        <translation>在此关闭 Torsio 后仍保持开放(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Let physicians score from their browsers</source>
+        <translation>让医师在自己的浏览器中评分</translation>
+    </message>
+    <message>
+        <source>Physicians open the address in any browser of the hospital and score the same cases as at the desk; nothing is installed. Each needs an account, and comes in by an invitation (Users, Invite) or a password. This computer must stay on.</source>
+        <translation>医师在院内任意浏览器中打开此地址，即可评与评分台相同的病例，无需安装任何软件。每人需有账户，凭邀请链接（用户页中的“邀请”）或密码进入。这台计算机须保持开机。</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Other computers of this network</source>
+        <translation>本网络中的其他计算机</translation>
+    </message>
+    <message>
+        <source>This computer alone</source>
+        <translation>仅这台计算机</translation>
+    </message>
+    <message>
+        <source>Made by Torsio</source>
+        <translation>由 Torsio 生成</translation>
+    </message>
+    <message>
+        <source>From files</source>
+        <translation>来自文件</translation>
+    </message>
+    <message>
+        <source>&amp;Who reaches it</source>
+        <translation>谁可访问(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>端口(&amp;P)</translation>
+    </message>
+    <message>
+        <source>C&amp;ertificate</source>
+        <translation>证书(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Certificate with its chain (PEM)</source>
+        <translation>证书及其证书链（PEM）</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Its key (PEM)</source>
+        <translation>对应的密钥（PEM）</translation>
+    </message>
+    <message>
+        <source>Choose &amp;key…</source>
+        <translation>选择密钥(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>完成(&amp;D)</translation>
+    </message>
+    <message>
+        <source>This record lies on a server. Whoever runs that opens the review desk there, by torsio serve; this window does not.</source>
+        <translation>该记录库位于服务器上。由服务器管理者在服务器上用 torsio serve 开放评分台，不在此窗口开放。</translation>
+    </message>
+    <message>
+        <source>The review desk is closed.</source>
+        <translation>评分台未开放。</translation>
+    </message>
+    <message>
+        <source>The review desk is open, and stays open when Torsio is closed here.</source>
+        <translation>评分台已开放；在此关闭 Torsio 后仍保持开放。</translation>
+    </message>
+    <message>
+        <source>The review desk is open, and closes with this window.</source>
+        <translation>评分台已开放；关闭此窗口时随之关闭。</translation>
+    </message>
+    <message>
+        <source>A browser that does not know the certificate asks once whether to trust it. It is the right one when its SHA-256 fingerprint is:
+%1</source>
+        <translation>浏览器若不认识此证书，会询问一次是否信任。若其 SHA-256 指纹如下，即为正确的证书：
+%1</translation>
+    </message>
+    <message>
+        <source>C&amp;lose the review desk</source>
+        <translation>关闭评分台(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Open the review desk</source>
+        <translation>开放评分台(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Opening the review desk</source>
+        <translation>正在开放评分台</translation>
+    </message>
+    <message>
+        <source>Closing the review desk</source>
+        <translation>正在关闭评分台</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Certificates and keys (*.pem *.crt *.key)</source>
+        <translation>证书与密钥 (*.pem *.crt *.key)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ReviewKeys</name>
     <message>
         <source>Give the selected row a mark; 1 and then 0 is ten</source>
@@ -29618,6 +29779,14 @@ T-02,master,17</translation>
     <message>
         <source>Signed out of every browser: %1. Drafts are kept.</source>
         <translation>已退出所有浏览器：%1 人。草稿保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Browsers…</source>
+        <translation>浏览器(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Let physicians score from their browsers: opens and closes the review desk here.</source>
+        <translation>让医师在自己的浏览器中评分：在此开放或关闭评分台。</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real review desk with a centre of made-up people, for the browser's tests: prints its port and what
 // stands in an invitation of "physician1", and ends with its standard input. A number on it: the first
-// physician goes on with the draft at the desk. `desk_server SCENE PATTERN`: what the recordings
-// twist, and how.
+// physician goes on with the draft at the desk; "release": trainees see marks and remarks; "answers": what
+// the first physician finds of theirs at the desk. `desk_server SCENE PATTERN`: what the recordings
+// twist, and how; TORSIO_PUBLIC_URL of the environment: the proxy before it.
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
@@ -17,7 +18,9 @@
 #include "app/base/assets.h"
 #include "app/review/case_sheet.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/remark_replies.h"
 #include "app/review/review_queue.h"
+#include "app/study/scoring_plan.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/people/account.h"
@@ -63,6 +66,24 @@ void goOnAtTheDesk(SessionContext& session, std::int64_t steps) {
   std::cout << "no draft\nno draft" << std::endl;
 }
 
+/// The marks of all occasions are shown to the trainees, whatever is missing.
+void releaseAll(SessionContext& session, const std::string& cohort) {
+  for (const ReleaseState& state : releaseStates(session, cohort)) {
+    if (!state.released) {
+      releaseMarks(session, cohort, state.occasion.code, "asked for by a test");
+    }
+  }
+  std::cout << "released" << std::endl;
+}
+
+/// What trainees answered to the remarks of `session`, in one line.
+void tellAnswers(SessionContext& session) {
+  for (const RemarkReply& reply : repliesToMe(session)) {
+    std::cout << reply.remark << " > " << reply.text << "; ";
+  }
+  std::cout << std::endl;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,11 +118,12 @@ int main(int argc, char** argv) {
   EvaluationRepository(centre.connection()).addCampaign(campaign);
   SettingRepository(centre.connection()).set(kTwoPeopleSetting, "no", 0);
   // By the clock of the server: the centre's own stands still.
-  SessionContext office({centre.locator(), "station", centre.administrator()->actor()});
+  SessionContext inviting({centre.locator(), "station", centre.administrator()->actor()});
   const std::vector<UserId> invited{centre.physician(1)->actor().userId};
-  const std::string secret = invite(office, invited).at(0).secret;
+  const std::string secret = invite(inviting, invited).at(0).secret;
   web::WebDesk desk({.locator = centre.locator(),
                      .assets = assetsFolder(),
+                     .publicUrl = qEnvironmentVariable("TORSIO_PUBLIC_URL").toStdString(),
                      .workers = 2,
                      .passwordCost = PasswordCost::kTest});
   const web::HttpServer server({"127.0.0.1", 0}, {}, {},
@@ -112,7 +134,16 @@ int main(int argc, char** argv) {
   for (std::string line; std::getline(std::cin, line);) {
     const auto physician = centre.physician(0);
     SessionContext session({centre.locator(), "station", physician->actor()});
-    goOnAtTheDesk(session, std::stoll(line));
+    if (line == "release") {
+      SessionContext office({centre.locator(), "station", centre.administrator()->actor()});
+      releaseAll(office, selectFirst(centre.connection(), "SELECT id FROM cohort", {}, [](RowReader& row) {
+                           return row.text();
+                         }).value());
+    } else if (line == "answers") {
+      tellAnswers(session);
+    } else {
+      goOnAtTheDesk(session, std::stoll(line));
+    }
   }
   return 0;
 }

@@ -139,7 +139,7 @@ def organ():
             colour.extend((round(196 + 14 * tone), round(112 + 22 * tone), round(104 + 20 * tone)))
     tool_index, tool_mean, parts = tool()
     meta = {
-        "vertices": ROUND * ALONG, "components": POSES - 1, "frames": len(angles), "rate_hz": RATE_HZ / 2,
+        "vertices": ROUND * ALONG, "around": ROUND, "components": POSES - 1, "frames": len(angles), "rate_hz": RATE_HZ / 2,
         "scale": [largest / 32767.0] * (POSES - 1),
         "tool": {"parts": parts, "pivot_mm": [0.0, 0.0, 20.0], "opening_deg": 25.0},
     }

@@ -356,6 +356,8 @@ class Handler(BaseHTTPRequestHandler):
         raise Refused(404, "There is nothing here")
 
     def page(self):
+        if self.path.startswith("/measured/"):
+            return self.send(200, self.desk.measured[self.path.rsplit("/", 1)[1]], "application/octet-stream")
         path = (PAGES / ("index.html" if self.path in ("/", "/join") else self.path.lstrip("/"))).resolve()
         if self.path == "/quick_tissue.frag":
             path = SHADERS / "quick_tissue.frag"
@@ -372,9 +374,10 @@ class Server(ThreadingHTTPServer):
             super().handle_error(request, client_address)
 
 
-def start(port=0):
-    """(server, desk), running in a thread of its own."""
+def start(port=0, measured=None):
+    """(server, desk), running in a thread of its own. `measured`: name -> bytes of /measured/NAME."""
     desk = Desk()
+    desk.measured = measured or {}
     server = Server(("127.0.0.1", port), type("Bound", (Handler,), {"desk": desk}))
     server.daemon_threads = True
     threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -5,10 +5,13 @@ PICTURES] [NAME ...]` runs all scenarios or those whose names contain a word. Ex
 where there is no such browser."""
 import argparse
 import contextlib
+import os
 import pathlib
 import shutil
+import socket
 import subprocess
 import sys
+import tempfile
 import time
 
 from review_desk_test import drawn
@@ -32,8 +35,10 @@ def sign_in(browser, url, login):
 class Desk:
     """A centre of made-up people behind a port of this machine; `url`, and what stands in an invitation."""
 
-    def __init__(self, program):
-        self.server = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    def __init__(self, program, public_url=""):
+        self.program = program
+        self.server = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                                       env={**os.environ, "TORSIO_PUBLIC_URL": public_url})
         self.url = f"http://127.0.0.1:{self.server.stdout.readline().strip()}/"
         self.secret = self.server.stdout.readline().strip()
 
@@ -42,6 +47,12 @@ class Desk:
         self.server.stdin.write(f"{steps}\n")
         self.server.stdin.flush()
         return self.server.stdout.readline().strip(), self.server.stdout.readline().strip()
+
+    def ask(self, word):
+        """"release" or "answers": one line of what is so at the desk."""
+        self.server.stdin.write(f"{word}\n")
+        self.server.stdin.flush()
+        return self.server.stdout.readline().strip()
 
     def close(self):
         self.server.stdin.close()
@@ -136,12 +147,100 @@ def test_from_the_link_to_a_sealed_case(kind, desk, pictures):
         browser.says(".said", "not good")
 
 
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@contextlib.contextmanager
+def behind_caddy(program, folder):
+    """A desk behind the proxy of docs/server.md, with a certificate that this proxy signs for itself."""
+    port = free_port()
+    public = f"https://localhost:{port}"
+    with contextlib.closing(Desk(program, public)) as desk:
+        text = (pathlib.Path(__file__).parents[2] / "docs" / "server.md").read_text()
+        shipped = text.split("```caddy\n")[1].split("```")[0]
+        check("the page says where the desk listens", "127.0.0.1:8443" in shipped and "desk.example.org {" in shipped)
+        shipped = shipped.replace("desk.example.org {", f"{public} {{\n\ttls internal")
+        shipped = shipped.replace("127.0.0.1:8443", desk.url.split("/")[2])
+        shipped = shipped.replace("{\n", "{\n\tadmin off\n\tskip_install_trust\n\tauto_https disable_redirects\n", 1)
+        (folder / "Caddyfile").write_text(shipped)
+        proxy = subprocess.Popen(["caddy", "run", "--config", str(folder / "Caddyfile")], stderr=subprocess.DEVNULL,
+                                 env={"PATH": "/usr/bin:/bin", "HOME": str(folder), "XDG_DATA_HOME": str(folder)})
+        try:
+            yield desk, f"{public}/"
+        finally:
+            proxy.terminate()
+            proxy.wait()
+
+
+def test_through_the_proxy(kind, desk, pictures):
+    """Signed in, scored and sealed by https through Caddy as docs/server.md sets it up."""
+    if shutil.which("caddy") is None or kind is not Browser:
+        print("not here")
+        return
+    with tempfile.TemporaryDirectory() as folder, behind_caddy(desk.program, pathlib.Path(folder)) as (_, url):
+        with kind(webgl=False) as browser:
+            for _ in range(100):
+                with contextlib.suppress(Failed):
+                    browser.open(url)
+                    break
+                time.sleep(0.1)
+            sign_in(browser, url, "physician0")
+            cookies = browser.call("GET", "/cookie")
+            check(f"the cookie is kept for https alone: {cookies}",
+                  [(one["name"][:7], one["secure"], one["httpOnly"], one["sameSite"]) for one in cookies]
+                  == [("__Host-", True, True, "Strict")])
+            browser.click(".case:not(.live)")
+            browser.there(".strip")
+            browser.keys("7", "ArrowDown", "8", "ArrowDown", "7")
+            browser.says(".saved", "Saved")
+            browser.until("the recording is there", lambda: "of 0:06" in browser.text(".time"))
+            browser.keys("Space")
+            browser.until("the recording was watched to its end", lambda: "0:06 of 0:06" in browser.text(".time"))
+            submit_and_seal(browser)
+            check(f"the console is quiet: {browser.faults()}", not browser.faults())
+
+
 PAGES = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "severity": "My severity",
                         "discrepancies": "Discrepancy review",
                         "evaluation": "Evaluation", "sessions": "Your sessions"},
          "apprentice": {"own": "Your record", "remarks": "Remarks", "transcript": "Transcript"},
          "office": {"board": "Today's sessions", "scored": "Who has scored what",
                     "invitations": "Invitations", "signed-in": "Signed in now"}}
+
+
+def test_a_remark_is_answered(kind, desk, pictures):
+    """A physician writes at a moment, the trainee answers in a browser, the physician finds it at the desk."""
+    with kind(webgl=False) as browser:
+        sign_in(browser, desk.url, "physician0")
+        cases = browser.run("return document.querySelectorAll('.case:not(.live)').length")
+        for number in range(cases):  # one of them is the trainee's
+            browser.run("location.hash = ''")
+            browser.there(".cases")
+            browser.run("document.querySelectorAll('.case:not(.live)')[arguments[0]].click()", number)
+            browser.until("the recording is there", lambda: "of 0:06" in browser.text(".time"))
+            browser.keys("End", "r")
+            browser.there(".remarks-place input")
+            browser.keys("Hold it steadier here", "Enter")
+            browser.says(".remarks-place", "Hold it steadier here")
+    check("the marks are released", desk.ask("release") == "released")
+    with kind(webgl=False) as browser:
+        browser.open(desk.url)
+        browser.there("[name=login]")
+        browser.keys("apprentice", "Tab", PASSWORD, "Enter")
+        browser.there("nav.ways")
+        browser.run("location.hash = '#remarks'")
+        browser.says(".remark-thread", "Hold it steadier here")
+        browser.picture(pictures / "remark.png")
+        browser.click(".remark-thread textarea")
+        browser.keys("I let go too early, thank you", "Tab", "Enter")
+        browser.says(".answers", "I let go too early, thank you")
+        check("nobody is named", "physician0" not in browser.text("main"))
+        check(f"the console is quiet: {browser.faults()}", not browser.faults())
+    answers = desk.ask("answers")
+    check(f"the desk has it: {answers}", answers == "Hold it steadier here > I let go too early, thank you;")
 
 
 def test_an_administrator_invites(kind, desk, pictures):

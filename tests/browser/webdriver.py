@@ -46,7 +46,7 @@ class Browser:
             arguments.append("--blink-settings=preferredColorScheme=0")
         options = {"args": arguments, "prefs": {"intl.accept_languages": self.language}}
         answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": {
-            "browserName": "chrome", "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
+            "browserName": "chrome", "acceptInsecureCerts": True, "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
         self.base += f"/session/{answer['sessionId']}"
         self.resize(*self.size)
         return self

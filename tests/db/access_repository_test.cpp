@@ -240,6 +240,19 @@ TEST(Password, CountsLengthNotComposition) {
   }
 }
 
+TEST(Password, IsNoneThatIsTriedFirst) {
+  for (const char* common : {"passwordpassword", "Password12345678!", "P@ssw0rdP@ssw0rd",
+                             "Welcome to Torsio 2026", "letmein-letmein-1", "iloveyou!iloveyou?",
+                             "qwerty123456qwerty", "1qaz2wsx3edc4rfv", "Summer2026Summer2026",
+                             "Correct horse battery staple", "the quick brown fox", "hospital-admin-2026"}) {
+    EXPECT_EQ(refusalFrom([&] { checkPassword(common, "anna"); }).code, ErrorCode::kBadParameter) << common;
+  }
+  for (const char* own : {"seven kites above the bay", "my sunny winter garden",
+                          "a password of my own making", "KJWQX-PZMRT-VBHLD-SGFNC", "314159265358979323"}) {
+    checkPassword(own, "anna");
+  }
+}
+
 TEST(Password, MatchesOnlyItself) {
   const std::string hash = hashPassword(kPassword, PasswordCost::kTest);
   EXPECT_TRUE(passwordMatches(hash, kPassword));

@@ -8,6 +8,7 @@
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/review_desk_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/reporting/export_dialog.h"
@@ -130,8 +131,12 @@ std::vector<ScreenEntry> administratorDialogs() {
     dialog.resize(dialog.sizeHint());
     dialog.show();
   };
+  const auto browsers = [](Page& page) {
+    dynamic_cast<UsersPage&>(page).placeReviewDesk(ReviewDeskDialog::ownPlace());
+  };
   return {
       screen("administrator-devices-others", PageId::kDevices, otherPrograms),
+      screen("administrator-browsers", PageId::kUsers, browsers),
       screen("administrator-export", PageId::kReports, exported(ExportDialog::Form::kWorkbook, false)),
       screen("administrator-export-dataset", PageId::kReports,
              exported(ExportDialog::Form::kFrictionless, false)),

@@ -51,6 +51,7 @@
 #include "app/review/remark_replies.h"
 #include "app/review/review_queue.h"
 #include "app/review/viewing_report.h"
+#include "app/serving/review_desk.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
@@ -387,6 +388,19 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kUserManage, "noteEndedSessions", [](SessionContext& w, Path) { noteEndedSessions(w, kNoSuch); }},
       {O::kSettingsEdit, "setBrowserAddress",
        [](SessionContext& w, Path) { setBrowserAddress(w, "https://desk.example.org"); }},
+      {O::kSettingsEdit, "mayOpenReviewDesk", [](SessionContext& w, Path) { (void)mayOpenReviewDesk(w); }},
+      {O::kSettingsEdit, "openReviewDesk",
+       [](SessionContext& w, Path folder) {
+         (void)openReviewDesk(w, {"/nowhere", folder});
+       }},
+      {O::kSettingsEdit, "startReviewDesk",
+       [](SessionContext& w, Path folder) {
+         startReviewDesk(w, {"/nowhere", folder}, {.certificate = "without a key"});
+       }},
+      {O::kSettingsEdit, "stopReviewDesk",
+       [](SessionContext& w, Path folder) {
+         stopReviewDesk(w, {"/nowhere", folder});
+       }},
       {O::kUserManage, "kioskCodesInForce", [](SessionContext& w, Path) { (void)kioskCodesInForce(w); }},
       {O::kTrialViewOwn, "requestAboutOwnRecord",
        [](SessionContext& w, Path) { requestAboutOwnRecord(w, PersonRequestKind::kExport); }},

@@ -8,12 +8,14 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHostAddress>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableView>
+#include <QTcpServer>
 
 #include "app/access/access_service.h"
 #include "app/access/invitations.h"
@@ -22,6 +24,7 @@
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/people/invitations_dialog.h"
 #include "app/gui/administrator/people/kiosk_cards_dialog.h"
+#include "app/gui/administrator/people/review_desk_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
@@ -33,6 +36,7 @@
 #include "app/people/consent_service.h"
 #include "app/people/people_service.h"
 #include "app/people/person_requests.h"
+#include "app/serving/review_desk.h"
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
 #include "assessment/people/consent.h"
@@ -254,6 +258,35 @@ TEST(UsersPage, InvitesByALinkThatIsShownOnceAndRevokesIt) {
   answer(giveReason);
   named(*page, "revokeInvitations").click();
   EXPECT_TRUE(invitationsInForce(office.centre.as("administrator")).empty());
+}
+
+TEST(UsersPage, OpensTheReviewDeskToBrowsersAndClosesIt) {
+  AdministratorDesk office;
+  auto page = office.open<UsersPage>("administrator");
+  ReviewDeskDialog& dialog = page->placeReviewDesk({TORSIO_PROGRAM, office.centre.folder() / "review-desk"});
+  const auto text = [&dialog](const char* name) {
+    return dialog.findChild<QLabel*>(QLatin1String(name))->text().toStdString();
+  };
+  QTcpServer other;
+  ASSERT_TRUE(other.listen(QHostAddress::LocalHost, 0));
+  dialog.findChild<QSpinBox*>(QStringLiteral("deskPort"))->setValue(other.serverPort());
+  named(dialog, "deskAct").click();
+  office.shell().waitForJobs();
+  EXPECT_NE(text("deskSaid").find("nother program uses this port"), std::string::npos) << text("deskSaid");
+  other.close();
+
+  named(dialog, "deskAct").click();
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(text("deskState"), "The review desk is open, and closes with this window.") << text("deskSaid");
+  const QString address = dialog.findChild<QComboBox*>(QStringLiteral("deskAddress"))->currentText();
+  EXPECT_TRUE(address.startsWith(QStringLiteral("https://"))) << address.toStdString();
+  EXPECT_NE(text("deskTrust").find("SHA-256"), std::string::npos);
+  named(dialog, "deskAct").click();
+  office.shell().waitForJobs();
+  EXPECT_EQ(text("deskState"), "The review desk is closed.");
+  EXPECT_FALSE(openReviewDesk(office.centre.as("administrator"),
+                              {TORSIO_PROGRAM, office.centre.folder() / "review-desk"}));
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {

@@ -121,6 +121,34 @@ TEST_F(WebAccess, GuessingLinksIsSlowedDown) {
   EXPECT_GE(waited, 4);
 }
 
+/// How many of some guesses had to wait; each says that it came from another address.
+int slowedDown(const WebClient& from) {
+  int waited = 0;
+  for (int i = 0; i < 14; ++i) {
+    WebClient client = from;
+    client.headers = {{"X-Forwarded-For", "198.51.100.7, 203.0.113." + std::to_string(i)},
+                      {"Sec-Fetch-Site", "same-origin"}};
+    waited += client.send("POST", "/api/join", {{"token", "guess"}, {"newPassword", kChosen}}).status == 429
+                  ? 1
+                  : 0;
+  }
+  return waited;
+}
+
+TEST_F(WebAccess, AnAddressIsBelievedFromAProxyOfThisMachineOnly) {
+  EXPECT_GE(slowedDown(served.client()), 4) << "there is no proxy: whoever says so is counted once";
+  WebDesk desk({.locator = served.centre.locator(),
+                .assets = assetsFolder(),
+                .publicUrl = "https://desk.example.org",
+                .workers = 2,
+                .passwordCost = PasswordCost::kTest});
+  const HttpServer server({"127.0.0.1", 0}, {}, {}, [&desk](HttpRequest request, HttpServer::Reply reply) {
+    desk.handle(std::move(request), std::move(reply));
+  });
+
+  EXPECT_EQ(slowedDown(WebClient(server.port())), 0) << "fourteen people behind one proxy";
+}
+
 TEST_F(WebAccess, WhoeverHasNoPageIsNotLetIn) {
   AccessRepository access(served.centre.connection(), PasswordCost::kTest);
   access.addUser({.id = "u-keeper", .login = "keeper", .roles = {"allocator"}}, kWebPassword);

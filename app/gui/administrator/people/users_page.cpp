@@ -24,6 +24,7 @@
 #include "app/gui/administrator/people/invitations_dialog.h"
 #include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/requests_dialog.h"
+#include "app/gui/administrator/people/review_desk_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -69,6 +70,7 @@ UsersPage::UsersPage(ShellContext& shell)
       add_(new QPushButton(this)),
       addForRoster_(new QPushButton(this)),
       requests_(new QPushButton(this)),
+      desk_(new QPushButton(this)),
       roles_(listButton(table_)),
       password_(listButton(table_)),
       active_(listButton(table_)),
@@ -84,7 +86,10 @@ UsersPage::UsersPage(ShellContext& shell)
   revoke_->setObjectName(QStringLiteral("revokeKioskCards"));
   table_->setObjectName(QStringLiteral("table"));
   add_->setProperty("primary", true);
+  desk_->setVisible(shell.may(Operation::kSettingsEdit));
   requests_->setObjectName(QStringLiteral("requests"));
+  desk_->setObjectName(QStringLiteral("reviewDeskOfBrowsers"));
+  heading_->addAction(desk_);
   heading_->addAction(requests_);
   heading_->addAction(addForRoster_);
   heading_->addAction(add_);
@@ -94,6 +99,7 @@ UsersPage::UsersPage(ShellContext& shell)
 
   connect(add_, &QPushButton::clicked, this, &UsersPage::add);
   connect(addForRoster_, &QPushButton::clicked, this, &UsersPage::addForRoster);
+  connect(desk_, &QPushButton::clicked, this, &UsersPage::showReviewDesk);
   connect(requests_, &QPushButton::clicked, this, &UsersPage::showRequests);
   connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
   connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
@@ -127,6 +133,8 @@ void UsersPage::retranslate() {
                      tr("Who may sign in, and as what. Every change is kept in the audit trail."));
   add_->setText(tr("&New user\u2026"));
   addForRoster_->setText(tr("&Accounts for the roster\u2026"));
+  desk_->setText(tr("&Browsers\u2026"));
+  desk_->setToolTip(tr("Let physicians score from their browsers: opens and closes the review desk here."));
   roles_->setText(tr("&Roles\u2026"));
   password_->setText(tr("New &password\u2026"));
   cards_->setText(tr("&Kiosk cards\u2026"));
@@ -181,6 +189,19 @@ void UsersPage::showContent() {
 void UsersPage::showRequests() {
   RequestsDialog(shell(), this).exec();
   enter({});
+}
+
+void UsersPage::showReviewDesk() {
+  ReviewDeskDialog(shell(), ReviewDeskDialog::ownPlace(), this).exec();
+}
+
+ReviewDeskDialog& UsersPage::placeReviewDesk(const DeskPlace& place) {
+  auto* dialog = new ReviewDeskDialog(shell(), place, window());
+  dialog->setWindowFlags(Qt::Widget);
+  dialog->setAutoFillBackground(true);
+  dialog->resize(dialog->sizeHint());
+  dialog->show();
+  return *dialog;
 }
 
 void UsersPage::showButtons() {

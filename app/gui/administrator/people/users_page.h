@@ -11,6 +11,7 @@
 #include "app/access/access_service.h"
 #include "app/access/two_people.h"
 #include "app/gui/base/page.h"
+#include "app/serving/review_desk.h"
 #include "assessment/people/account.h"
 
 class QPushButton;
@@ -19,6 +20,7 @@ namespace torsio::gui {
 
 class DataTable;
 class PageHeading;
+class ReviewDeskDialog;
 
 /// Who may sign in, with which roles. Everything done here is audited by the service.
 class UsersPage : public Page {
@@ -29,6 +31,8 @@ class UsersPage : public Page {
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
+  /// The dialog that opens the review desk for browsers, over the window's content.
+  ReviewDeskDialog& placeReviewDesk(const DeskPlace& place);
 
  private:
   void showContent();
@@ -48,6 +52,7 @@ class UsersPage : public Page {
   void inviteChosen();
   void revokeInvitations();
   void endSessions();
+  void showReviewDesk();
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
@@ -60,6 +65,7 @@ class UsersPage : public Page {
   QPushButton* add_;
   QPushButton* addForRoster_;
   QPushButton* requests_;
+  QPushButton* desk_;
   QPushButton* roles_;
   QPushButton* password_;
   QPushButton* active_;

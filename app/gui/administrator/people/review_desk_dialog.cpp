@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/people/review_desk_dialog.h"
+
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr QSize kReviewDeskSize(720, 560);
+constexpr int kLowestPort = 1024;  // those below belong to the system
+constexpr int kHighestPort = 65535;
+constexpr int kUsualPort = 8443;
+
+enum Reach { kOtherMachines, kThisMachine };
+enum CertificateChoice { kOwnCertificate, kCertificateFiles };
+
+QHBoxLayout* fieldWithButton(QLineEdit* field, QPushButton* button) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(field, 1);
+  row->addWidget(button);
+  button->setAutoDefault(false);
+  return row;
+}
+
+}  // namespace
+
+DeskPlace ReviewDeskDialog::ownPlace() {
+  return {toPath(QCoreApplication::applicationFilePath()),
+          toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "review-desk"};
+}
+
+ReviewDeskDialog::ReviewDeskDialog(ShellContext& shell, DeskPlace place, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      place_(std::move(place)),
+      state_(sentence(this, false)),
+      openPart_(new QWidget(this)),
+      address_(new QComboBox(openPart_)),
+      copy_(new QPushButton(tr("&Copy"), openPart_)),
+      trust_(sentence(openPart_)),
+      choices_(new QWidget(this)),
+      reach_(new QComboBox(choices_)),
+      port_(new QSpinBox(choices_)),
+      certificate_(new QComboBox(choices_)),
+      files_(new QWidget(choices_)),
+      certificateFile_(new QLineEdit(files_)),
+      keyFile_(new QLineEdit(files_)),
+      goesOn_(new QCheckBox(tr("&Stays open when Torsio is closed here"), choices_)),
+      said_(sentence(this, false)),
+      act_(new QPushButton(this)) {
+  setObjectName(QStringLiteral("reviewDesk"));
+  setWindowTitle(tr("Let physicians score from their browsers"));
+  resize(kReviewDeskSize);
+  state_->setObjectName(QStringLiteral("deskState"));
+  address_->setObjectName(QStringLiteral("deskAddress"));
+  trust_->setObjectName(QStringLiteral("deskTrust"));
+  reach_->setObjectName(QStringLiteral("deskReach"));
+  port_->setObjectName(QStringLiteral("deskPort"));
+  certificate_->setObjectName(QStringLiteral("deskCertificate"));
+  certificateFile_->setObjectName(QStringLiteral("certificateFile"));
+  keyFile_->setObjectName(QStringLiteral("keyFile"));
+  goesOn_->setObjectName(QStringLiteral("deskGoesOn"));
+  said_->setObjectName(QStringLiteral("deskSaid"));
+  act_->setObjectName(QStringLiteral("deskAct"));
+  build();
+  read();
+}
+
+void ReviewDeskDialog::build() {
+  QLabel* words = sentence(this);
+  words->setText(tr(
+      "Physicians open the address in any browser of the hospital and score the same cases as at the desk; "
+      "nothing is installed. Each needs an account, and comes in by an invitation (Users, Invite) or a "
+      "password. This computer must stay on."));
+  address_->setAccessibleName(tr("Address"));
+  trust_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* shown = new QVBoxLayout(openPart_);
+  shown->setContentsMargins({});
+  auto* row = new QHBoxLayout;
+  row->addWidget(address_, 1);
+  row->addWidget(copy_);
+  copy_->setAutoDefault(false);
+  shown->addLayout(row);
+  shown->addWidget(trust_);
+  reach_->addItems({tr("Other computers of this network"), tr("This computer alone")});
+  port_->setRange(kLowestPort, kHighestPort);
+  port_->setValue(kUsualPort);
+  certificate_->addItems({tr("Made by Torsio"), tr("From files")});
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Who reaches it"), reach_);
+  form->addRow(tr("&Port"), port_);
+  form->addRow(tr("C&ertificate"), certificate_);
+  auto* fileForm = new QFormLayout(files_);
+  fileForm->setContentsMargins({});
+  for (const auto& [field, name, button] :
+       {std::tuple{certificateFile_, tr("Certificate with its chain (PEM)"), tr("C&hoose\u2026")},
+        {keyFile_, tr("Its key (PEM)"), tr("Choose &key\u2026")}}) {
+    auto* choose = new QPushButton(button, files_);
+    field->setAccessibleName(name);
+    fileForm->addRow(name, fieldWithButton(field, choose));
+    connect(choose, &QPushButton::clicked, this,
+            [this, field = field, name = name] { chooseFile(field, name); });
+  }
+  auto* column = new QVBoxLayout(choices_);
+  column->setContentsMargins({});
+  column->addLayout(form);
+  column->addWidget(files_);
+  column->addWidget(goesOn_);
+  auto* buttons = new QDialogButtonBox(this);
+  act_->setProperty("primary", true);
+  act_->setDefault(true);
+  buttons->addButton(act_, QDialogButtonBox::ActionRole);
+  buttons->addButton(tr("&Done"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
+  QVBoxLayout* whole = pageColumn(this);
+  whole->setSpacing(kSpace);
+  for (QWidget* part : {static_cast<QWidget*>(words), static_cast<QWidget*>(state_), openPart_, choices_,
+                        static_cast<QWidget*>(said_)}) {
+    whole->addWidget(part);
+  }
+  whole->addStretch(1);
+  whole->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &ReviewDeskDialog::reject);
+  connect(act_, &QPushButton::clicked, this, [this] { open_ ? close() : open(); });
+  connect(copy_, &QPushButton::clicked, this, &ReviewDeskDialog::copyAddress);
+  connect(reach_, &QComboBox::currentIndexChanged, this, &ReviewDeskDialog::showChoices);
+  connect(certificate_, &QComboBox::currentIndexChanged, this, &ReviewDeskDialog::showChoices);
+}
+
+void ReviewDeskDialog::read() {
+  attempt(shell_, [this] {
+    if (!mayOpenReviewDesk(shell_.session())) {
+      state_->setText(
+          tr("This record lies on a server. Whoever runs that opens the review desk there, by "
+             "torsio serve; this window does not."));
+      openPart_->hide();
+      choices_->hide();
+      act_->hide();
+      return;
+    }
+    const std::optional<OpenReviewDesk> desk = openReviewDesk(shell_.session(), place_);
+    open_ = desk.has_value();
+    state_->setText(!open_         ? tr("The review desk is closed.")
+                    : desk->goesOn ? tr("The review desk is open, and stays open when Torsio is closed here.")
+                                   : tr("The review desk is open, and closes with this window."));
+    setLook(state_, "good", open_);
+    address_->clear();
+    for (const std::string& address : open_ ? desk->addresses : std::vector<std::string>()) {
+      address_->addItem(toQString(address));
+    }
+    trust_->setText(open_ && !desk->fingerprint.empty() ? tr("A browser that does not know the certificate "
+                                                             "asks once whether to trust it. It is the right "
+                                                             "one when its SHA-256 fingerprint is:\n%1")
+                                                              .arg(toQString(desk->fingerprint))
+                                                        : QString());
+    trust_->setVisible(!trust_->text().isEmpty());
+    openPart_->setVisible(open_);
+    choices_->setVisible(!open_);
+    copy_->setText(tr("&Copy"));
+    act_->setText(open_ ? tr("C&lose the review desk") : tr("&Open the review desk"));
+    act_->setEnabled(!working_);
+    showChoices();
+  });
+}
+
+void ReviewDeskDialog::showChoices() {
+  const bool others = reach_->currentIndex() == kOtherMachines;
+  certificate_->setEnabled(others);
+  files_->setVisible(others && certificate_->currentIndex() == kCertificateFiles);
+}
+
+DeskWish ReviewDeskDialog::wish() const {
+  DeskWish wish;
+  wish.otherMachines = reach_->currentIndex() == kOtherMachines;
+  wish.port = static_cast<std::uint16_t>(port_->value());
+  if (wish.otherMachines && certificate_->currentIndex() == kCertificateFiles) {
+    wish.certificate = toPath(certificateFile_->text().trimmed());
+    wish.key = toPath(keyFile_->text().trimmed());
+  }
+  wish.goesOn = goesOn_->isChecked();
+  return wish;
+}
+
+void ReviewDeskDialog::open() {
+  act(tr("Opening the review desk"),
+      [wish = wish(), place = place_](SessionContext& session) { startReviewDesk(session, place, wish); });
+}
+
+void ReviewDeskDialog::close() {
+  act(tr("Closing the review desk"),
+      [place = place_](SessionContext& session) { stopReviewDesk(session, place); });
+}
+
+void ReviewDeskDialog::act(const QString& title, std::function<void(SessionContext&)> work) {
+  working_ = true;
+  act_->setEnabled(false);
+  said_->setText(title);
+  setLook(said_, "caution", false);
+  const auto problem = std::make_shared<std::exception_ptr>();
+  shell_.run(
+      title,
+      [work = std::move(work), problem](SessionContext& session, const ProgressCallback&) {
+        try {
+          work(session);
+        } catch (...) {
+          *problem = std::current_exception();
+        }
+      },
+      [dialog = QPointer<ReviewDeskDialog>(this), problem] {
+        if (dialog.isNull()) {
+          return;
+        }
+        dialog->working_ = false;
+        dialog->said_->clear();
+        dialog->read();
+        try {
+          if (*problem) {
+            std::rethrow_exception(*problem);
+          }
+        } catch (const Error& error) {
+          dialog->said_->setText(translatedLine(error));
+          setLook(dialog->said_, "caution", true);
+        }
+      });
+}
+
+void ReviewDeskDialog::copyAddress() {
+  QApplication::clipboard()->setText(address_->currentText());
+  copy_->setText(tr("Copied"));
+}
+
+void ReviewDeskDialog::chooseFile(QLineEdit* field, const QString& title) {
+  const QString file =
+      askFileToOpen(this, title, tr("Certificates and keys (*.pem *.crt *.key)"), field->text());
+  if (!file.isEmpty()) {
+    field->setText(file);
+  }
+}
+
+}  // namespace torsio::gui
