@@ -197,8 +197,12 @@ AnchoredHead readHead(const std::string& line) {
 }
 
 void appendToWitness(const fs::path& witness, const std::string& head) {
-  requireOverwritable(witness);  // a pipe would wait for somebody who reads
+  requireNoDatabase(witness);
   std::error_code ignored;
+  if (const fs::file_status there = fs::status(witness, ignored);
+      fs::exists(there) && !fs::is_regular_file(there)) {
+    refuseUnwritable(witness);  // a pipe would wait for somebody who reads
+  }
   const std::string kept = fs::exists(witness, ignored) ? readFile(witness) : std::string();
   const std::uintmax_t before = kept.size() - cutOffEnd(kept).size();
   if (before < kept.size()) {

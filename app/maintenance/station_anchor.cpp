@@ -35,7 +35,7 @@ StationAnchor stationAnchor() {
 
 void setStationAnchor(const StationAnchor& anchor) {
   if (!anchor.witness.empty()) {
-    requireOverwritable(anchor.witness);
+    requireNoDatabase(anchor.witness);
   }
   if (!anchor.key.empty()) {
     (void)publicAnchorKey(anchor.key);

@@ -32,14 +32,7 @@ std::string readFile(const fs::path& file) {
   return bytes.str();
 }
 
-void requireOverwritable(const fs::path& file) {
-  std::error_code ignored;
-  const fs::file_status there = fs::status(file, ignored);
-  if (fs::exists(there) && !fs::is_regular_file(there)) {
-    throw Error(ErrorCode::kFileUnwritable,
-                Text::tr("is a folder, a device or a pipe, which is never overwritten"), file.string(),
-                Text::tr("Name another file"));
-  }
+void requireNoDatabase(const fs::path& file) {
   if (tellsOfDatabase(file)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("is a database, which is never overwritten"),
                 file.string(), Text::tr("Name another file"));

@@ -15,13 +15,12 @@ namespace torsio {
 /// Reads the whole file as bytes. Throws Error (kFileMissing, kFileUnreadable).
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);
 
-/// Refuses to let a report, a table or a picture take the place of a database, a device, a pipe or a folder:
-/// whoever names the file of a record, or /dev/null, by mistake must not lose it. Throws Error
-/// (kFileUnwritable).
-void requireOverwritable(const std::filesystem::path& file);
+/// Refuses to let a report, a table or a picture take the place of a database: whoever names the file of a
+/// record by mistake must not lose it. Throws Error (kFileUnwritable).
+void requireNoDatabase(const std::filesystem::path& file);
 
 /// Writes through a temporary file beside `file` and renames it, so that no half file is ever seen.
-/// Throws Error (kFileUnwritable), also for requireOverwritable(); then the old file, if any, is untouched.
+/// Throws Error (kFileUnwritable), also for requireNoDatabase(); then the old file, if any, is untouched.
 void writeFileAtomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// Writes what `write` puts into the stream through a temporary file beside `file`. `write` may throw; then

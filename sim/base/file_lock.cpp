@@ -87,10 +87,26 @@ fs::path lockNameOf(const fs::path& unfinished) {
   return lock;
 }
 
+namespace {
+
+/// A new file would take the place of /dev/null as of any other.
+const fs::path& orderlyTarget(const fs::path& file) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(file, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    throw Error(ErrorCode::kFileUnwritable,
+                Text::tr("is a folder, a device or a pipe, which is never overwritten"), file.string(),
+                Text::tr("Name another file"));
+  }
+  requireNoDatabase(file);
+  return file;
+}
+
+}  // namespace
+
 PartFile::PartFile(const fs::path& file)
-    : file_(file), path_(temporaryBeside(file)), lock_(lockNameOf(path_)) {
+    : file_(orderlyTarget(file)), path_(temporaryBeside(file)), lock_(lockNameOf(path_)) {
   lock_.requireHeld(file_);
-  requireOverwritable(file_);
 }
 
 PartFile::~PartFile() {

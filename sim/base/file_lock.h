@@ -38,7 +38,7 @@ class FileLock {
 /// write the same one; it goes again unless it was given its name.
 class PartFile {
  public:
-  /// Throws Error (kFileUnwritable), also when `file` is a database.
+  /// Throws Error (kFileUnwritable), also when `file` is a database, a folder, a device or a pipe.
   explicit PartFile(const std::filesystem::path& file);
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
