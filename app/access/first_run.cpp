@@ -50,6 +50,10 @@ CentreSign centreSign(Connection& connection) {
   return sign;
 }
 
+bool saysPassword(const std::string& locator) {
+  return !locator.empty() && !parseLocator(locator).password.empty();
+}
+
 RecordPlace lookAtRecord(const std::string& locator) {
   const Locator place = parseLocator(locator);
   std::error_code ignored;

@@ -18,6 +18,10 @@ struct CentreSign {
 };
 [[nodiscard]] CentreSign centreSign(Connection& connection);
 
+/// Whether the address of a server says its password, which every user of the machine would see among the
+/// arguments of a program. False for a file. Throws Error (kBadParameter) for an address that is none.
+[[nodiscard]] bool saysPassword(const std::string& locator);
+
 /// What lies where a record is to be kept.
 enum class RecordPlace {
   kNothing,  ///< no file yet: one can be made there

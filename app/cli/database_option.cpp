@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/access/first_run.h"
 #include "app/cli/terminal.h"
 #include "db/connection/locator.h"
 #include "sim/base/error.h"
@@ -16,7 +17,7 @@ constexpr const char* kWhat = "SQLite file or postgresql://user@host:port/databa
 /// An empty text: nothing is wrong. Other faults of the address are told by the command itself.
 std::string withoutPassword(const std::string& address) {
   try {
-    if (parseLocator(address).password.empty()) {
+    if (!saysPassword(address)) {
       return {};
     }
   } catch (const Error&) {

@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QStandardPaths>
 
+#include "app/access/first_run.h"
 #include "app/base/assets.h"
 #include "app/base/build_info.h"
 #include "app/gui/base/translated_text.h"
@@ -22,7 +23,6 @@
 #include "app/gui/widgets/icons.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
-#include "db/connection/locator.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 
@@ -146,9 +146,8 @@ void addOptions(QCommandLineParser& parser) {
   parser.addOption({QStringLiteral("wireframe"), QStringLiteral("Show edges")});
 }
 
-/// Every user of the machine sees the arguments of a program.
 void refusePassword(const QString& address) {
-  if (!address.isEmpty() && !parseLocator(address.toStdString()).password.empty()) {
+  if (saysPassword(address.toStdString())) {
     refuseOption(Text::tr("a password in an address is seen by every user of this machine"),
                  QStringLiteral("--database"),
                  Text::tr("Leave it out, and write it to ~/.pgpass or a service file"));

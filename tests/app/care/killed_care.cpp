@@ -184,6 +184,7 @@ std::string CutOffCare::addressWithoutPassword() const {
   fs::permissions(file("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
   setenv("PGPASSFILE", file("pgpass").c_str(), 1);
   server.password.clear();
+  server.parameters.push_back(kPatient);
   return addressOf(server);
 }
 

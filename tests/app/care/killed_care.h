@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "db/connection/locator.h"
 #include "tests/app/care/killed_program.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {
+
+/// A server that many tests ask at once may let a connection wait for longer than the program would.
+inline const ServerParameter kPatient{"connect_timeout", "60"};
 
 /// A care command, and what holds whenever it is cut off.
 struct CutOff {

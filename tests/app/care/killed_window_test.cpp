@@ -64,6 +64,7 @@ class KilledWindow : public CutOffCare {
   [[nodiscard]] std::string inDatabase(const std::string& name) const {
     Locator place = parseLocator(locator());
     place.database = name;
+    place.parameters.push_back(kPatient);
     return addressOf(place);
   }
   static void fill(Connection& connection) {
