@@ -248,12 +248,6 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
 
 std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
-  std::map<EnrolmentId, std::string> codes;
-  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
-    codes[enrolment.id] = enrolment.traineeCode;
-  }
-  const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
-  const SheetsOfCases sheets = liveSheets(session, cohortId);
   // Of a case that was called twice only the newest call counts.
   std::map<std::pair<EnrolmentId, std::string>, LiveCall> newest;
   for (LiveCall& call : CallRepository(session.connection()).calls(cohortId)) {
@@ -261,6 +255,15 @@ std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& coh
       newest[{call.enrolmentId, call.occasionCode}] = std::move(call);
     }
   }
+  if (newest.empty()) {
+    return {};  // the board asks every few seconds, and mostly nobody was called
+  }
+  std::map<EnrolmentId, std::string> codes;
+  for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {
+    codes[enrolment.id] = enrolment.traineeCode;
+  }
+  const Occasions occasions = occasionsOfCohort(session.connection(), cohortId);
+  const SheetsOfCases sheets = liveSheets(session, cohortId);
   std::map<RaterId, std::string> raters;
   for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     raters[rater.person.id] = rater.person.code;

@@ -20,7 +20,10 @@ ErrorCode codeOf(DbFault fault) {
 
 DbError::DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
                  const Text& remedy)
-    : Error(codeOf(fault), operation.empty() ? what : Text::tr("%1 (%2)", what, operation), where, remedy),
+    // Whoever reads that the server is away learns nothing from what it was asked last.
+    : Error(codeOf(fault),
+            operation.empty() || fault == DbFault::kUnreachable ? what : Text::tr("%1 (%2)", what, operation),
+            where, remedy),
       fault_(fault),
       operation_(operation) {}
 

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
+#include "app/access/database_away.h"
 #include "app/gui/base/translated_text.h"
 #include "app/recording/station_writer.h"
 
@@ -70,6 +71,7 @@ void ShellContext::setThemeKind(ThemeKind kind) {
 }
 
 void ShellContext::report(const std::exception_ptr& thrown) {
+  setProperty("toldAway", saysDatabaseAway(thrown));  // such a problem goes by itself
   tell(problemOf(thrown, {[] { return tr("Something unexpected happened"); },
                           [] { return tr("Nothing was lost; please try again"); }}));
 }

@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/replay_panel.h"
@@ -247,6 +248,12 @@ void CasePage::edited() {
     save();
   }
   showAll();
+}
+
+void CasePage::customEvent(QEvent* event) {
+  if (event->type() == databaseAnsweredEvent() && sheet_->unsaved()) {
+    save();
+  }
 }
 
 void CasePage::save() {

@@ -42,6 +42,7 @@ class CasePage : public Page {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void customEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

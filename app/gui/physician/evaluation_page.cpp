@@ -13,6 +13,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/choice_row.h"
@@ -158,6 +159,12 @@ bool EvaluationPage::leave() {
   replay_->pause();
   replay_->show(nullptr);
   return true;
+}
+
+void EvaluationPage::customEvent(QEvent* event) {
+  if (event->type() == databaseAnsweredEvent() && sheet_->unsaved()) {
+    edited();
+  }
 }
 
 void EvaluationPage::edited() {

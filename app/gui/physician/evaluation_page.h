@@ -35,6 +35,7 @@ class EvaluationPage : public Page {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void customEvent(QEvent* event) override;
 
  private:
   [[nodiscard]] const EvaluationForm* form() const;

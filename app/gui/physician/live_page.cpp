@@ -16,6 +16,7 @@
 
 #include "app/gui/base/background.h"
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/review_labels.h"
@@ -288,6 +289,12 @@ void LivePage::openLine(const AssignmentId& assignmentId) {
   followCall();
   showAll();
   sheet_->takeFocus();
+}
+
+void LivePage::customEvent(QEvent* event) {
+  if (event->type() == databaseAnsweredEvent() && sheet_->unsaved()) {
+    edited();
+  }
 }
 
 void LivePage::edited() {

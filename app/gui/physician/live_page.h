@@ -42,6 +42,7 @@ class LivePage : public Page {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void customEvent(QEvent* event) override;
 
  private:
   void createClock(QVBoxLayout* column);

@@ -21,6 +21,7 @@ SheetEditorPanel::~SheetEditorPanel() = default;
 
 void SheetEditorPanel::beginSheet(RubricRevision rubric, Sheet sheet, bool withOverall) {
   asking_ = false;
+  unsaved_ = false;
   auto fresh = std::make_unique<SheetEditor>(std::move(rubric), std::move(sheet), withOverall);
   setEditor(fresh.get());
   editor_ = std::move(fresh);
@@ -28,6 +29,7 @@ void SheetEditorPanel::beginSheet(RubricRevision rubric, Sheet sheet, bool withO
 
 void SheetEditorPanel::endSheet() {
   asking_ = false;
+  unsaved_ = false;
   setEditor(nullptr);
   editor_.reset();
 }
@@ -37,6 +39,7 @@ bool SheetEditorPanel::save(ShellContext& shell, QLabel* said, const QString& ke
   const bool good = attempt(shell, store);
   setLook(said, "caution", !good);
   said->setText(good ? kept : tr("Not saved"));
+  unsaved_ = !good;
   return good;
 }
 

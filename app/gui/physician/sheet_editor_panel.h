@@ -35,6 +35,8 @@ class SheetEditorPanel : public SheetPanel {
 
   /// Does `store`; says on `said` that the sheet is kept, or that it is not, and reports why.
   bool save(ShellContext& shell, QLabel* said, const QString& kept, const std::function<void()>& store);
+  /// The last save() failed: what is shown is kept nowhere yet.
+  [[nodiscard]] bool unsaved() const noexcept { return unsaved_; }
 
   /// Take back the last change, or bring it again; nothing on a sheet that is read only.
   void undo();
@@ -60,6 +62,7 @@ class SheetEditorPanel : public SheetPanel {
  private:
   std::unique_ptr<SheetEditor> editor_;
   bool asking_ = false;
+  bool unsaved_ = false;
 };
 
 }  // namespace torsio::gui

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/problem_panel.h"
@@ -286,6 +288,16 @@ void Desk::openHome(const QString& lastPage) {
     if (!factsOf(id).needsDatabase && open(id)) {
       return;
     }
+  }
+}
+
+void Desk::databaseAnswered() {
+  if (context_.property("toldAway").toBool()) {
+    problem_->hide();
+  }
+  if (current_ != nullptr) {
+    QEvent answered(databaseAnsweredEvent());
+    QCoreApplication::sendEvent(current_, &answered);
   }
 }
 

@@ -69,6 +69,10 @@ class Desk : public QWidget {
   /// Whether the desk may be left now; says why not.
   [[nodiscard]] bool mayLeave();
 
+  /// The database was away and answers again: the page that is shown tries again, and nobody is told any more
+  /// that it does not answer.
+  void databaseAnswered();
+
   /// Marks the chosen language and theme in the header; the colours of all pages follow.
   void setLanguage(Language language);
   void setThemeKind(ThemeKind kind);

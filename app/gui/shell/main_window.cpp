@@ -259,22 +259,25 @@ void MainWindow::showAnswers(bool answers) {
       awayBanner_->setText(tr("%1. Waiting to be stored: %2").arg(awayBanner_->text()).arg(waiting));
     }
     settleDue_ = true;
-  } else if (!answered_) {
-    reconnect();
   }
-  answered_ = answers;
+  answered_ = answers && (answered_ || reconnect());
   if (answers && settleDue_ && !running && !background_.working()) {
     settleAgain();
   }
 }
 
-/// The connection of the pages was lost with the server.
-void MainWindow::reconnect() {
+/// The connection of the pages was lost with the server. False: it is away again, or never was back; the next
+/// heartbeat that is answered tries anew.
+bool MainWindow::reconnect() {
   try {
     session_->reconnect();
   } catch (...) {
-    answered_ = false;  // away again; the next heartbeat that is answered tries anew
+    return false;
   }
+  if (desk_ != nullptr) {
+    desk_->databaseAnswered();
+  }
+  return true;
 }
 
 std::optional<LeftHead> MainWindow::forgetActor() {

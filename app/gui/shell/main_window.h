@@ -114,7 +114,7 @@ class MainWindow : public QWidget {
   void settleAgain();
   void startLine();
   void showAnswers(bool answers);
-  void reconnect();
+  bool reconnect();
   /// Nobody is signed in any more. Returns the head of the audit trail when an administrator left; without a
   /// line where it cannot be read, and then why.
   std::optional<LeftHead> forgetActor();

@@ -320,6 +320,7 @@ void expectNumbersLeadBack(ReportsPage& reports, ShellContext& shell) {
     EXPECT_EQ(depthOf(mean, QStringLiteral("scoring sheet")), 3);
     EXPECT_EQ(depthOf(mean, QStringLiteral("program file")), 1);
     auto& numbers = child<DataTable>(dialog, "numbers");
+    EXPECT_EQ(dialog.focusWidget(), &numbers.filter()) << "a code is typed there";
     numbers.filter().setText(QStringLiteral("T-07"));
     EXPECT_EQ(numbers.visibleRows(), 3 * (1 + 10 + 3 + 30) + 3)
         << "at three occasions the score, ten marks, and as much for each of three criteria; the residual";

@@ -23,6 +23,7 @@
 #include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -219,6 +220,19 @@ TEST_F(CallsFromTheBoard, APlanBeginsAtTheNextQuarterOfAnHourAtTheStationsOfTrai
   });
 
   press(*page_, QStringLiteral("Plan the day"));
+}
+
+TEST_F(CallsFromTheBoard, TheBoardIsReadAnewWhenTheDatabaseAnswersAgain) {
+  (void)callTrainee(office_.centre.as("administrator"),
+                    {.cohortId = cohort_,
+                     .enrolmentId = enrolments(office_.centre.session(), cohort_).front().id,
+                     .room = "Skills lab"});
+  ASSERT_TRUE(lines().isEmpty()) << "it was called elsewhere";
+
+  QEvent answered(databaseAnsweredEvent());
+  QApplication::sendEvent(page_.get(), &answered);
+
+  EXPECT_EQ(lines().size(), 1);
 }
 
 TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReason) {

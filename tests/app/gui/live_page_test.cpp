@@ -3,12 +3,16 @@
 #include "app/gui/physician/live_page.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
 
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/sheet_editor.h"
@@ -126,6 +130,34 @@ TEST_F(LivePageFollows, NeverTakesABegunSheetAway) {
   EXPECT_TRUE(wordsOf(page).contains(label(1))) << "and the called one follows when it is in";
   EXPECT_FALSE(hint.isVisible());
   EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(0)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, KeepsWhatWasTappedWhileTheDatabaseWasAway) {
+  call(0, "room 1");
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(shows(page, 0));
+  desk_.press(Qt::Key_6);
+  Connection& record = centre_.connection();
+  record.executeVerbatim(
+      "CREATE TRIGGER away BEFORE UPDATE ON mark_draft BEGIN SELECT RAISE(ABORT, 'away'); END");
+  desk_.press(Qt::Key_7);
+  EXPECT_TRUE(wordsOf(page).contains(QStringLiteral("Not saved")));
+  EXPECT_EQ(desk_.failures().size(), 1);
+  record.executeVerbatim("DROP TRIGGER away");
+
+  QEvent answered(databaseAnsweredEvent());
+  QCoreApplication::sendEvent(&page, &answered);
+
+  EXPECT_FALSE(wordsOf(page).contains(QStringLiteral("Not saved")));
+  const OpenedSheet kept = openSheet(desk_.session(), centre_.cases(0, true).at(0));
+  const auto scores = [](const Sheet& sheet) {
+    std::map<std::string, std::optional<std::int64_t>> byRow;
+    for (const SheetRow& row : sheet.rows) {
+      byRow[row.code] = row.score_steps;
+    }
+    return byRow;
+  };
+  EXPECT_EQ(scores(kept.sheet), scores(editorOf(page)->sheet()));
 }
 
 TEST_F(LivePageFollows, ALateSheetCanBeHandedInAfterTheCall) {

@@ -28,6 +28,7 @@
 #include "app/maintenance/demonstration_removal.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/shell_window.h"
@@ -321,8 +322,15 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   EXPECT_TRUE(tells("Your run goes on"));
   page().isBusy = false;
 
+  window_->desk()->context().report(std::make_exception_ptr(
+      DbError(DbFault::kUnreachable, "SELECT", Text::verbatim("the server is away"), Text(), Text())));
+  EXPECT_TRUE(tells("The server is away"));
+  EXPECT_FALSE(tells("SELECT")) << "which statement it was helps nobody";
+
   gate->set(true);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
+  EXPECT_FALSE(tells("The server is away")) << "it is not true any more";
+  EXPECT_EQ(page().answered, 1) << "the page tries again";
   testing::waitFor(window_->background());
   EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
 }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/page.h"
 #include "app/gui/shell/main_window.h"
 #include "assessment/people/account.h"
@@ -38,9 +39,13 @@ class BarePage : public Page {
   ShellContext& context() { return shell(); }
 
   int entered = 0;
+  int answered = 0;
   bool mayLeave = true;
   bool isBusy = false;
   QVariant argument_;
+
+ protected:
+  void customEvent(QEvent* event) override { answered += event->type() == databaseAnsweredEvent() ? 1 : 0; }
 
  private:
   QString name_;

@@ -5,6 +5,7 @@
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QPointer>
 #include <QSplitter>
 #include <QTreeWidget>
@@ -76,6 +77,7 @@ TraceDialog::TraceDialog(ShellContext& shell, const CohortId& cohortId,
     start();
   });
   fill();
+  numbers_->filter().setFocus();  // whoever types a code types it there
 }
 
 void TraceDialog::fill() {

@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/access/database_away.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/alert_panel.h"
@@ -23,6 +24,7 @@
 #include "app/gui/administrator/study/deviations_dialog.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/database_answered.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -154,7 +156,7 @@ void RunDayPage::read() {
 
 void RunDayPage::refresh() {
   const std::string cohort = chosenId(cohort_);
-  if (cohort.empty() || reader_->working()) {
+  if (cohort.empty() || reader_->working() || shell().databaseAway()) {
     return;
   }
   reader_->run(
@@ -172,9 +174,19 @@ void RunDayPage::refresh() {
         };
       },
       [this](const std::exception_ptr& problem) {
+        if (saysDatabaseAway(problem)) {
+          return;  // the window says so, and the next look tries again
+        }
         clock_->stop();  // one message, not one every few seconds
         shell().report(problem);
       });
+}
+
+void RunDayPage::customEvent(QEvent* event) {
+  if (event->type() == databaseAnsweredEvent()) {
+    clock_->start();
+    read();
+  }
 }
 
 QString RunDayPage::nowText(const RunDayRow& row) const {

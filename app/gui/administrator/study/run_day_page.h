@@ -36,6 +36,9 @@ class RunDayPage : public Page {
   bool leave() override;
   void retranslate() override;
 
+ protected:
+  void customEvent(QEvent* event) override;
+
  private:
   void read();
   /// Reads anew away from the window's thread, as the clock asks.
