@@ -43,11 +43,14 @@ class UsersPage : public Page {
   void storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login);
   void showRequests();
   void switchActive();
+
+  // users_page_admission.cpp
   void makeKioskCards();
   void revokeKioskCards();
   void inviteChosen();
   void revokeInvitations();
   void endSessions();
+
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
