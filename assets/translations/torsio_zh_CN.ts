@@ -218,6 +218,21 @@
     </message>
 </context>
 <context>
+    <name>LossDialog</name>
+    <message>
+        <source>Close without publishing</source>
+        <translation>不发布就关闭</translation>
+    </message>
+    <message>
+        <source>The changes are not published and will be lost.</source>
+        <translation>改动尚未发布，将会丢失。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>放弃改动(&amp;D)</translation>
+    </message>
+</context>
+<context>
     <name>MailServerDialog</name>
     <message>
         <source>Mail server</source>
@@ -20036,18 +20051,6 @@ MSM = 质点弹簧</translation>
         </translation>
     </message>
     <message>
-        <source>Close without publishing</source>
-        <translation>不发布就关闭</translation>
-    </message>
-    <message>
-        <source>The changes are not published and will be lost.</source>
-        <translation>改动尚未发布，将会丢失。</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>放弃改动(&amp;D)</translation>
-    </message>
-    <message>
         <source>Give the purpose a title.</source>
         <translation>请填写该用途的标题。</translation>
     </message>
@@ -26962,18 +26965,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1: revision %2 is used from now on</source>
         <translation>%1：今后使用修订版 %2</translation>
-    </message>
-    <message>
-        <source>Close without publishing</source>
-        <translation>不发布就关闭</translation>
-    </message>
-    <message>
-        <source>The changes are not published and will be lost.</source>
-        <translation>改动尚未发布，将会丢失。</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>放弃改动(&amp;D)</translation>
     </message>
 </context>
 <context>

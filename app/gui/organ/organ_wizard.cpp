@@ -73,9 +73,13 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
 
 QWidget* OrganWizard::createSourcePage() {
   auto* page = new QWidget(pages_);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout;
   column->setSpacing(2 * kSpace);
+  row->addStretch(1);
+  row->addLayout(column, 100);
+  row->addStretch(1);
   meshCard_ = new Card(QString(), page);
   meshCard_->setMaximumWidth(kCardWidth);
   meshText_ = sentence(meshCard_);

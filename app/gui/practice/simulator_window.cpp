@@ -15,7 +15,6 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
 #include "app/gui/scene/instrument_geometry.h"
@@ -25,6 +24,7 @@
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/simulator/replay_bar.h"
 #include "app/gui/simulator/shown_tool.h"
+#include "app/gui/simulator/validity_button.h"
 
 namespace torsio::gui {
 
@@ -36,7 +36,6 @@ constexpr double kRateOver_s = 1.0;
 constexpr double kNoticeFor_s = 6.0;
 constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
 constexpr int kPanelWidth = 380;          // so that the longest name of an organ is read whole
-constexpr double kNear_m = 0.050;
 
 }  // namespace
 
@@ -275,23 +274,6 @@ void SimulatorWindow::showDevice() {
   device_->setVisible(static_cast<bool>(setup_.openHaptic));
 }
 
-QString SimulatorWindow::hapticHint(const LiveState& state) const {
-  const bool led = !controller_->toolRidesOnTissue();  // a stylus; else it turns on the spot
-  switch (state.phase) {
-    case ExercisePhase::kTracking:
-      return tr("Bring the jaw to the marked band");
-    case ExercisePhase::kContact:
-      return led ? tr("Touching. Hold the first button of the stylus to grip")
-                 : tr("Touching. Close the jaw to grip");
-    case ExercisePhase::kTwisting:
-      return led ? tr("Holding. Lead the stylus round to twist; let the button go to release")
-                 : tr("Holding. Turn the jaw to twist; open it to release");
-    case ExercisePhase::kReleased:
-      break;
-  }
-  return tr("The tissue returns to rest");
-}
-
 void SimulatorWindow::frame(double elapsed_s) {
   pointer_->advance(elapsed_s);
   controller_->advance(elapsed_s);
@@ -324,47 +306,6 @@ void SimulatorWindow::measureRate() {
   framesPerSecond_ = static_cast<double>(view_->framesDrawn() - framesAtRate_) / span_s;
   framesAtRate_ = view_->framesDrawn();
   sinceRate_.restart();
-}
-
-void SimulatorWindow::showHint(const LiveState& state) {
-  const SimulationController::Mode mode = controller_->mode();
-  QString text;
-  if (noticeLeft_s_ > 0.0) {
-    text = notice_;
-  } else if (mode == SimulationController::Mode::kReplay) {
-    text = tr("Replay of a recorded run");
-  } else if (const QString untwisting = detorsion_->cue(); !untwisting.isEmpty()) {
-    text = untwisting;
-  } else if (mode != SimulationController::Mode::kEmpty && !controller_->hapticModel().isEmpty()) {
-    text = hapticHint(state);
-  } else if (mode != SimulationController::Mode::kEmpty) {
-    switch (state.phase) {
-      case ExercisePhase::kTracking: {
-        const std::optional<SurfacePoint> near = controller_->nearby(state);
-        text = near && near->distance_m < kNear_m
-                   ? tr("%1 mm to the surface. Wheel: nearer")
-                         .arg(std::max(0.0, near->distance_m) * 1000.0, 0, 'f', 0)
-                   : tr("Bring the jaw to the marked band. Wheel: depth, right drag: turn the view");
-        break;
-      }
-      case ExercisePhase::kContact:
-        text = tr("Touching. Hold the left button or Space to grip");
-        break;
-      case ExercisePhase::kTwisting:
-        text = tr("Holding. Drag, or press Q and E, to twist; let go to release");
-        break;
-      case ExercisePhase::kReleased:
-        text = ReadoutPanel::releaseText(state);
-        break;
-    }
-  }
-  if (hint_->text() != text) {
-    hint_->setText(text);
-  }
-  if (mode == SimulationController::Mode::kRecording) {
-    recordingTime_->setText(
-        tr("\u25cf Recording  %1").arg(clockTime(std::llround(1e6 * controller_->recorded_s()))));
-  }
 }
 
 void SimulatorWindow::showScene() {

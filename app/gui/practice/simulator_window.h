@@ -142,8 +142,11 @@ class SimulatorWindow : public QMainWindow {
   void showTitle();
   void showMode();
   void showProblem(const QString& happened, const QString& remedy, const QString& details);
+
+  // simulator_window_hints.cpp
   void showHint(const LiveState& state);
   [[nodiscard]] QString hapticHint(const LiveState& state) const;
+
   void showDevice();
   void measureRate();
   void restoreChoices();

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QShortcut>
@@ -450,34 +449,6 @@ void DetorsionPanel::showWarning() {
   }
   warning_->setVisible(!text.isEmpty());
   setText(warning_, text);
-}
-
-ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
-  setObjectName(QStringLiteral("validity"));
-  setText(QStringLiteral("?"));
-  setFocusPolicy(Qt::TabFocus);
-  connect(this, &QToolButton::clicked, this, &ValidityButton::tell);
-  retranslate();
-  hide();
-}
-
-void ValidityButton::setScene(const Scene* scene) {
-  words_.clear();
-  if (scene != nullptr && scene->hollow != nullptr) {
-    words_ = scene->hollow->detorsion().validity;
-  }
-  setVisible(!words_.empty());
-}
-
-void ValidityButton::retranslate() {
-  setToolTip(tr("What of this scene is measured, sourced and assumed"));
-  setAccessibleName(toolTip());
-}
-
-void ValidityButton::tell() {
-  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), toQString(Text(words_)),
-                  QMessageBox::Close, this);
-  box.exec();
 }
 
 }  // namespace torsio::gui

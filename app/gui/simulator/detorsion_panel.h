@@ -3,12 +3,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <QString>
-#include <QToolButton>
 #include <QWidget>
 
 #include "sim/base/live_types.h"
@@ -100,24 +98,6 @@ class DetorsionPanel : public QWidget {
   QLabel* handsOffText_;
   QProgressBar* handsOff_;
   QLabel* warning_;
-};
-
-/// A "?" beside the title of a scene: opens what of an untwisting is measured, sourced and assumed. Hidden
-/// for other scenes.
-class ValidityButton : public QToolButton {
-  Q_OBJECT
-
- public:
-  explicit ValidityButton(QWidget* parent = nullptr);
-
-  /// Takes the words of a scene; null: none.
-  void setScene(const Scene* scene);
-  void retranslate();
-
- private:
-  void tell();
-
-  std::string words_;  // as the scene file has them
 };
 
 }  // namespace torsio::gui

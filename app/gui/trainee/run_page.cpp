@@ -19,6 +19,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/simulator/validity_button.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/simulator/validity_button.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_parts.h"

@@ -12,6 +12,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/readout_panel.h"
+#include "app/gui/simulator/validity_button.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/theme.h"
@@ -56,9 +57,7 @@ void emptyLayout(QLayout* layout) {
 }
 
 QLabel* plainLabel(QWidget* parent, const char* look) {
-  auto* label = new QLabel(parent);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
+  QLabel* label = sentence(parent, false);
   if (look != nullptr) {
     label->setProperty(look, true);
   }

@@ -31,6 +31,17 @@ constexpr int kRowHeight = 32;
 constexpr int kLeastWidth = 12 * kSpace;  // a wider column gives way before a list scrolls sideways
 constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
 
+/// The last column takes the rest of a wide list, but for a number, which would stand far from what it
+/// belongs to.
+void letLastFill(QHeaderView& header, const std::vector<Column>& columns) {
+  int place = header.count() - 1;
+  while (place >= 0 && header.isSectionHidden(header.logicalIndex(place))) {
+    --place;
+  }
+  header.setStretchLastSection(place < 0 ||
+                               !columns[static_cast<std::size_t>(header.logicalIndex(place))].number);
+}
+
 }  // namespace
 
 Cell timeCell(std::int64_t utc_us) {
@@ -154,6 +165,7 @@ void DataTable::setColumns(const std::vector<Column>& columns) {
     restore();
   }
   restored_ = true;
+  letLastFill(*view_->horizontalHeader(), columns);
 }
 
 void DataTable::setRows(std::vector<Row> rows) {
@@ -186,7 +198,7 @@ void DataTable::fitColumns(bool first) {
   shareWidth();
   // Sizing to contents shrinks the last column too: it takes the rest again.
   header->setStretchLastSection(false);
-  header->setStretchLastSection(true);
+  letLastFill(*header, model_->columns());
 }
 
 /// Where the columns are wider than the list, the widest give way, so that nothing is scrolled sideways while

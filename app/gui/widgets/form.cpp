@@ -33,6 +33,40 @@ class FittingCard : public QFrame {
   int width_;
 };
 
+/// Signs of a line that the eye still finds its way back from.
+constexpr int kLongestLine = 120;
+
+/// Wraps before its lines get too long to be read, however wide the window is.
+class Sentence : public QLabel {
+ public:
+  using QLabel::QLabel;
+  [[nodiscard]] QSize sizeHint() const override { return QLabel::sizeHint() - unused(); }
+  [[nodiscard]] QSize minimumSizeHint() const override { return QLabel::minimumSizeHint() - unused(); }
+  [[nodiscard]] int heightForWidth(int width) const override {
+    return QLabel::heightForWidth(std::min(width, widest()) + contentsMargins().right());
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    wrap();
+  }
+  void changeEvent(QEvent* event) override {
+    QLabel::changeEvent(event);
+    wrap();
+  }
+
+ private:
+  [[nodiscard]] int widest() const { return kLongestLine * fontMetrics().averageCharWidth(); }
+  [[nodiscard]] QSize unused() const { return {contentsMargins().right(), 0}; }
+  void wrap() {
+    const int rest = std::max(0, width() - widest());
+    if (rest != contentsMargins().right()) {
+      setContentsMargins(0, 0, rest, 0);
+    }
+  }
+};
+
 }  // namespace
 
 QVBoxLayout* centredCard(QWidget* ground, int width) {
@@ -97,7 +131,7 @@ QPushButton* linkButton(QWidget* parent) {
 }
 
 QLabel* sentence(QWidget* parent, bool quiet) {
-  auto* label = new QLabel(parent);
+  auto* label = new Sentence(parent);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setProperty("quiet", quiet);

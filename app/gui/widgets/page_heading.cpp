@@ -5,15 +5,14 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
 PageHeading::PageHeading(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), sentence_(new QLabel(this)), actions_(new QHBoxLayout) {
+    : QWidget(parent), title_(new QLabel(this)), sentence_(gui::sentence(this)), actions_(new QHBoxLayout) {
   title_->setProperty("heading", true);
-  sentence_->setProperty("quiet", true);
-  sentence_->setWordWrap(true);
   auto* texts = new QVBoxLayout;
   texts->setSpacing(kSpace / 2);
   texts->addWidget(title_);

@@ -45,6 +45,28 @@ TEST(DataTable, SortsCodesByTheirNumbersAndMarksBySize) {
   EXPECT_EQ(byMark, "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
 }
 
+TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
+  DataTable numbers{QString()};
+  DataTable words{QString()};
+  numbers.setColumns({{"Code"}, {"Mark", true}});
+  words.setColumns({{"Code"}, {"State"}});
+  for (DataTable* table : {&numbers, &words}) {
+    table->resize(1600, 200);
+    table->setRows(trainees());
+    table->show();
+  }
+  QApplication::processEvents();
+  const auto filled_px = [](const DataTable& table) { return table.view().horizontalHeader()->length(); };
+
+  EXPECT_LT(filled_px(numbers), 400);
+  EXPECT_EQ(filled_px(words), words.view().viewport()->width());
+  // The last one that is seen counts.
+  words.setColumns({{"Code"}, {"State"}, {"Mark", true}});
+  EXPECT_FALSE(words.view().horizontalHeader()->stretchLastSection());
+  words.setColumnHidden(2, true);
+  EXPECT_TRUE(words.view().horizontalHeader()->stretchLastSection());
+}
+
 TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
   for (const bool touched : {false, true}) {
     DataTable table{QString()};

@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/simulator/validity_button.h"
 #include "sim/base/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/hollow_bar.h"

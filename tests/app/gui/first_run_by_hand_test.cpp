@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first page to a passed exercise with mouse and keys, every action done on the real widgets and
-// counted. The servo is stepped by the test, 16 ticks a frame; an action takes the time of the
-// keystroke-level model (Card, Moran and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
+// counted: each click, each key that is pressed, each that is let go, each notch of the wheel. The servo is
+// stepped by the test, 16 ticks a frame; an action takes the time of the keystroke-level model (Card, Moran
+// and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
 #include <cmath>
 #include <functional>
 
@@ -59,12 +60,12 @@ class Newcomer {
       run_s_ += kFrame_ms * 1e-3;
     }
   }
-  void hold(int key) { send(QEvent::KeyPress, key, true); }
-  void release(int key) { send(QEvent::KeyRelease, key, false); }
-  /// One turn of the wheel until something happens, notch by notch.
+  void hold(int key) { send(QEvent::KeyPress, key); }
+  void release(int key) { send(QEvent::KeyRelease, key); }
+  /// Turns the wheel until something happens.
   void wheelUntil(const std::function<bool()>& there) {
-    ++actions_;
     while (!there() && run_s_ < kPatience_s) {
+      ++actions_;
       const QPointF at(0.5 * view().width(), 0.5 * view().height());
       QWheelEvent event(at, at, {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
       QApplication::sendEvent(&view(), &event);
@@ -85,8 +86,8 @@ class Newcomer {
  private:
   LiveScene& scene() { return child<LiveScene>(station_.run(), "scene"); }
   SceneView& view() { return scene().view(); }
-  void send(QEvent::Type type, int key, bool counts) {
-    actions_ += counts ? 1 : 0;
+  void send(QEvent::Type type, int key) {
+    ++actions_;
     QKeyEvent event(type, key, Qt::NoModifier);
     QApplication::sendEvent(&view(), &event);
   }

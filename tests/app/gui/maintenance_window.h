@@ -26,13 +26,12 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
+#include "tests/app/gui/founded_centre.h"
 #include "tests/app/gui/shown_screen.h"
 
 namespace torsio::gui {
 
 namespace fs = std::filesystem;
-
-inline constexpr const char* kAdminPassword = "a short sentence for the lab";
 
 /// The program's window with the pages of the office, an administrator at work, and a record of two people.
 class CarePages : public ::testing::Test {
@@ -47,21 +46,11 @@ class CarePages : public ::testing::Test {
 
   void SetUp() override {
     {
-      SessionKey key;
-      key.locator = record();
-      key.station = "test";
-      SessionContext office(key);
-      office.setPasswordCost(PasswordCost::kTest);
-      FirstRun first;
-      first.centre = "City hospital";
-      first.login = "admin";
-      first.password = kAdminPassword;
-      setUpCentre(office, first);
-      ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
-      office.beginCall();
-      setCentreSetting(office, "two_people", "no");  // there is one administrator only
-      addPerson(office, person());
-      addPerson(office, person());
+      const std::unique_ptr<SessionContext> office = foundCentre(record());
+      office->beginCall();
+      setCentreSetting(*office, "two_people", "no");  // there is one administrator only
+      addPerson(*office, person());
+      addPerson(*office, person());
     }
     ShellSetup setup;
     setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";

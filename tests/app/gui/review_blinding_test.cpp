@@ -20,8 +20,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/review/discrepancy_review.h"
 #include "app/review/rater_calibration.h"
-#include "assessment/rating/campaign.h"
-#include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
 
@@ -74,17 +72,6 @@ class Gathering {
   QtMessageHandler before_;
   QStringList found_;
 };
-
-void addCampaign(ReviewCentre& centre) {
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Three models";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed-model", "K", 1}, {"FEM", "finite-elements", "M", 2}};
-  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
-  EvaluationRepository(centre.connection()).addCampaign(campaign);
-}
 
 /// Waiting, with answers and a remark, asked whether to submit, submitted, being amended.
 void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
@@ -157,7 +144,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   ReviewCentre centre(setup);
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
-  addCampaign(centre);
+  centre.addTwoModels(false);
   for (std::size_t rater = 0; rater < 3; ++rater) {
     DeskOf scorer(centre, rater);
     scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));

@@ -23,8 +23,6 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
-#include "assessment/rating/campaign.h"
-#include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
 #include "tests/app/support/review_centre.h"
@@ -230,15 +228,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
 
 TEST(EvaluationPage, FitsASmallScreenBesideARecording) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Two models";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed model", "K", 1, centre.trialIds()[0]},
-                     {"FEM", "finite elements", "M", 2, centre.trialIds()[1]}};
-  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
-  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  centre.addTwoModels(true);
   DeskOf desk(centre, 0);
   applyTheme(*qApp, theme(ThemeKind::kLight));
   auto& page = desk.open<EvaluationPage>();
@@ -250,14 +240,7 @@ TEST(EvaluationPage, FitsASmallScreenBesideARecording) {
 
 TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Three models";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed model", "K", 1}, {"FEM", "finite elements", "M", 2}};
-  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
-  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  centre.addTwoModels(false);
   {
     DeskOf desk(centre, 0);
     auto& page = desk.open<EvaluationPage>();

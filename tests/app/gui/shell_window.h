@@ -10,16 +10,15 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/access/first_run.h"
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/page.h"
 #include "app/gui/shell/main_window.h"
 #include "assessment/people/account.h"
+#include "tests/app/gui/founded_centre.h"
 #include "tests/app/gui/shown_screen.h"
 
 namespace torsio::gui {
 
-inline constexpr const char* kAdminPassword = "a short sentence for the lab";
 inline constexpr const char* kStartPassword = "start with these words";
 inline constexpr const char* kOwnPassword = "only I know this sentence";
 
@@ -92,19 +91,11 @@ class Shell : public ::testing::Test {
 
   /// A centre with an administrator and a trainee who has a start password, nobody signed in.
   void openFoundedCentre(ShellSetup with) {
-    SessionKey key;
-    key.locator = with.locator.toStdString();
-    key.station = "test";
-    SessionContext office(key);
-    office.setPasswordCost(PasswordCost::kTest);
-    FirstRun first;
-    first.centre = "City hospital";
-    first.login = "admin";
-    first.password = kAdminPassword;
-    setUpCentre(office, first);
-    ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
-    addUser(office, {.login = "chen", .roles = {"trainee"}, .startPassword = kStartPassword});
-    torsio::signOut(office);
+    {
+      const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());
+      addUser(*office, {.login = "chen", .roles = {"trainee"}, .startPassword = kStartPassword});
+      torsio::signOut(*office);
+    }
     open(with);
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <QRegularExpression>
 #include <gtest/gtest.h>
 
 #include "app/gui/physician/case_page.h"
@@ -11,7 +12,9 @@
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/case_sheet.h"
+#include "sim/base/time_units.h"
 #include "tests/app/gui/desk_of.h"
+#include "tests/app/gui/visible_texts.h"
 #include "tests/app/support/review_centre.h"
 
 namespace torsio::gui {
@@ -24,6 +27,29 @@ constexpr double kDecide_s = 1.35;
 constexpr double kPress_s = 0.28;
 constexpr double kRecording_s = 40.0;  // ten twists of a practised hand; each case is watched whole
 constexpr double kTenMinutes_s = 600.0;
+
+TEST(QueuePage, TellsHowManyCasesFitIntoTenMinutesAndThanksForTheTimeGiven) {
+  ReviewCentre::Setup setup;
+  setup.raters = 1;
+  setup.trainees = 5;
+  ReviewCentre centre(setup);
+  DeskOf desk(centre, 0);
+  const std::vector<AssignmentId> cases = centre.cases(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    OpenedSheet opened = openSheet(desk.session(), cases[i]);
+    opened.watched.played(0, opened.watched.length_us(), 1.0);
+    opened.watched.worked(4 * kMinute_us);
+    submitSheet(desk.session(), cases[i], torsio::testing::reviewSheet(5, 5, 5), opened.watched);
+  }
+
+  const QString said = paintedWordsOf(desk.open<QueuePage>()).join(u' ');
+
+  EXPECT_TRUE(said.contains(QStringLiteral("3 submitted so far, in 12 min of your time: thank you")))
+      << said.toStdString();
+  EXPECT_TRUE(said.contains(
+      QRegularExpression(QStringLiteral("2 case\\S* fit into ten minutes, at your own pace so far"))))
+      << said.toStdString();
+}
 
 TEST(TenCases, AreScoredByKeyboardAloneInTenMinutes) {
   ReviewCentre::Setup setup;

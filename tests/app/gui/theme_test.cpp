@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include <QAbstractItemView>
@@ -12,12 +13,14 @@
 #include <QDir>
 #include <QIcon>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/page_id.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/level_bar.h"
 
@@ -187,6 +190,27 @@ TEST(Icons, EveryDrawingOfTheFolderIsInTheProgram) {
 
   ASSERT_FALSE(drawings.isEmpty());
   EXPECT_EQ(compiled, drawings) << "list it in app/gui/widgets/CMakeLists.txt";
+}
+
+// The same words in a window of 4K: no line is longer than the eye finds its way back from.
+TEST(Sentence, BreaksItsLinesAtAHundredAndTwentySigns) {
+  QLabel& words = *sentence(nullptr);
+  const std::unique_ptr<QLabel> owned(&words);
+  words.setText(QStringLiteral("one run decides nothing ").repeated(20));
+  const int widest = 120 * words.fontMetrics().averageCharWidth();
+  const int least = words.minimumSizeHint().width();
+  for (const int width : {300, 1600, 3600, 500}) {
+    words.resize(width, words.heightForWidth(width));
+    words.show();
+    QApplication::processEvents();
+
+    const int used = words.contentsRect().width();
+    EXPECT_EQ(used, std::min(width, widest));
+    EXPECT_GE(
+        words.height(),
+        words.fontMetrics().boundingRect(QRect(0, 0, used, 9999), Qt::TextWordWrap, words.text()).height());
+    EXPECT_EQ(words.minimumSizeHint().width(), least) << "a wide window could never be narrow again";
+  }
 }
 
 TEST(LevelBar, SaysInWordsThatTheLimitIsReached) {

@@ -294,14 +294,8 @@ TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
 
 TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Three models";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed model", "K", 1}, {"FEM", "finite elements", "M", 2}};
-  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}, {centre.raterId(1), "chief", "PM,FEM"}};
-  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  centre.addTwoModels(false, {"FEM,PM", "PM,FEM"});
+  const CampaignId campaignId = "campaign";
   const auto desk = centre.physician(0);
 
   const std::vector<EvaluationForm> forms = evaluationForms(*desk);
@@ -311,38 +305,31 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   EXPECT_EQ(forms[0].indices.size(), 9U);
   EXPECT_EQ(evaluationForms(*centre.physician(1))[0].models[0].hiddenLabel, "K");
   for (std::size_t i = 0; i < 8; ++i) {
-    saveEvaluationScore(*desk, campaign.id, "M", i, 73);
+    saveEvaluationScore(*desk, campaignId, "M", i, 73);
   }
-  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaign.id, "M"); }).first, ErrorCode::kBadData);
-  saveEvaluationScore(*desk, campaign.id, "M", 8, 100);
+  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaignId, "M"); }).first, ErrorCode::kBadData);
+  saveEvaluationScore(*desk, campaignId, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on the disk
-  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaign.id, "M", 8, 101); }).first,
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }).first,
             ErrorCode::kBadData);
 
-  submitEvaluation(*desk, campaign.id, "M");
+  submitEvaluation(*desk, campaignId, "M");
 
   EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
-  EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaign.id).size(), 9U);
-  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaign.id, "M", 0, 10); }).first,
+  EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaignId).size(), 9U);
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }).first,
             ErrorCode::kBadData);
-  EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaign.id, centre.raterId(0)).empty());
+  EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaignId, centre.raterId(0)).empty());
 }
 
 TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Two models, recorded";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed model", "K", 1, centre.trialIds()[0]},
-                     {"FEM", "finite elements", "M", 2, centre.trialIds()[1]}};
-  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
-  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  centre.addTwoModels(true);
+  const CampaignId campaignId = "campaign";
   const auto desk = centre.physician(0);
 
   const EvaluationForm form = evaluationForms(*desk).at(0);
-  const BlindedRecording shown = loadEvaluationRecording(*desk, campaign.id, "M");
+  const BlindedRecording shown = loadEvaluationRecording(*desk, campaignId, "M");
 
   EXPECT_TRUE(form.models[0].recorded && form.models[1].recorded);
   EXPECT_EQ(shown.label, "M");
@@ -350,9 +337,9 @@ TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
   EXPECT_EQ(shown.trial.header.traineeCode, "");
   EXPECT_EQ(shown.trial.summary.contentHash, "");
   EXPECT_FALSE(shown.trial.chunks.empty());
-  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaign.id, "K2"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }).first,
             ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaign.id, "M"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }).first,
             ErrorCode::kPermission);
 }
 

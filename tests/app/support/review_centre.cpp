@@ -10,6 +10,7 @@
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
+#include "assessment/rating/campaign.h"
 #include "assessment/rating/live_call.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/study/cohort.h"
@@ -18,6 +19,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"
@@ -211,6 +213,22 @@ std::unique_ptr<SessionContext> ReviewCentre::administrator() {
   return std::make_unique<SessionContext>(*connection_, *ids_,
                                           SessionKey{locator(), "office-1", actorIn(*connection_, "office")},
                                           [this] { return now_us_; });
+}
+
+void ReviewCentre::addTwoModels(bool recorded, const std::vector<std::string>& orders) {
+  Campaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Two models";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed-model", "K", 1}, {"FEM", "finite-elements", "M", 2}};
+  for (std::size_t i = 0; recorded && i < campaign.models.size(); ++i) {
+    campaign.models[i].trialId = trialIds_.at(i);
+  }
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    campaign.raters.push_back({raterId(i), "chief", orders[i]});
+  }
+  EvaluationRepository(*connection_).addCampaign(campaign);
 }
 
 RaterId ReviewCentre::raterId(std::size_t index) {

@@ -57,6 +57,9 @@ class ReviewCentre {
   [[nodiscard]] const std::vector<TrialId>& trialIds() const { return trialIds_; }
   [[nodiscard]] const RubricRevisionId& rubricRevisionId() const { return rubricRevisionId_; }
   [[nodiscard]] RaterId raterId(std::size_t index);
+  /// Adds the evaluation "campaign" of two models, PM under the letter K and FEM under M, each with one of
+  /// the recordings where it is `recorded`. Physician i is asked for the models in the order `orders[i]`.
+  void addTwoModels(bool recorded, const std::vector<std::string>& orders = {"FEM,PM"});
   /// Everything that a rater must not meet: names, pseudonyms, groups, stages, phases, trial ids.
   [[nodiscard]] std::vector<std::string> secrets();
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }

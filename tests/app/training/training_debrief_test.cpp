@@ -7,8 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/expert_run.h"
+#include "app/training/attempts.h"
 #include "app/training/debrief.h"
 #include "app/training/trend.h"
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/repository/trial/digest_repository.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
@@ -35,6 +39,31 @@ TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
   EXPECT_EQ(trial.header.phaseLabel, kExpertPhase);
   EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
   EXPECT_TRUE(replayTrial(trainingBar(), trial).identical());
+}
+
+TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
+  TrainingCentre centre;
+  const TrialId trial = centre.attempt("first", "practice", kExpert);
+  static_cast<void>(attemptOf(centre.session(), trial));
+  const DigestRepository digests(centre.connection());
+  TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
+  const double judged_N = older.measures.at(kPeakForceMetric);
+  older.formulaVersion = kMetricsVersion - 1;
+  older.measures.at(kPeakForceMetric) = 0.88;  // what the device could give
+  DigestRepository(centre.connection()).add({&older, 1});
+
+  const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+
+  ASSERT_TRUE(told.earlier);
+  EXPECT_EQ(told.earlier->version, kMetricsVersion - 1);
+  EXPECT_EQ(told.earlier->peakForce_N, 0.88);
+  EXPECT_TRUE(told.earlier->withinLimits);
+  const auto force = std::find_if(told.checks.begin(), told.checks.end(), [](const TargetCheck& check) {
+    return check.kind == TargetCheck::Kind::kForce;
+  });
+  ASSERT_NE(force, told.checks.end());
+  EXPECT_EQ(force->value, judged_N);
+  EXPECT_GT(judged_N, 0.88);
 }
 
 TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {

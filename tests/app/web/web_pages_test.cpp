@@ -6,9 +6,7 @@
 
 #include "app/recording/pipeline.h"
 #include "app/review/rater_calibration.h"
-#include "assessment/rating/campaign.h"
 #include "db/connection/row_reader.h"
-#include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -25,22 +23,9 @@ using torsio::testing::ServedDesk;
 using torsio::testing::WebAnswer;
 using torsio::testing::WebClient;
 
-/// The evaluation of two models, which only the first physician is asked about.
-void addTwoModels(ServedDesk& served) {
-  Campaign campaign;
-  campaign.id = "campaign";
-  campaign.name = "Two models, recorded";
-  campaign.instrument = paperInstrument();
-  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
-  campaign.models = {{"PM", "proposed model", "K", 1, served.centre.trialIds()[0]},
-                     {"FEM", "finite elements", "M", 2, served.centre.trialIds()[1]}};
-  campaign.raters = {{served.centre.raterId(0), "chief", "FEM,PM"}};
-  EvaluationRepository(served.centre.connection()).addCampaign(campaign);
-}
-
 TEST(WebPages, AnEvaluationIsScoredAndSealedUnderItsLetters) {
   ServedDesk served;
-  addTwoModels(served);
+  served.centre.addTwoModels(true);
   WebClient client = served.physician(0);
 
   const WebAnswer asked = client.get("/api/evaluation");

@@ -22,6 +22,10 @@ struct ReasonDialog {
   Q_DECLARE_TR_FUNCTIONS(ReasonDialog)
 };
 
+struct LossDialog {
+  Q_DECLARE_TR_FUNCTIONS(LossDialog)
+};
+
 }  // namespace
 
 QString reasonWanted() {
@@ -80,6 +84,19 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
     return std::nullopt;
   }
   return reason->text().trimmed().toStdString();
+}
+
+bool mayLoseChanges(QWidget* parent) {
+  QuestionDialog sure(parent, LossDialog::tr("Close without publishing"),
+                      LossDialog::tr("The changes are not published and will be lost."));
+  sure.finish(LossDialog::tr("&Discard"));
+  return sure.exec() == QDialog::Accepted;
+}
+
+void pressNothingByEnter(QDialog& dialog) {
+  for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    button->setAutoDefault(false);
+  }
 }
 
 }  // namespace torsio::gui

@@ -41,4 +41,10 @@ class QuestionDialog : public QDialog {
 [[nodiscard]] std::optional<std::string> askReason(QWidget* parent, const QString& title,
                                                    const QString& question);
 
+/// Asks, where a form with what is not published is about to be closed, whether that may be lost.
+[[nodiscard]] bool mayLoseChanges(QWidget* parent);
+
+/// Enter ends an input in `dialog` and presses none of the buttons that it has now.
+void pressNothingByEnter(QDialog& dialog);
+
 }  // namespace torsio::gui

@@ -16,6 +16,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/printed_consent.h"
+#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -87,9 +88,7 @@ ConsentDialog::ConsentDialog(ShellContext& shell, People people, QWidget* parent
   buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
-  for (QPushButton* button : findChildren<QPushButton*>()) {
-    button->setAutoDefault(false);  // Enter ends an input and decides nothing
-  }
+  pressNothingByEnter(*this);
   decisions_->setColumns({{tr("Person")},
                           {tr("When")},
                           {tr("Purpose")},

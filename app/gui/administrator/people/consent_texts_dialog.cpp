@@ -143,9 +143,7 @@ void ConsentTextsDialog::build() {
   publish_->setProperty("primary", true);
   connect(buttons, &QDialogButtonBox::rejected, this, &ConsentTextsDialog::reject);
   column->addWidget(buttons);
-  for (QPushButton* button : findChildren<QPushButton*>()) {
-    button->setAutoDefault(false);  // Enter ends an input and presses nothing
-  }
+  pressNothingByEnter(*this);
 }
 
 void ConsentTextsDialog::read() {
@@ -367,15 +365,9 @@ void ConsentTextsDialog::print() {
 }
 
 void ConsentTextsDialog::reject() {
-  if (edited()) {
-    QuestionDialog sure(this, tr("Close without publishing"),
-                        tr("The changes are not published and will be lost."));
-    sure.finish(tr("&Discard"));
-    if (sure.exec() != QDialog::Accepted) {
-      return;
-    }
+  if (!edited() || mayLoseChanges(this)) {
+    QDialog::reject();
   }
-  QDialog::reject();
 }
 
 }  // namespace torsio::gui

@@ -47,12 +47,15 @@ class UsersPage : public Page {
   void storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login);
   void showRequests();
   void switchActive();
+
+  // users_page_admission.cpp
   void makeKioskCards();
   void revokeKioskCards();
   void inviteChosen();
   void revokeInvitations();
   void endSessions();
   void showReviewDesk();
+
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;

@@ -108,9 +108,7 @@ void RubricDialog::build() {
   publish_->setProperty("primary", true);
   connect(buttons, &QDialogButtonBox::rejected, this, &RubricDialog::reject);
   column->addWidget(buttons);
-  for (QPushButton* button : findChildren<QPushButton*>()) {
-    button->setAutoDefault(false);  // Enter ends an input and presses nothing
-  }
+  pressNothingByEnter(*this);
 }
 
 void RubricDialog::read() {
@@ -204,15 +202,9 @@ void RubricDialog::publish() {
 }
 
 void RubricDialog::reject() {
-  if (edited()) {
-    QuestionDialog sure(this, tr("Close without publishing"),
-                        tr("The changes are not published and will be lost."));
-    sure.finish(tr("&Discard"));
-    if (sure.exec() != QDialog::Accepted) {
-      return;
-    }
+  if (!edited() || mayLoseChanges(this)) {
+    QDialog::reject();
   }
-  QDialog::reject();
 }
 
 }  // namespace torsio::gui

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a trainee's own run draws of the instrument in the tissue: dents, the arrow of the force, jaws that
+// close, the hand that leads. On a virtual display; the scene graph itself is asked.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <QApplication>
+#include <QProcess>
+#include <QQuickItem>
+#include <QQuickWidget>
+#include <QStandardPaths>
+#include <QVector3D>
+#include <gtest/gtest.h>
+
+#include "app/gui/scene/organ_geometry.h"
+#include "app/gui/scene/scene_view.h"
+#include "app/gui/scene/view_frame.h"
+#include "app/report/typeface.h"
+#include "tests/app/gui/trainee_station.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::TrainingCentre;
+
+constexpr int kFrame_ms = 16;
+constexpr int kMostFrames = 1200;
+
+/// Places of the skin as they are drawn, mm.
+std::vector<QVector3D> skinOf(const QQuickItem& root) {
+  const QByteArray bytes = root.property("organ").value<OrganGeometry*>()->vertexData();
+  std::vector<DrawnVertex> drawn(static_cast<std::size_t>(bytes.size()) / sizeof(DrawnVertex));
+  std::memcpy(drawn.data(), bytes.constData(), drawn.size() * sizeof(DrawnVertex));
+  std::vector<QVector3D> places;
+  for (const DrawnVertex& vertex : drawn) {
+    places.emplace_back(vertex.position[0], vertex.position[1], vertex.position[2]);
+  }
+  return places;
+}
+
+/// How far the skin lies from where it was, mm: at most, and how near to `tip_mm` that is.
+struct Dent {
+  float depth_mm = 0.0F;
+  float fromTip_mm = 0.0F;
+};
+
+Dent dentOf(const std::vector<QVector3D>& before, const std::vector<QVector3D>& now,
+            const QVector3D& tip_mm) {
+  Dent dent;
+  for (std::size_t i = 0; i < std::min(before.size(), now.size()); ++i) {
+    const float moved_mm = (now[i] - before[i]).length();
+    if (moved_mm > dent.depth_mm) {
+      dent = {moved_mm, (before[i] - tip_mm).length()};
+    }
+  }
+  return dent;
+}
+
+TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
+  if (!SceneView::platformCanRender()) {
+    GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
+  }
+  TrainingCentre centre;
+  Station station(centre);
+  station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
+    ScriptedHandOptions hand = practised(scene, target_rad);
+    hand.task.tipRadius_m -= 0.004;  // it presses, so that there is something to be seen
+    return std::make_unique<ScriptedHand>(hand);
+  });
+  auto& scene = child<LiveScene>(station.run(), "scene");
+  ASSERT_TRUE(soon([&] {
+    const RecordedRun* live = scene.controller().run();
+    return !station.run().fetchesDevice() && live != nullptr && live->recorded();
+  }));
+  auto* quick = scene.findChild<QQuickWidget*>();
+  ASSERT_NE(quick, nullptr);
+  const QQuickItem& root = *quick->rootObject();
+  const auto shown = [&root](const char* property) { return root.property(property).toBool(); };
+
+  RecordedRun& run = *scene.controller().run();
+  std::vector<QVector3D> atRest;
+  double open_deg = 0.0;
+  double closed_deg = 90.0;
+  Dent deepest;
+  bool handSeen = false;
+  bool arrowOfAir = false;
+  float longestArrow_mm = 0.0F;
+  for (int frame = 0; frame < kMostFrames && closed_deg > open_deg / 2.0; ++frame) {
+    run.step(kFrame_ms);
+    scene.frame(kFrame_ms * 1e-3);
+    const LiveState state = scene.controller().state();
+    const double jaw_deg = root.property("jawAngle").toDouble();
+    handSeen = handSeen || shown("handVisible");
+    if (state.phase == ExercisePhase::kTracking) {
+      atRest = skinOf(root);
+      open_deg = std::max(open_deg, jaw_deg);
+      arrowOfAir = arrowOfAir || shown("forceVisible");
+    } else if (state.phase == ExercisePhase::kContact && norm(state.response.force_N) > 0.1) {
+      const Dent dent = dentOf(atRest, skinOf(root), toView(state.tool.position_m));
+      deepest = dent.depth_mm > deepest.depth_mm ? dent : deepest;
+      EXPECT_TRUE(shown("forceVisible"));
+      longestArrow_mm = std::max(longestArrow_mm, root.property("forceLength").toFloat());
+      const QVector3D at_mm = root.property("forcePosition").value<QVector3D>();
+      EXPECT_LT((at_mm - toView(state.tool.position_m)).length(), 0.1F);
+    } else if (state.phase == ExercisePhase::kTwisting) {
+      closed_deg = std::min(closed_deg, jaw_deg);
+    }
+  }
+
+  ASSERT_FALSE(atRest.empty());
+  EXPECT_GT(deepest.depth_mm, 0.5F);
+  EXPECT_LT(deepest.fromTip_mm, 15.0F) << "the skin gives way where the jaw is";
+  EXPECT_FALSE(arrowOfAir);
+  EXPECT_GT(longestArrow_mm, 1.0F);
+  EXPECT_LT(closed_deg, open_deg / 2.0);
+  EXPECT_TRUE(handSeen);
+  EXPECT_TRUE(shown("toolVisible"));
+}
+
+}  // namespace
+}  // namespace torsio::gui
+
+/// On a virtual display, where there is one; the list of tests needs none.
+int main(int argc, char** argv) {
+  const QString display = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
+  bool lists = false;
+  for (int i = 1; i < argc; ++i) {
+    lists = lists || qstrcmp(argv[i], "--gtest_list_tests") == 0;
+  }
+  if (!lists && !display.isEmpty() && qEnvironmentVariableIsEmpty("TORSIO_ON_VIRTUAL_DISPLAY")) {
+    qputenv("TORSIO_ON_VIRTUAL_DISPLAY", "1");
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
+    QStringList again{QStringLiteral("-a"), QStringLiteral("-s"),
+                      QStringLiteral("-screen 0 1400x900x24 +extension GLX -noreset")};
+    for (int i = 0; i < argc; ++i) {
+      again << QString::fromLocal8Bit(argv[i]);
+    }
+    return QProcess::execute(display, again);
+  }
+  if (display.isEmpty() || lists) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+  torsio::gui::SceneView::prepareGraphics();
+  QApplication application(argc, argv);
+  torsio::useTypeface(application);
+  QApplication::setOrganizationName("torsio-tests");
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
