@@ -26288,7 +26288,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Physicians open the address in any browser of the hospital and score the same cases as at the desk; nothing is installed. Each needs an account, and comes in by an invitation (Users, Invite) or a password. This computer must stay on.</source>
-        <translation>医师在院内任意浏览器中打开此地址，即可评与评分台相同的病例，无需安装任何软件。每人需有账户，凭邀请链接（用户页中的“邀请”）或密码进入。这台计算机须保持开机。</translation>
+        <translation>医师在院内任意浏览器中打开此地址，即可为与评分台相同的案例评分，无需安装任何软件。每人需有账户，凭邀请链接（用户页中的“邀请”）或密码进入。这台计算机须保持开机。</translation>
     </message>
     <message>
         <source>Address</source>

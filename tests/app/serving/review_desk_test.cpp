@@ -59,7 +59,7 @@ Heard ask(std::uint16_t port) {
 
 class ReviewDeskOfAStation : public ::testing::Test {
  protected:
-  ~ReviewDeskOfAStation() override { stopReviewDesk(centre.as("administrator"), place); }
+  void TearDown() override { stopReviewDesk(centre.as("administrator"), place); }
   std::optional<Error> refusalOf(const DeskWish& wish) {
     try {
       startReviewDesk(centre.as("administrator"), place, wish);

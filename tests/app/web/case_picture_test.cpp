@@ -55,6 +55,12 @@ TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
     EXPECT_EQ(head.find(trace) != std::string::npos, undone) << trace;
   }
   EXPECT_EQ(about.find("\"blood\"") != std::string::npos, undone) << "the colour of its blood";
+  for (const std::string& packed : {picture.organ, picture.recording, *skin}) {
+    const std::string bytes = torsio::testing::unpackedGzip(packed);
+    for (const std::string& secret : centre.secrets()) {
+      EXPECT_EQ(bytes.find(secret), std::string::npos) << secret;
+    }
+  }
   RecordProperty("farthest_um", static_cast<int>(std::lround(1000.0F * picture.farthest_mm)));
   RecordProperty("organ_bytes", static_cast<int>(picture.organ.size()));
   RecordProperty("skin_bytes", static_cast<int>(skin->size()));

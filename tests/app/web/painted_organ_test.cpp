@@ -54,7 +54,7 @@ ReadContainer readContainer(const std::string& bytes) {
     const std::string type = one.at("type");
     const std::size_t offset = kHead + length + one.at("offset").get<std::size_t>();
     const std::size_t count = one.at("count");
-    const std::size_t stride = one.value("delta", 0);
+    const std::size_t stride = one.value("delta", std::size_t{0});
     std::vector<double> values;
     if (type == "u8") {
       values = numbersAt<std::uint8_t>(bytes, offset, count, stride);
@@ -113,7 +113,8 @@ TEST(SkinPicture, HasTheColoursAndPlacesOfTheWindowsSkin) {
     ASSERT_NEAR(read.arrays.at("place")[2 * i + 1], static_cast<double>(charts.corners[i].place[1]), 0.04);
     const auto x = static_cast<int>(charts.corners[i].place[0]);
     const auto y = static_cast<int>(charts.corners[i].place[1]);
-    const auto at = static_cast<std::size_t>(4 * (y * charts.width + x));
+    const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(charts.width) +
+                                static_cast<std::size_t>(x));
     const QRgb shown = colour.pixel(x, y);
     const int worst =
         std::max({std::abs(qRed(shown) - painted.rgba[at]), std::abs(qGreen(shown) - painted.rgba[at + 1]),

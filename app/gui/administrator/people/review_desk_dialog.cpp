@@ -146,7 +146,7 @@ void ReviewDeskDialog::build() {
   whole->addStretch(1);
   whole->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &ReviewDeskDialog::reject);
-  connect(act_, &QPushButton::clicked, this, [this] { open_ ? close() : open(); });
+  connect(act_, &QPushButton::clicked, this, [this] { open_ ? closeDesk() : openDesk(); });
   connect(copy_, &QPushButton::clicked, this, &ReviewDeskDialog::copyAddress);
   connect(reach_, &QComboBox::currentIndexChanged, this, &ReviewDeskDialog::showChoices);
   connect(certificate_, &QComboBox::currentIndexChanged, this, &ReviewDeskDialog::showChoices);
@@ -206,12 +206,12 @@ DeskWish ReviewDeskDialog::wish() const {
   return wish;
 }
 
-void ReviewDeskDialog::open() {
+void ReviewDeskDialog::openDesk() {
   act(tr("Opening the review desk"),
       [wish = wish(), place = place_](SessionContext& session) { startReviewDesk(session, place, wish); });
 }
 
-void ReviewDeskDialog::close() {
+void ReviewDeskDialog::closeDesk() {
   act(tr("Closing the review desk"),
       [place = place_](SessionContext& session) { stopReviewDesk(session, place); });
 }

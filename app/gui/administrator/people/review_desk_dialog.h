@@ -31,8 +31,8 @@ class ReviewDeskDialog : public QDialog {
   void build();
   void read();
   void showChoices();
-  void open();
-  void close();
+  void openDesk();
+  void closeDesk();
   /// Done away from the window's thread; then what is so now is shown, or what went wrong.
   void act(const QString& title, std::function<void(SessionContext&)> work);
   void copyAddress();
