@@ -108,6 +108,20 @@ TissueLook tissueLook(std::string_view sceneId) {
             .bandHalf_rad = 0.13,
             .borderFat = 0.75F};
   }
+  if (sceneId.find("midgut") != std::string_view::npos) {
+    return {.colour = {203, 130, 120},
+            .roughness = 0.46F,
+            .clearcoat = 0.38F,
+            .filmRoughness = 0.24F,
+            .mottling = 0.48F,
+            .patch_m = 0.030,
+            .scatter = 1.0F,
+            .relief_mm = {0.22F, 0.08F, 0.012F},
+            .bands = 3,  // strands of the mesentery in its stalk
+            .bandShare = 0.55F,
+            .bandHalf_rad = 0.22,
+            .borderFat = 0.6F};
+  }
   return {.colour = {203, 130, 120},
           .roughness = 0.46F,
           .clearcoat = 0.38F,

@@ -212,6 +212,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"app/access", "app/base", "app/recording", "assessment/people", "assessment/study", "db/connection",
         "db/migrations", "db/repository/base", "db/repository/people", "db/repository/system",
         "db/repository/trial", "sim/base", "sim/record"}},
+      {"app/organs", {"sim/base", "sim/scene", "tools/organs"}},
       {"app/people",
        {"app/access", "app/base", "assessment/people", "db/connection", "db/repository/base",
         "db/repository/people", "sim/base"}},

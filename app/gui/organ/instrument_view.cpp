@@ -18,7 +18,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kViewMillimetres = 1000.0;  // in a metre
-constexpr int kPanes = 3;                // the whole, along the hinge, from above
+constexpr int kPanes = 3;                    // the whole, along the hinge, from above
 constexpr double kMargin_mm = 6.0;
 constexpr double kFront = 2.6;  // of the hinge's distance: how much of the front is shown
 constexpr double kCaption = 22.0;
