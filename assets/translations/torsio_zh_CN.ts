@@ -17771,167 +17771,167 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     </message>
     <message>
         <source>asks for a turn of %1 degrees, but the organ folds or slips back beyond %2</source>
-        <translation type="unfinished"></translation>
+        <translation>要求扭转 %1 度，但超过 %2 度器官会折叠或滑转回去</translation>
     </message>
     <message>
         <source>Enter a smaller target</source>
-        <translation type="unfinished"></translation>
+        <translation>请输入较小的目标</translation>
     </message>
     <message>
         <source>cord, lower end, front</source>
-        <translation type="unfinished"></translation>
+        <translation>精索下端，前面</translation>
     </message>
     <message>
         <source>cord, middle, back</source>
-        <translation type="unfinished"></translation>
+        <translation>精索中段，后面</translation>
     </message>
     <message>
         <source>cord, middle, front</source>
-        <translation type="unfinished"></translation>
+        <translation>精索中段，前面</translation>
     </message>
     <message>
         <source>cord, upper end, front</source>
-        <translation type="unfinished"></translation>
+        <translation>精索上端，前面</translation>
     </message>
     <message>
         <source>descending limb, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>降结肠侧肠袢，系膜缘</translation>
     </message>
     <message>
         <source>descending limb, taenia libera</source>
-        <translation type="unfinished"></translation>
+        <translation>降结肠侧肠袢，独立带</translation>
     </message>
     <message>
         <source>epididymis, body</source>
-        <translation type="unfinished"></translation>
+        <translation>附睾体</translation>
     </message>
     <message>
         <source>first foot, antimesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第一端，对系膜缘</translation>
     </message>
     <message>
         <source>first foot, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第一端，系膜缘</translation>
     </message>
     <message>
         <source>first limb, antimesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第一肠袢，对系膜缘</translation>
     </message>
     <message>
         <source>first limb, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第一肠袢，系膜缘</translation>
     </message>
     <message>
         <source>foot towards the descending colon, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>近降结肠端，系膜缘</translation>
     </message>
     <message>
         <source>foot towards the descending colon, taenia libera</source>
-        <translation type="unfinished"></translation>
+        <translation>近降结肠端，独立带</translation>
     </message>
     <message>
         <source>foot towards the rectum, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>近直肠端，系膜缘</translation>
     </message>
     <message>
         <source>foot towards the rectum, taenia libera</source>
-        <translation type="unfinished"></translation>
+        <translation>近直肠端，独立带</translation>
     </message>
     <message>
         <source>pack, above</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团，上方</translation>
     </message>
     <message>
         <source>pack, below</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团，下方</translation>
     </message>
     <message>
         <source>pack, front, above</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团前面，上方</translation>
     </message>
     <message>
         <source>pack, front, below</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团前面，下方</translation>
     </message>
     <message>
         <source>pack, left</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团，左侧</translation>
     </message>
     <message>
         <source>pack, right</source>
-        <translation type="unfinished"></translation>
+        <translation>肠团，右侧</translation>
     </message>
     <message>
         <source>rectal limb, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>直肠侧肠袢，系膜缘</translation>
     </message>
     <message>
         <source>rectal limb, taenia libera</source>
-        <translation type="unfinished"></translation>
+        <translation>直肠侧肠袢，独立带</translation>
     </message>
     <message>
         <source>second foot, antimesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第二端，对系膜缘</translation>
     </message>
     <message>
         <source>second foot, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第二端，系膜缘</translation>
     </message>
     <message>
         <source>second limb, antimesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第二肠袢，对系膜缘</translation>
     </message>
     <message>
         <source>second limb, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>第二肠袢，系膜缘</translation>
     </message>
     <message>
         <source>stalk, at the pack, left</source>
-        <translation type="unfinished"></translation>
+        <translation>蒂部近肠团处，左侧</translation>
     </message>
     <message>
         <source>stalk, middle, above</source>
-        <translation type="unfinished"></translation>
+        <translation>蒂部中段，上方</translation>
     </message>
     <message>
         <source>stalk, middle, below</source>
-        <translation type="unfinished"></translation>
+        <translation>蒂部中段，下方</translation>
     </message>
     <message>
         <source>stalk, root, left</source>
-        <translation type="unfinished"></translation>
+        <translation>蒂根，左侧</translation>
     </message>
     <message>
         <source>testis, lower pole, front</source>
-        <translation type="unfinished"></translation>
+        <translation>睾丸下极，前面</translation>
     </message>
     <message>
         <source>testis, middle, front</source>
-        <translation type="unfinished"></translation>
+        <translation>睾丸中部，前面</translation>
     </message>
     <message>
         <source>testis, middle, lateral</source>
-        <translation type="unfinished"></translation>
+        <translation>睾丸中部，外侧</translation>
     </message>
     <message>
         <source>testis, middle, medial</source>
-        <translation type="unfinished"></translation>
+        <translation>睾丸中部，内侧</translation>
     </message>
     <message>
         <source>testis, upper pole, front</source>
-        <translation type="unfinished"></translation>
+        <translation>睾丸上极，前面</translation>
     </message>
     <message>
         <source>top, antimesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>袢顶，对系膜缘</translation>
     </message>
     <message>
         <source>top, mesenteric border</source>
-        <translation type="unfinished"></translation>
+        <translation>袢顶，系膜缘</translation>
     </message>
     <message>
         <source>top, taenia libera</source>
-        <translation type="unfinished"></translation>
+        <translation>袢顶，独立带</translation>
     </message>
     <message>
         <source>another program uses this port</source>
@@ -17976,6 +17976,46 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>the password is made of words that are tried first</source>
         <translation>密码由最先被尝试的常见词组成</translation>
+    </message>
+    <message>
+        <source>Drawing the arm</source>
+        <translation>正在绘制手臂</translation>
+    </message>
+    <message>
+        <source>%1 mm is no such length of a person</source>
+        <translation>%1 毫米不是人体的这一尺寸</translation>
+    </message>
+    <message>
+        <source>Give %1 to %2 mm</source>
+        <translation>请给出 %1 至 %2 毫米</translation>
+    </message>
+    <message>
+        <source>width of the wrist</source>
+        <translation>腕部宽度</translation>
+    </message>
+    <message>
+        <source>thickness of the wrist</source>
+        <translation>腕部厚度</translation>
+    </message>
+    <message>
+        <source>length of the forearm</source>
+        <translation>前臂长度</translation>
+    </message>
+    <message>
+        <source>length of the palm</source>
+        <translation>手掌长度</translation>
+    </message>
+    <message>
+        <source>breadth of the hand</source>
+        <translation>手部宽度</translation>
+    </message>
+    <message>
+        <source>thickness of the hand</source>
+        <translation>手部厚度</translation>
+    </message>
+    <message>
+        <source>finger %1</source>
+        <translation>第 %1 指</translation>
     </message>
 </context>
 <context>
@@ -18352,6 +18392,53 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     <message>
         <source>%1°, target %2°</source>
         <translation>%1°，目标 %2°</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ArmForm</name>
+    <message>
+        <source>Wrist, width</source>
+        <translation>腕宽</translation>
+    </message>
+    <message>
+        <source>Wrist, thickness</source>
+        <translation>腕厚</translation>
+    </message>
+    <message>
+        <source>Forearm, elbow to wrist</source>
+        <translation>前臂，肘至腕</translation>
+    </message>
+    <message>
+        <source>Palm, length</source>
+        <translation>掌长</translation>
+    </message>
+    <message>
+        <source>Hand, breadth</source>
+        <translation>手宽</translation>
+    </message>
+    <message>
+        <source>Hand, thickness</source>
+        <translation>手厚</translation>
+    </message>
+    <message>
+        <source>Thumb</source>
+        <translation>拇指</translation>
+    </message>
+    <message>
+        <source>Index finger</source>
+        <translation>食指</translation>
+    </message>
+    <message>
+        <source>Middle finger</source>
+        <translation>中指</translation>
+    </message>
+    <message>
+        <source>Ring finger</source>
+        <translation>无名指</translation>
+    </message>
+    <message>
+        <source>Little finger</source>
+        <translation>小指</translation>
     </message>
 </context>
 <context>
@@ -21997,6 +22084,33 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::FilmStrip</name>
+    <message>
+        <source>front</source>
+        <translation>前面</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>后面</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>下方</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::FirstRunPanel</name>
     <message>
         <source>Database file</source>
@@ -22589,6 +22703,80 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Other programs can connect now. Connected: %1, poses sent: %2</source>
         <translation>其他程序现在可以连接。已连接：%1，已发送位姿：%2</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::InstrumentPanel</name>
+    <message>
+        <source>%1 mm long, the shaft %2 mm wide, the jaws %3 mm long</source>
+        <translation>长 %1 毫米，杆宽 %2 毫米，钳口长 %3 毫米</translation>
+    </message>
+    <message>
+        <source>Nothing has been found yet.</source>
+        <translation>尚未找到任何东西。</translation>
+    </message>
+    <message>
+        <source>The instrument</source>
+        <translation>器械</translation>
+    </message>
+    <message>
+        <source>Tip, axis and jaws</source>
+        <translation>尖端、轴线和钳口</translation>
+    </message>
+    <message>
+        <source>Denser than this is the instrument</source>
+        <translation>密度高于此值的为器械</translation>
+    </message>
+    <message>
+        <source>Hinge, from the tip</source>
+        <translation>铰链，距尖端</translation>
+    </message>
+    <message>
+        <source>Each jaw opens by</source>
+        <translation>每片钳口张开</translation>
+    </message>
+    <message>
+        <source>A closed jaw holds tissue over</source>
+        <translation>闭合的钳口夹持组织的长度</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>The tip is at the other end</source>
+        <translation>尖端在另一端</translation>
+    </message>
+    <message>
+        <source>Turn the hinge by a right angle</source>
+        <translation>将铰链转动直角</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Find it anew</source>
+        <translation>重新查找</translation>
+    </message>
+    <message>
+        <source>Save instrument…</source>
+        <translation>保存器械…</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::InstrumentView</name>
+    <message>
+        <source>The whole: a click on the other half makes its end the tip</source>
+        <translation>整体：点击另一半，其末端即为尖端</translation>
+    </message>
+    <message>
+        <source>The front, along the hinge: a click places the hinge</source>
+        <translation>前部，沿铰链方向：点击以放置铰链</translation>
+    </message>
+    <message>
+        <source>The front, from above</source>
+        <translation>前部，俯视</translation>
     </message>
 </context>
 <context>
@@ -24289,12 +24477,56 @@ Leave it empty to remove it.</source>
         <translation>切片最多的一个</translation>
     </message>
     <message>
-        <source>Bring an organ: a mesh or a scan of your own becomes one that can be twisted, once it is judged.</source>
-        <translation>导入器官：您自己的网格或扫描经评判后，即成为可以扭转的器官。</translation>
-    </message>
-    <message>
         <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, mended where that is safe, and twisted to see how it bears it.</source>
         <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并试扭转以查看其承受情况。</translation>
+    </message>
+    <message>
+        <source>Arm with a person&apos;s measures</source>
+        <translation>按个人尺寸绘制的手臂</translation>
+    </message>
+    <message>
+        <source>A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or is treated. The fields begin with a man&apos;s; the girths of the forearm follow those of the wrist.</source>
+        <translation>绘制的前臂与手：腕部和手指按受训者或患者的测量值。各栏以男性尺寸为初值；前臂围度随腕部而变。</translation>
+    </message>
+    <message>
+        <source>Draw the arm</source>
+        <translation>绘制手臂</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>器械</translation>
+    </message>
+    <message>
+        <source>A CT of a tool, with its jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. What is chosen for scans holds for it, too.</source>
+        <translation>工具的 CT（钳口闭合）可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于它。</translation>
+    </message>
+    <message>
+        <source>NIfTI file of a tool…</source>
+        <translation>工具的 NIfTI 文件…</translation>
+    </message>
+    <message>
+        <source>DICOM folder of a tool…</source>
+        <translation>工具的 DICOM 文件夹…</translation>
+    </message>
+    <message>
+        <source>Looking for the instrument</source>
+        <translation>正在查找器械</translation>
+    </message>
+    <message>
+        <source>Save instrument</source>
+        <translation>保存器械</translation>
+    </message>
+    <message>
+        <source>Instruments (*.json)</source>
+        <translation>器械 (*.json)</translation>
+    </message>
+    <message>
+        <source>Drawing the arm</source>
+        <translation>正在绘制手臂</translation>
+    </message>
+    <message>
+        <source>Bring an organ: a mesh, a scan or a person&apos;s measures become one that can be twisted, once it is judged.</source>
+        <translation>引入器官：您自己的网格、扫描或个人尺寸经评判后，即成为可扭转的器官。</translation>
     </message>
 </context>
 <context>
@@ -25306,7 +25538,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The tissue would have folded or slipped back by a whole turn, so the jaw let go. Turn less far.</source>
-        <translation type="unfinished"></translation>
+        <translation>组织将会折叠或滑转回一整圈，因此钳口已松开。请少转一些。</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,12 @@ struct TissueLook {
   float poreDepth = 0.0F;            ///< of pores, mm
   float paintedRelief_mm = 0.3F;     ///< height of what is painted: fibres, pores, vessels under the skin
   std::array<float, 3> relief_mm{};  ///< height of waves of 7.3, 2.6 and 0.85 mm
+  // What runs along the organ, so that its twist is seen.
+  int bands = 0;               ///< pale, raised bands evenly round it from ridge 0: the taeniae of a colon
+  float bandShare = 0.0F;      ///< how far their colour replaces that of the tissue, 0..1
+  double bandHalf_rad = 0.13;  ///< half of their breadth, as an angle about the axis
+  float borderFat = 0.0F;  ///< fat along the borders at which it hangs: where there is no band of ridge 0 and
+                           ///< half-way round, 0..1
 };
 
 [[nodiscard]] TissueLook tissueLook(std::string_view sceneId);

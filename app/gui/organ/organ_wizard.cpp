@@ -15,6 +15,8 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/organ/arm_form.h"
+#include "app/gui/organ/instrument_panel.h"
 #include "app/gui/organ/organ_findings.h"
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/organ/organ_settings.h"
@@ -23,6 +25,10 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/organs/person_arm.h"
+#include "sim/imaging/apart/scan_process.h"
+#include "sim/imaging/surface/scan_steps.h"
+#include "sim/scene/instrument_file.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
@@ -32,9 +38,8 @@ namespace {
 constexpr int kSourcePage = 0;
 constexpr int kSlicesPage = 1;
 constexpr int kJudgingPage = 2;
+constexpr int kInstrumentPage = 3;
 constexpr int kPanelWidth = 400;
-constexpr int kCardWidth = 620;
-constexpr int kMostSeries = 100'000;
 constexpr double kMillimetres = 1000.0;  // in a metre
 
 }  // namespace
@@ -55,13 +60,19 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
   scan_ = new ScanPanel(pages_);
   pages_->addWidget(scan_);
   pages_->addWidget(createJudgingPage());
+  instrument_ = new InstrumentPanel(pages_);
+  pages_->addWidget(instrument_);
   connect(close_, &QPushButton::clicked, this, &OrganWizard::closed);
   connect(mesh_, &QPushButton::clicked, this, &OrganWizard::chooseMesh);
-  connect(scanFile_, &QPushButton::clicked, this, &OrganWizard::chooseScanFile);
-  connect(scanFolder_, &QPushButton::clicked, this, &OrganWizard::chooseScanFolder);
+  connect(makeArm_, &QPushButton::clicked, this, &OrganWizard::makeArm);
+  connect(scanFile_, &QPushButton::clicked, this, [this] { chooseScanFile(&OrganWizard::openScan); });
+  connect(scanFolder_, &QPushButton::clicked, this, [this] { chooseScanFolder(&OrganWizard::openScan); });
   connect(scan_, &ScanPanel::findWanted, this, &OrganWizard::findOrgan);
   connect(scan_, &ScanPanel::surfaceWanted, this, &OrganWizard::makeSurface);
   connect(scan_, &ScanPanel::backWanted, this, &OrganWizard::begin);
+  connect(instrument_, &InstrumentPanel::placeWanted, this, &OrganWizard::findInstrument);
+  connect(instrument_, &InstrumentPanel::saveWanted, this, &OrganWizard::chooseInstrumentName);
+  connect(instrument_, &InstrumentPanel::backWanted, this, &OrganWizard::begin);
   connect(back_, &QPushButton::clicked, this, &OrganWizard::goBack);
   connect(again_, &QPushButton::clicked, this, &OrganWizard::judgeAgain);
   connect(save_, &QPushButton::clicked, this, &OrganWizard::chooseFile);
@@ -69,43 +80,6 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
   connect(settings_, &OrganSettings::changed, this, &OrganWizard::noteChange);
   connect(picture_, &OrganPicture::picked, settings_, &OrganSettings::takePlace);
   showButtons();
-}
-
-QWidget* OrganWizard::createSourcePage() {
-  auto* page = new QWidget(pages_);
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(0, 0, 0, 0);
-  auto* column = new QVBoxLayout;
-  column->setSpacing(2 * kSpace);
-  row->addStretch(1);
-  row->addLayout(column, 100);
-  row->addStretch(1);
-  meshCard_ = new Card(QString(), page);
-  meshCard_->setMaximumWidth(kCardWidth);
-  meshText_ = sentence(meshCard_);
-  meshCard_->content()->addWidget(meshText_);
-  mesh_ = primaryButton(meshCard_);
-  meshCard_->content()->addWidget(mesh_, 0, Qt::AlignLeft);
-  column->addWidget(meshCard_);
-  scanCard_ = new Card(QString(), page);
-  scanCard_->setMaximumWidth(kCardWidth);
-  scanText_ = sentence(scanCard_);
-  scanCard_->content()->addWidget(scanText_);
-  series_ = new QSpinBox(scanCard_);
-  series_->setRange(0, kMostSeries);
-  seriesLabel_ = addField(scanCard_->content(), series_);
-  resample_ = new QCheckBox(scanCard_);
-  scanCard_->content()->addWidget(resample_);
-  auto* scans = new QHBoxLayout;
-  scanFile_ = primaryButton(scanCard_);
-  scanFolder_ = primaryButton(scanCard_);
-  scans->addWidget(scanFile_);
-  scans->addWidget(scanFolder_);
-  scans->addStretch(1);
-  scanCard_->content()->addLayout(scans);
-  column->addWidget(scanCard_);
-  column->addStretch(1);
-  return page;
 }
 
 QWidget* OrganWizard::createJudgingPage() {
@@ -164,6 +138,7 @@ void OrganWizard::begin() {
   changed_ = false;
   picture_->setTrial({});
   settings_->reset();
+  arm_->reset();
   pages_->setCurrentIndex(kSourcePage);
   showButtons();
 }
@@ -175,29 +150,6 @@ void OrganWizard::goBack() {
   }
   trial_.reset();
   pages_->setCurrentIndex(kSlicesPage);
-}
-
-void OrganWizard::chooseMesh() {
-  const QString file = askFileToOpen(
-      this, tr("Mesh of an organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
-  if (!file.isEmpty()) {
-    judgeMesh(toPath(file));
-  }
-}
-
-void OrganWizard::chooseScanFile() {
-  const QString file =
-      askFileToOpen(this, tr("Scan"), tr("NIfTI files (*.nii *.nii.gz *.hdr *.hdr.gz);;All files (*)"));
-  if (!file.isEmpty()) {
-    openScan(toPath(file));
-  }
-}
-
-void OrganWizard::chooseScanFolder() {
-  const QString folder = askFolder(this, tr("Folder of DICOM files"));
-  if (!folder.isEmpty()) {
-    openScan(toPath(folder));
-  }
 }
 
 bool OrganWizard::mayWork() {
@@ -222,12 +174,82 @@ void OrganWizard::judgeMesh(const std::filesystem::path& file) {
   }
   source_ = file;
   ofScan_ = false;
+  ofMeasures_ = false;
   settings_->setScan(false);
   const auto trial = std::make_shared<OrganTrial>();
   shell_.run(
       tr("Judging the organ"),
       [trial, request = request()](SessionContext&, const ProgressCallback& progress) {
         *trial = trialOfMesh(request, progress);
+      },
+      [this, trial] { adopt(std::move(*trial)); });
+}
+
+void OrganWizard::openInstrument(const std::filesystem::path& source) {
+  if (!mayWork()) {
+    return;
+  }
+  ToolRequest tool;
+  tool.source = source;
+  tool.series = series_->value();
+  tool.resample = resample_->isChecked();
+  source_ = source;
+  instrument_->begin(tool);
+  pages_->setCurrentIndex(kInstrumentPage);
+  findInstrument();
+}
+
+void OrganWizard::findInstrument() {
+  if (!mayWork()) {
+    return;
+  }
+  const auto found = std::make_shared<ToolSurface>();
+  shell_.run(
+      tr("Looking for the instrument"),
+      [found, request = instrument_->request()](SessionContext&, const ProgressCallback& progress) {
+        *found = toolApart(request, [&progress](ScanStep step, double fraction) {
+          const ScanStepShare share = shareOf(step);
+          tellProgress(progress, share.words, share.at(fraction));
+        });
+      },
+      [this, found] { instrument_->setTool(*found); });
+}
+
+void OrganWizard::saveInstrument(const std::filesystem::path& file) {
+  writeInstrument(file, instrument_->tool(), instrument_->facts());
+}
+
+void OrganWizard::chooseInstrumentName() {
+  QString file = askFileToSave(this, tr("Save instrument"), QStringLiteral("instrument.json"),
+                               tr("Instruments (*.json)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  if (!file.endsWith(QStringLiteral(".json"))) {
+    file += QStringLiteral(".json");
+  }
+  attempt(shell_, [&] {
+    saveInstrument(toPath(file));
+    shell_.notify(tr("Saved %1").arg(file));
+  });
+}
+
+void OrganWizard::makeArm() {
+  if (!mayWork()) {
+    return;
+  }
+  source_ = std::filesystem::path("arm");
+  ofScan_ = false;
+  ofMeasures_ = true;
+  const auto trial = std::make_shared<OrganTrial>();
+  shell_.run(
+      tr("Drawing the arm"),
+      [trial, person = arm_->person(), assets = shell_.assets()](SessionContext&,
+                                                                 const ProgressCallback& progress) {
+        tellProgress(progress, Text::tr("Drawing the arm"), 0.0);
+        OrganImport import = importArm(person, assets);
+        tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
+        *trial = trialOf(std::move(import), assets);
       },
       [this, trial] { adopt(std::move(*trial)); });
 }
@@ -245,6 +267,7 @@ void OrganWizard::openScan(const std::filesystem::path& source) {
   }
   source_ = source;
   ofScan_ = true;
+  ofMeasures_ = false;
   settings_->setScan(true);
   const ScanRequest scan = ofSource({});
   const auto preview = std::make_shared<ScanPreview>();
@@ -327,6 +350,7 @@ void OrganWizard::adopt(OrganTrial trial) {
   changed_ = false;
   picture_->setTrial(*trial_);
   findings_->show(trial_->import);
+  settingsCard_->setVisible(!ofMeasures_);  // of a drawn arm all is known
   pages_->setCurrentIndex(kJudgingPage);
   showButtons();
 }
@@ -371,25 +395,14 @@ void OrganWizard::openSaved() {
 }
 
 void OrganWizard::retranslate() {
+  retranslateSources();
   heading_->setTexts(
       {},
-      tr("Bring an organ: a mesh or a scan of your own becomes one that can be twisted, once it is judged."));
+      tr("Bring an organ: a mesh, a scan or a person's measures become one that can be twisted, once it is "
+         "judged."));
   close_->setText(tr("Back to practice"));
-  meshCard_->setTitle(tr("Mesh"));
-  meshText_->setText(
-      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, "
-         "mended where that is safe, and twisted to see how it bears it."));
-  mesh_->setText(tr("Choose a mesh\u2026"));
-  scanCard_->setTitle(tr("Scan"));
-  scanText_->setText(
-      tr("A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and "
-         "mend what was found. Names of patients are neither shown nor kept."));
-  nameField(seriesLabel_, tr("&Series, where a folder holds several"));
-  series_->setSpecialValueText(tr("the one with the most slices"));
-  resample_->setText(tr("Take slices at uneven distances"));
-  scanFile_->setText(tr("NIfTI file\u2026"));
-  scanFolder_->setText(tr("DICOM folder\u2026"));
   scan_->retranslate();
+  instrument_->retranslate();
   pictureCard_->setTitle(tr("What was found"));
   findingsCard_->setTitle(tr("Judgement"));
   settingsCard_->setTitle(tr("What you know of it"));
@@ -407,6 +420,7 @@ void OrganWizard::retranslate() {
 void OrganWizard::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
   scan_->setTheme(theme);
+  instrument_->setTheme(theme);
 }
 
 }  // namespace torsio::gui

@@ -18,6 +18,8 @@ class QStackedWidget;
 namespace torsio::gui {
 
 class Card;
+class ArmForm;
+class InstrumentPanel;
 class OrganFindings;
 class OrganPicture;
 class OrganSettings;
@@ -38,6 +40,14 @@ class OrganWizard : public QWidget {
   void begin();
   /// Reads and judges a mesh file with what the settings say; the page of the judgement follows.
   void judgeMesh(const std::filesystem::path& file);
+  /// Looks for an instrument in a scan of it, with what its page says; the page follows.
+  void openInstrument(const std::filesystem::path& source);
+  void findInstrument();
+  /// Writes the instrument that was found. Throws as writeInstrument().
+  void saveInstrument(const std::filesystem::path& file);
+  [[nodiscard]] InstrumentPanel& instrument() const noexcept { return *instrument_; }
+  /// Draws and judges an arm with the measures of the form; the page of the judgement follows.
+  void makeArm();
   /// Reads a scan, a NIfTI file or a folder of DICOM files; the page of its slices follows.
   void openScan(const std::filesystem::path& source);
   /// Shows a scan that was read.
@@ -65,10 +75,15 @@ class OrganWizard : public QWidget {
 
  private:
   QWidget* createSourcePage();
+  QWidget* createArmCard(QWidget* page);
+  QWidget* createInstrumentCard(QWidget* page);
+  void retranslateSources();
+  void chooseInstrumentName();
   QWidget* createJudgingPage();
   void chooseMesh();
-  void chooseScanFile();
-  void chooseScanFolder();
+  using Opening = void (OrganWizard::*)(const std::filesystem::path& source);
+  void chooseScanFile(Opening open);
+  void chooseScanFolder(Opening open);
   [[nodiscard]] bool mayWork();
   [[nodiscard]] OrganImportRequest request() const;
   [[nodiscard]] ScanRequest ofSource(ScanRequest scan) const;
@@ -83,8 +98,9 @@ class OrganWizard : public QWidget {
   ShellContext& shell_;
   std::filesystem::path source_;
   bool ofScan_ = false;
-  ScanRequest drawn_;    // of surface_
-  ScanSurface surface_;  // as it was drawn from the scan
+  bool ofMeasures_ = false;  // an arm that was drawn
+  ScanRequest drawn_;        // of surface_
+  ScanSurface surface_;      // as it was drawn from the scan
   std::optional<OrganTrial> trial_;
   std::optional<std::filesystem::path> saved_;
   bool changed_ = false;  // the settings, since the organ was judged
@@ -102,6 +118,15 @@ class OrganWizard : public QWidget {
   QCheckBox* resample_ = nullptr;
   QPushButton* scanFile_ = nullptr;
   QPushButton* scanFolder_ = nullptr;
+  Card* armCard_ = nullptr;
+  QLabel* armText_ = nullptr;
+  ArmForm* arm_ = nullptr;
+  QPushButton* makeArm_ = nullptr;
+  Card* instrumentCard_ = nullptr;
+  QLabel* instrumentText_ = nullptr;
+  QPushButton* instrumentFile_ = nullptr;
+  QPushButton* instrumentFolder_ = nullptr;
+  InstrumentPanel* instrument_ = nullptr;
   ScanPanel* scan_ = nullptr;
   Card* pictureCard_ = nullptr;
   OrganPicture* picture_ = nullptr;

@@ -119,6 +119,14 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
                  request.file);
     return;
   }
+  if (request.sides) {
+    settle(window);
+    writePicture(filmStrip(captureSides(child<SceneView>(window, "view"), *window.controller().scene(),
+                                        angleOf(request, window)),
+                           kSideFrame),
+                 request.file);
+    return;
+  }
   LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));
   held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
   window.controller().freeze(held);

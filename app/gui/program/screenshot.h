@@ -18,6 +18,7 @@ struct ScreenshotRequest {
   QSize size{1280, 800};
   double zoom = 0.0;       ///< notches of the wheel nearer
   bool strip = false;      ///< the organ at several angles up to that one, instead of the window
+  bool sides = false;      ///< the organ from six sides, at rest and at that angle, instead of the window
   bool sceneOnly = false;  ///< without panels and bars
   bool lattice = false;
   bool wireframe = false;

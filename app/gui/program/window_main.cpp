@@ -112,6 +112,7 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
                         ? RenderQuality::kFast
                         : RenderQuality::kFine;
   picture.strip = parser.isSet(QStringLiteral("film-strip"));
+  picture.sides = parser.isSet(QStringLiteral("six-sides"));
   picture.zoom = numberOf(parser, QStringLiteral("zoom"));
   picture.orbit_deg = numberOf(parser, QStringLiteral("orbit"));
   return picture;
@@ -138,6 +139,8 @@ void addOptions(QCommandLineParser& parser) {
   parser.addOption({QStringLiteral("kiosk"), QStringLiteral("Full screen at a station, nothing else")});
   parser.addOption(
       {QStringLiteral("film-strip"), QStringLiteral("Picture of the organ at 0, 30, 60 ... degrees")});
+  parser.addOption({QStringLiteral("six-sides"),
+                    QStringLiteral("Picture of the organ from six sides, at rest and at the angle")});
   parser.addOption({QStringLiteral("scene-only"), QStringLiteral("Picture without panels")});
   parser.addOption({QStringLiteral("lattice"), QStringLiteral("Show ridges and sections")});
   parser.addOption({QStringLiteral("shear"), QStringLiteral("Colour the tissue by shear stress")});

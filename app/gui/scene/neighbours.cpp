@@ -111,19 +111,19 @@ void drawEndsOfStomach(QPainter& painter, const Theme& theme, const EndsOfStomac
   const Tone tone = toneOf(theme, 8);
   QPainterPath duodenum(QPointF(-1.04, -0.14));
   if (ends.pylorusInPlace) {
-    duodenum = QPainterPath(ends.own ? QPointF(-0.72, -0.30) : QPointF(-0.58, -0.46));
-    duodenum.cubicTo(ends.own ? QPointF(-0.80, -0.14) : QPointF(-0.68, -0.18), QPointF(-0.88, -0.10),
+    duodenum = QPainterPath(ends.own ? kBulbEnd : QPointF(-0.58, -0.46));
+    duodenum.cubicTo(ends.own ? QPointF(-0.74, -0.14) : QPointF(-0.68, -0.18), QPointF(-0.88, -0.10),
                      QPointF(-1.04, -0.14));
   }
   duodenum.cubicTo(-1.18, -0.40, -1.18, -1.15, -0.70, -1.25);
   drawTube(painter, duodenum, 0.25, tone);
   QPainterPath oesophagus(QPointF(-0.24, 1.45));
   if (ends.own) {
-    oesophagus.cubicTo(-0.24, 1.30, -0.22, 1.10, -0.16, 0.86);
+    oesophagus.cubicTo(QPointF(-0.24, 1.20), QPointF(-0.24, 0.88), kStubEnd);
   } else {
     oesophagus.cubicTo(-0.24, 1.00, -0.18, 0.62, 0.10, 0.36);
   }
-  drawTube(painter, oesophagus, 0.19, tone);
+  drawTube(painter, oesophagus, ends.own ? 0.16 : 0.19, tone);
 }
 
 void drawUpperAbdomen(QPainter& painter, const Theme& theme, const EndsOfStomach& ends) {

@@ -32,8 +32,12 @@ void OrbitCamera::frame(const QVector3D& centre, float radius, const QSizeF& siz
 }
 
 void OrbitCamera::look(ViewPreset preset) {
-  azimuth_deg_ = preset == ViewPreset::kSide ? 90.0F : 0.0F;
-  elevation_deg_ = preset == ViewPreset::kTop ? kHighest_deg : 0.0F;
+  lookFrom(preset == ViewPreset::kSide ? 90.0F : 0.0F, preset == ViewPreset::kTop ? kHighest_deg : 0.0F);
+}
+
+void OrbitCamera::lookFrom(float azimuth_deg, float elevation_deg) {
+  azimuth_deg_ = azimuth_deg;
+  elevation_deg_ = std::clamp(elevation_deg, -kHighest_deg, kHighest_deg);
 }
 
 void OrbitCamera::orbit(const QPointF& drag) {

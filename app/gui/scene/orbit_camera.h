@@ -27,6 +27,9 @@ class OrbitCamera {
   /// Looks at a ball so that it fills `size` up to a margin.
   void frame(const QVector3D& centre, float radius, const QSizeF& size);
   void look(ViewPreset preset);
+  /// Looks from a side: `azimuth_deg` round the organ from the front towards the patient's left,
+  /// `elevation_deg` from below (-89) to above (89).
+  void lookFrom(float azimuth_deg, float elevation_deg);
   /// Turns by a drag of so many pixels.
   void orbit(const QPointF& drag);
   /// Moves target and camera with a drag of so many pixels in a view of `height` pixels.

@@ -286,6 +286,10 @@ void SceneView::placeLegend() {
   legend_->move(2 * kSpace, height() - legend_->height() - 2 * kSpace);
 }
 
+void SceneView::setSurroundingsVisible(bool visible) {
+  canvas_->set("surroundingsVisible", visible);
+}
+
 void SceneView::setToolVisible(bool visible) {
   canvas_->set("toolVisible", visible);
 }

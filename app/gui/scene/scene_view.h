@@ -63,6 +63,8 @@ class SceneView : public QWidget {
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
   void setToolVisible(bool visible);
+  /// What lies behind the organ; seen from the front it means something.
+  void setSurroundingsVisible(bool visible);
   void setWireframe(bool visible);
   void setLattice(bool visible);
   void setQuality(RenderQuality quality);

@@ -46,6 +46,7 @@ Item {
     property real portAlong: 100     // mm from the tip: where the shaft goes through the port
 
     property vector3d surroundingsPosition
+    property bool surroundingsVisible: true
     property real surroundingsSize: 100   // mm: side of the square
     property real shadowShare: 1          // of the square by the side of the shadow on it
     property color gloveColour: "#8fb3cf"
@@ -241,6 +242,7 @@ Item {
         // What lies behind the organ, under the organ's shadow: no lamp is asked, at either level.
         Model {
             objectName: "surroundings"
+            visible: root.surroundingsVisible
             source: "#Rectangle"    // 100 high, 100 wide
             position: root.surroundingsPosition
             id: surroundingsModel

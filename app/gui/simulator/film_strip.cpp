@@ -2,13 +2,17 @@
 #include "app/gui/simulator/film_strip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
 
 #include "app/gui/scene/scene_view.h"
+#include "app/gui/scene/view_frame.h"
 #include "app/report/typeface.h"
 #include "sim/base/angle.h"
 #include "sim/record/sample_codec.h"
@@ -18,19 +22,55 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kGap = 8;
-constexpr int kFrameWidth = 480;
 constexpr std::size_t kFramesInARow = 4;
 constexpr double kStep_rad = std::numbers::pi / 6.0;
 constexpr double kNear_rad = radians(0.5);  // a last step of half a degree shows nothing new
 
+/// From where a sheet of sides looks.
+struct Side {
+  const char* name;
+  float azimuth_deg;
+  float elevation_deg;
+};
+constexpr std::array kSides{
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "front"), 0.0F, 0.0F},
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "left"), 90.0F, 0.0F},
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "back"), 180.0F, 0.0F},
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "right"), -90.0F, 0.0F},
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "above"), 0.0F, 90.0F},
+    Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "below"), 0.0F, -90.0F},
+};
+
+/// Puts the organ, as it lies, in the middle of the view.
+void frameOrgan(SceneView& view, const Scene& scene, const OrganState& state) {
+  constexpr float kNearer = 0.92F;  // the ball round the box of an organ has room at its sides
+  std::vector<Vec3> skin_m(scene.mesh.vertices_m.size());
+  scene.deform(state, skin_m);
+  QVector3D low = toView(skin_m.front());
+  QVector3D high = low;
+  for (const Vec3& place_m : skin_m) {
+    const QVector3D p = toView(place_m);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  view.camera().frame(0.5F * (low + high), 0.5F * kNearer * (high - low).length(), QSizeF(view.size()));
+}
+
+QImage square(const QImage& picture) {
+  const int side = std::min(picture.width(), picture.height());
+  return picture.copy((picture.width() - side) / 2, (picture.height() - side) / 2, side, side);
+}
+
 }  // namespace
 
-QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
+QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows, int width) {
   if (rows.empty() || rows.front().empty() || rows.front().front().picture.isNull()) {
     return {};
   }
   const QSize first = rows.front().front().picture.size();
-  const QSize cell(kFrameWidth, kFrameWidth * first.height() / first.width());
+  const QSize cell(width, width * first.height() / first.width());
   QFont font = typeface();
   font.setPixelSize(18);
   const int caption = QFontMetrics(font).height() + kGap;
@@ -113,6 +153,29 @@ std::vector<StripFrame> captureStrip(SceneView& view, const Scene& scene, double
   }
   view.setToolVisible(true);
   return frames;
+}
+
+std::vector<std::vector<StripFrame>> captureSides(SceneView& view, const Scene& scene, double angle_rad) {
+  view.setToolVisible(false);
+  view.setForce({}, {});
+  view.setSurroundingsVisible(false);
+  std::vector<std::vector<StripFrame>> rows;
+  for (const double shown_rad : {0.0, angle_rad}) {
+    const OrganState state = scene.stateAt(shown_rad);
+    view.setOrgan(state);
+    frameOrgan(view, scene, state);
+    rows.emplace_back();
+    for (const Side& side : kSides) {
+      view.camera().lookFrom(side.azimuth_deg, side.elevation_deg);
+      view.applyCamera();
+      const QString name = QCoreApplication::translate("torsio::gui::FilmStrip", side.name);
+      rows.back().push_back({name + QStringLiteral(", ") + angleCaption(shown_rad), square(view.picture())});
+    }
+  }
+  view.frameOrgan();
+  view.setSurroundingsVisible(true);
+  view.setToolVisible(true);
+  return rows;
 }
 
 QString angleCaption(double angle_rad) {

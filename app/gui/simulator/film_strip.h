@@ -20,9 +20,14 @@ struct StripFrame {
   QImage picture;
 };
 
-/// The frames in rows of equal pictures with their captions below, on white: for papers and slides. No
-/// row is longer than the first. Null when there are none.
-[[nodiscard]] QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows);
+/// Width of a frame of a strip, pixels.
+inline constexpr int kStripFrame = 480;
+/// Width of a frame of a sheet of sides, pixels.
+inline constexpr int kSideFrame = 240;
+
+/// The frames in rows of equal pictures, so wide, with their captions below, on white: for papers and slides.
+/// No row is longer than the first. Null when there are none.
+[[nodiscard]] QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows, int width = kStripFrame);
 
 /// Frames that follow each other, in rows of four.
 [[nodiscard]] std::vector<std::vector<StripFrame>> stripRows(const std::vector<StripFrame>& frames);
@@ -42,6 +47,11 @@ struct StripMoment {
 /// Pictures of the organ alone at the angles of a strip up to `last_rad`, from the view's present direction.
 /// Afterwards the view shows the last of them without an instrument: the caller shows again what it wants.
 [[nodiscard]] std::vector<StripFrame> captureStrip(SceneView& view, const Scene& scene, double last_rad);
+
+/// Square pictures of the organ alone from six sides: a row at rest and one turned by `angle_rad`. Afterwards
+/// as captureStrip().
+[[nodiscard]] std::vector<std::vector<StripFrame>> captureSides(SceneView& view, const Scene& scene,
+                                                                double angle_rad);
 
 /// "30\u00b0"
 [[nodiscard]] QString angleCaption(double angle_rad);

@@ -12,8 +12,8 @@ struct TissuePalette {
   float vesselShare;
   Light blush;  ///< factor round a vessel
   float blushShare;
-  Light fat;  ///< colour of the fat along the borders
-  float fatShare;
+  Light fat;   ///< colour of the fat along the borders
+  Light band;  ///< colour of bands along the organ
   float fibres;
   float folds;
   float grain;

@@ -333,7 +333,17 @@ class Painter {
     } else {
       height += 0.24F * wave(0.0073, 1.0) + 0.12F * wave(0.0026, 7.0);
     }
+    height += 0.12F * look_.bandShare * point.side * bandAt(point.angle_rad);
     return std::clamp(height + 0.14F * blood.inside, 0.0F, 1.0F);
+  }
+
+  /// 1 in a band along the organ, 0 beside it.
+  [[nodiscard]] float bandAt(double angle_rad) const {
+    if (look_.bands == 0) {
+      return 0.0F;
+    }
+    const double away = std::remainder(angle_rad, kTurn / look_.bands) / look_.bandHalf_rad;
+    return static_cast<float>(std::exp(-away * away * away * away));
   }
 
   Light withFibres(Light colour, const SkinPoint& point) const {
@@ -350,19 +360,20 @@ class Painter {
     for (std::size_t k = 0; k < 3; ++k) {
       colour[k] *= 1.0F + point.side * change * (k == 0 ? 0.45F : 1.0F);
     }
-    if (palette_.fatShare > 0.0F) {
+    colour = mixed(colour, palette_.band, look_.bandShare * point.side * bandAt(point.angle_rad));
+    if (look_.borderFat > 0.0F) {
       for (const double border : {0.0, std::numbers::pi}) {
-        if (look_.kind == TissueKind::kIntestine && border == 0.0) {
+        if (look_.bands > 0 && border == 0.0) {
           continue;
         }
-        const double away = std::remainder(point.angle_rad - border, kTurn) / 0.30;
+        const double away = std::remainder(point.angle_rad - border, kTurn) / 0.36;
         const auto close = static_cast<float>(std::exp(-away * away));
         if (close < 0.02F) {
           continue;
         }
         const float lobules = ease(
-            -0.25F, 0.85F, tissueNoise(point.rest_m / 0.006) + 0.5F * tissueNoise(point.rest_m / 0.0022));
-        colour = mixed(colour, palette_.fat, palette_.fatShare * point.side * close * lobules);
+            -0.45F, 0.65F, tissueNoise(point.rest_m / 0.006) + 0.5F * tissueNoise(point.rest_m / 0.0022));
+        colour = mixed(colour, palette_.fat, look_.borderFat * point.side * close * lobules);
       }
     }
     return colour;

@@ -36,14 +36,14 @@ struct Plan {
 Plan planOf(TissueKind kind) {
   switch (kind) {
     case TissueKind::kIntestine:
-      return {{std::numbers::pi}, 0.0007, 0.00046, 0.00009, 0.0060, 0.10, 6.0, 0.0011, 0.0008, 0.8};
+      return {{std::numbers::pi}, 0.0010, 0.00052, 0.00009, 0.0060, 0.10, 6.0, 0.0011, 0.0008, 0.8};
     case TissueKind::kSkin:
       return {
           {0.35, 1.25, 2.0, 2.9, 4.3, 5.2}, 0.0014, 0.0010, 0.0006, 0.060, 0.16, 2.0, 0.0080, 0.0015, 0.6};
     case TissueKind::kSerosa:
       break;
   }
-  return {{0.0, std::numbers::pi}, 0.0010, 0.00078, 0.00011, 0.0150, 0.05, 5.0, 0.0015, 0.0010, 0.9};
+  return {{0.0, std::numbers::pi}, 0.0016, 0.00090, 0.00011, 0.0150, 0.05, 5.0, 0.0015, 0.0010, 0.9};
 }
 
 struct Tip {

@@ -69,6 +69,28 @@ TEST(OrganCommand, MakesAnOrganFileThatTwistsAsItsMeshDoes) {
             static_cast<int>(ErrorCode::kBadParameter));
 }
 
+TEST(OrganCommand, DrawsAnArmWithAPersonsMeasuresThatTwists) {
+  const auto folder = emptyFolder("organ-arm");
+  const auto organ = folder / "arm.organ";
+
+  const ProgramRun made = runTorsio(
+      "organ make arm --wrist-width 56 --wrist-thickness 40 --fingers 50 64 71 66 "
+      "53 --json --out " +
+          organ.string(),
+      folder);
+
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto arm = nlohmann::json::parse(made.out);
+  EXPECT_TRUE(arm.at("accepted").get<bool>());
+  EXPECT_GT(arm.at("volume_ml").get<double>(), 900.0);  // a man's 1 523 ml, girths by 0.86
+  EXPECT_LT(arm.at("volume_ml").get<double>(), 1300.0);
+  const ProgramRun twisted = runTorsio("twist --json --pattern pronation --organ " + organ.string(), folder);
+  ASSERT_EQ(twisted.code, 0) << twisted.err;
+  EXPECT_FALSE(nlohmann::json::parse(twisted.out).at("folded").get<bool>());
+  EXPECT_EQ(runTorsio("organ make arm --wrist-width 20", folder).code, static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(runTorsio("organ make arm --fingers 50 64", folder).code, static_cast<int>(ErrorCode::kUsage));
+}
+
 TEST(OrganCommand, KeepsAWarningWithWhatIsRecorded) {
   const auto folder = emptyFolder("organ-short");
   const auto mesh = folder / "short.ply";

@@ -216,7 +216,7 @@ TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRefused) {
   EXPECT_GT(beyond["torque_nm"], half["torque_nm"]);  // not that of a turn the other way round
   EXPECT_NEAR(degrees(loop["angle_rad"]), 400.0, 1e-6);
   EXPECT_GT(loop["torque_nm"], 0.01);
-  EXPECT_EQ(slipped.code, exitCode(ErrorCode::kFolded)) << slipped.out;
+  EXPECT_EQ(slipped.code, static_cast<int>(ErrorCode::kFolded)) << slipped.out;
   EXPECT_NE(slipped.err.find("slips back by a whole turn"), std::string::npos) << slipped.err;
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/scene/organ_file.h"
 
 namespace torsio {
 namespace {
@@ -69,10 +70,16 @@ TEST(OrganMarkers, AreSharedByTheScenesOfOneOrganAndByNoOther) {
   EXPECT_TRUE(readOrganMarkers(kAssetFolder, loadScene(request)).empty());
 
   // A user's organ with the patterns of the forearm is not the forearm.
+  OrganFile organ;
+  organ.source = "arm.ply";
+  organ.mesh = forearm().mesh;
+  organ.anatomy = "forearm";
+  organ.ends = {.fixedEnd_m = Vec3{}, .freeEnd_m = Vec3{0, 0, 0.262}, .fixedCut = {}, .freeCut = {0, 0, 1}};
+  const fs::path file = fs::temp_directory_path() / "torsio_organ_markers_test.organ";
+  writeOrganFile(file, organ);
   SceneRequest own;
   own.assets = kAssetFolder;
-  own.organFile = kAssetFolder / "organs" / "forearm.ply";
-  own.pattern = "pronation";
+  own.organFile = file;
   EXPECT_TRUE(readOrganMarkers(kAssetFolder, loadScene(own)).empty());
 }
 

@@ -60,6 +60,18 @@ class OrganDesk {
     wizardButton(wizard, QStringLiteral("Judge again")).click();
     settle();
   }
+  void openInstrument(const std::filesystem::path& source) {
+    wizard.openInstrument(source);
+    settle();
+  }
+  void findInstrument() {
+    wizard.findInstrument();
+    settle();
+  }
+  void makeArm() {
+    wizardButton(wizard, QStringLiteral("Draw the arm")).click();
+    settle();
+  }
   void openScan(const std::filesystem::path& source) {
     wizard.openScan(source);
     settle();
@@ -73,12 +85,13 @@ class OrganDesk {
     settle();
   }
 
- private:
   /// Waits for what goes on in the background.
   void settle() {
     shell_.waitForJobs();
     QApplication::processEvents();
   }
+
+ private:
   torsio::testing::StudyCentre centre_;
   ShellContext shell_;
 

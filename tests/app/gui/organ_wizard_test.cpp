@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
@@ -18,11 +19,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/gui/organ/arm_form.h"
 #include "app/gui/organ/organ_marks.h"
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"
+#include "app/organs/person_arm.h"
 #include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/organ_file.h"
@@ -134,6 +137,41 @@ TEST(OrganWizard, TakesTheEndsThatAreClicked) {
   ASSERT_TRUE(ends.fixedEnd_m && ends.freeEnd_m);
   EXPECT_NEAR(norm(*ends.fixedEnd_m - Vec3{0, -0.02, 0.12}), 0.0, 0.002);
   EXPECT_NEAR(norm(*ends.freeEnd_m - Vec3{0, -0.02, 0.02}), 0.0, 0.002);
+}
+
+TEST(ArmForm, SaysWhatIsTypedAndLeavesAMansWristAlone) {
+  ArmForm form;
+  EXPECT_FALSE(form.person().wristWidth_mm.has_value());
+  EXPECT_EQ(form.person().fingers_mm, PersonArm().fingers_mm);
+
+  child<QDoubleSpinBox>(form, "wristThickness").setValue(40.0);
+  child<QDoubleSpinBox>(form, "palmLength").setValue(108.0);
+  child<QDoubleSpinBox>(form, "littleFinger").setValue(53.0);
+
+  const PersonArm person = form.person();
+  EXPECT_EQ(person.wristWidth_mm, kWristWidth.man_mm);
+  EXPECT_EQ(person.wristThickness_mm, 40.0);
+  EXPECT_EQ(person.palmLength_mm, 108.0);
+  EXPECT_EQ(person.fingers_mm[4], 53.0);
+  EXPECT_EQ(person.fingers_mm[0], PersonArm().fingers_mm[0]);
+}
+
+TEST(OrganWizard, DrawsAnArmWithAPersonsMeasures) {
+  OrganDesk desk;
+  child<QDoubleSpinBox>(desk.wizard, "wristWidth").setValue(56.0);
+  child<QDoubleSpinBox>(desk.wizard, "wristThickness").setValue(40.0);
+  child<QDoubleSpinBox>(desk.wizard, "middleFinger").setValue(66.0);
+  desk.makeArm();
+
+  const OrganTrial& trial = *desk.wizard.trial();
+  ASSERT_TRUE(trial.import.accepted);
+  EXPECT_EQ(trial.import.organ.anatomy, "forearm");
+  // A man's has 1 523 ml; girths by 0.86 make about three quarters of that.
+  EXPECT_GT(*trial.import.volume_ml, 900.0);
+  EXPECT_LT(*trial.import.volume_ml, 1300.0);
+  const std::filesystem::path file = wizardFile("arm.organ");
+  desk.wizard.save(file);
+  EXPECT_EQ(contentHash(readOrganFile(file).mesh), contentHash(trial.import.organ.mesh));
 }
 
 TEST(OrganWizard, TellsOfAFileThatIsNoSurfaceWithoutAPicture) {

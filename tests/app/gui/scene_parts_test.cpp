@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <span>
@@ -14,6 +15,7 @@
 
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/lattice_overlay.h"
+#include "app/gui/scene/neighbours.h"
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/organ_surface.h"
@@ -23,6 +25,7 @@
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
+#include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
 #include "tests/app/gui/bar_view.h"
 
@@ -95,6 +98,43 @@ std::array<double, 3> momentOf(std::span<const std::uint8_t> shade) {
     }
   }
   return {sum[0] / sum[2], sum[1] / sum[2], sum[2]};
+}
+
+TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = "stomach";
+  const Scene scene = loadScene(request);
+  QVector3D low = toView(scene.mesh.vertices_m.front());
+  QVector3D high = low;
+  for (const Vec3& v : scene.mesh.vertices_m) {
+    const QVector3D p = toView(v);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  const QVector3D centre = 0.5F * (low + high);
+  const float radius = 0.5F * (high - low).length();
+  const QSizeF size(1000.0, 1000.0);
+  OrbitCamera camera;
+  camera.frame(centre, radius, size);
+  const auto painted = [&](const QPointF& place) {  // on the square behind the organ
+    return camera.pixel({centre.x() + radius * static_cast<float>(place.x()),
+                         centre.y() + radius * static_cast<float>(place.y()), low.z() - 0.12F * radius},
+                        size);
+  };
+  const auto away = [](const QPointF& a, const QPointF& b) {
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+  };
+
+  // Ends of the stub and of the bulb's centreline, of assets/organs/README.md and tools/organs.
+  const QPointF stub = camera.pixel(toView({0.002, 0.019, 0.072}), size);
+  const QPointF bulb = camera.pixel(toView({-0.0585, 0.016, -0.0545}), size);
+
+  constexpr double kHalfAStub = 18.0;  // pixels: it is 36 wide there
+  EXPECT_LT(away(painted(kStubEnd), stub), kHalfAStub);
+  EXPECT_LT(away(painted(kBulbEnd), bulb), kHalfAStub);
 }
 
 TEST(OrganShadow, FallsToTheLowerRightIsSoftAndFollowsTheOrgan) {

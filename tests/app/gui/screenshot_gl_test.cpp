@@ -99,6 +99,24 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
 }
 
+TEST_F(Screenshot, ShowsAnOrganFromSixSidesAtRestAndTurned) {
+  const QImage sheet =
+      shot(QStringLiteral("sides.png"),
+           {QStringLiteral("--organ"), QStringLiteral("intestine"), QStringLiteral("--quality"),
+            QStringLiteral("fast"), QStringLiteral("--size"), QStringLiteral("900x700"),
+            QStringLiteral("--six-sides"), QStringLiteral("--angle"), QStringLiteral("180")});
+
+  ASSERT_FALSE(sheet.isNull());
+  const QSize cell(sheet.width() / 6, sheet.height() / 2);
+  for (int column = 0; column < 6; ++column) {
+    const QRect above(QPoint(column * cell.width(), 0), cell);
+    const QRect below(QPoint(column * cell.width(), cell.height()), cell);
+    EXPECT_GT(tissue(sheet, above), 500) << column;
+    EXPECT_GT(tissue(sheet, below), 500) << column;
+    EXPECT_GT(different(sheet.copy(above), sheet.copy(below)), 300) << column;
+  }
+}
+
 TEST_F(Screenshot, AnAngleAgainstTheTaskIsRefusedNotDrawnAtRest) {
   const QStringList options{QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
                             QStringLiteral("90")};  // the tasks of the stomach turn to negative angles

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/organ/instrument_panel.h"
+
+#include <algorithm>
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/organ/instrument_view.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPlacesWidth = 400;
+// As requireToolRequest() allows.
+constexpr double kLeastThreshold_HU = -500.0;
+constexpr double kMostThreshold_HU = 3000.0;
+constexpr double kLeastPivot_mm = 3.0;
+constexpr double kMostPivot_mm = 100.0;
+
+QDoubleSpinBox* box(QWidget* parent, const char* name, double least, double most, const QString& unit) {
+  auto* field = new QDoubleSpinBox(parent);
+  field->setObjectName(QLatin1String(name));
+  field->setRange(least, most);
+  field->setDecimals(0);
+  field->setSuffix(unit);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  field->setKeyboardTracking(false);
+  return field;
+}
+
+}  // namespace
+
+InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2 * kSpace);
+  pictureCard_ = new Card(QString(), this);
+  view_ = new InstrumentView(pictureCard_);
+  pictureCard_->content()->addWidget(view_, 1);
+  row->addWidget(pictureCard_, 1);
+  auto* side = new QVBoxLayout;
+  placesCard_ = new Card(QString(), this);
+  placesCard_->setFixedWidth(kPlacesWidth);
+  QVBoxLayout* column = placesCard_->content();
+  numbers_ = sentence(placesCard_, false);
+  remarks_ = sentence(placesCard_);
+  column->addWidget(numbers_);
+  column->addWidget(remarks_);
+  threshold_ =
+      box(placesCard_, "toolThreshold", kLeastThreshold_HU, kMostThreshold_HU, QStringLiteral(" HU"));
+  pivot_ = box(placesCard_, "toolHinge", kLeastPivot_mm, kMostPivot_mm, QStringLiteral(" mm"));
+  pivot_->setDecimals(1);
+  opening_ = box(placesCard_, "toolOpening", 0.0, 90.0, QStringLiteral("\u00B0"));
+  reach_ = box(placesCard_, "toolReach", 0.5, 50.0, QStringLiteral(" mm"));
+  reach_->setDecimals(1);
+  title_ = new QLineEdit(placesCard_);
+  thresholdLabel_ = addField(column, threshold_);
+  pivotLabel_ = addField(column, pivot_);
+  openingLabel_ = addField(column, opening_);
+  reachLabel_ = addField(column, reach_);
+  titleLabel_ = addField(column, title_);
+  otherEnd_ = new QPushButton(placesCard_);
+  turnHinge_ = new QPushButton(placesCard_);
+  column->addWidget(otherEnd_);
+  column->addWidget(turnHinge_);
+  side->addWidget(placesCard_);
+  side->addStretch(1);
+  back_ = new QPushButton(this);
+  again_ = new QPushButton(this);
+  save_ = primaryButton(this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(back_);
+  buttons->addWidget(again_);
+  side->addLayout(buttons);
+  side->addWidget(save_);
+  row->addLayout(side);
+
+  connect(threshold_, &QDoubleSpinBox::valueChanged, this, &InstrumentPanel::noteChange);
+  connect(pivot_, &QDoubleSpinBox::valueChanged, this, &InstrumentPanel::noteChange);
+  connect(opening_, &QDoubleSpinBox::valueChanged, view_, &InstrumentView::setOpening);
+  connect(view_, &InstrumentView::hingePicked, pivot_, &QDoubleSpinBox::setValue);
+  connect(view_, &InstrumentView::otherEndPicked, this, &InstrumentPanel::takeOtherEnd);
+  connect(otherEnd_, &QPushButton::clicked, this, &InstrumentPanel::takeOtherEnd);
+  connect(turnHinge_, &QPushButton::clicked, this, &InstrumentPanel::turnHinge);
+  connect(back_, &QPushButton::clicked, this, &InstrumentPanel::backWanted);
+  connect(again_, &QPushButton::clicked, this, &InstrumentPanel::placeWanted);
+  connect(save_, &QPushButton::clicked, this, &InstrumentPanel::saveWanted);
+}
+
+void InstrumentPanel::begin(const ToolRequest& request) {
+  request_ = request;
+  tool_ = {};
+  const QSignalBlocker quietThreshold(threshold_);
+  const QSignalBlocker quietPivot(pivot_);
+  threshold_->setValue(request.threshold_HU);
+  pivot_->setValue(request.pivot_mm);
+  opening_->setValue(InstrumentFacts().opening_deg);
+  reach_->setValue(InstrumentFacts().gripReach_mm);
+  title_->clear();
+  setTool({});
+}
+
+ToolRequest InstrumentPanel::request() const {
+  ToolRequest request = request_;
+  request.threshold_HU = threshold_->value();
+  request.pivot_mm = pivot_->value();
+  return request;
+}
+
+InstrumentFacts InstrumentPanel::facts() const {
+  return {.title = title_->text().trimmed().toStdString(),
+          .opening_deg = opening_->value(),
+          .gripReach_mm = reach_->value()};
+}
+
+void InstrumentPanel::setTool(const ToolSurface& tool) {
+  tool_ = tool;
+  request_ = request();
+  changed_ = false;
+  view_->setTool(tool_, opening_->value());
+  showNumbers();
+}
+
+void InstrumentPanel::takeOtherEnd() {
+  request_.tip_mm = tool_.tip_mm + tool_.length_mm * tool_.axes[2];
+  request_.shaft.reset();
+  changed_ = true;
+  Q_EMIT placeWanted();
+}
+
+void InstrumentPanel::turnHinge() {
+  request_.jawAxis = tool_.axes[1];
+  request_.tip_mm = tool_.tip_mm;
+  changed_ = true;
+  Q_EMIT placeWanted();
+}
+
+void InstrumentPanel::noteChange() {
+  changed_ = true;
+  showNumbers();
+}
+
+void InstrumentPanel::showNumbers() {
+  const bool found = tool_.length_mm > 0.0;
+  const QLocale locale;
+  const auto number = [&locale](double value) { return locale.toString(value, 'f', 1); };
+  numbers_->setText(
+      found ? tr("%1 mm long, the shaft %2 mm wide, the jaws %3 mm long")
+                  .arg(number(tool_.length_mm), number(2.0 * tool_.shaftRadius_mm), number(tool_.pivot_mm))
+            : tr("Nothing has been found yet."));
+  QStringList remarks;
+  for (const ScanRemark& remark : tool_.remarks) {
+    QString line = toQString(remark.code) + QStringLiteral(": ") + toQString(remark.what);
+    if (!remark.remedy.empty()) {
+      line += QStringLiteral(". ") + toQString(remark.remedy);
+    }
+    remarks << line;
+  }
+  remarks_->setText(remarks.join(QLatin1Char('\n')));
+  remarks_->setVisible(!remarks.isEmpty());
+  otherEnd_->setEnabled(found);
+  turnHinge_->setEnabled(found);
+  again_->setEnabled(changed_);
+  save_->setEnabled(found && !changed_);
+}
+
+void InstrumentPanel::retranslate() {
+  pictureCard_->setTitle(tr("The instrument"));
+  placesCard_->setTitle(tr("Tip, axis and jaws"));
+  nameField(thresholdLabel_, tr("Denser than this is the instrument"));
+  nameField(pivotLabel_, tr("Hinge, from the tip"));
+  nameField(openingLabel_, tr("Each jaw opens by"));
+  nameField(reachLabel_, tr("A closed jaw holds tissue over"));
+  nameField(titleLabel_, tr("Name"));
+  otherEnd_->setText(tr("The tip is at the other end"));
+  turnHinge_->setText(tr("Turn the hinge by a right angle"));
+  back_->setText(tr("Back"));
+  again_->setText(tr("Find it anew"));
+  save_->setText(tr("Save instrument\u2026"));
+  showNumbers();
+  view_->update();
+}
+
+void InstrumentPanel::setTheme(const Theme& theme) {
+  view_->setTheme(theme);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/organ/instrument_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "sim/base/angle.h"
+#include "sim/base/pose.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kViewMillimetres = 1000.0;  // in a metre
+constexpr int kPanes = 3;                    // the whole, along the hinge, from above
+constexpr double kMargin_mm = 6.0;
+constexpr double kFront = 2.6;  // of the hinge's distance: how much of the front is shown
+constexpr double kCaption = 22.0;
+
+/// A triangle as it is seen.
+struct Facet {
+  std::array<QPointF, 3> corners;
+  double depth = 0.0;
+  double light = 1.0;
+};
+
+}  // namespace
+
+InstrumentView::InstrumentView(QWidget* parent) : QWidget(parent), theme_(theme(ThemeKind::kLight)) {
+  setMinimumSize(320, 300);
+}
+
+void InstrumentView::setTool(const ToolSurface& tool, double opening_deg) {
+  tool_ = tool;
+  opening_deg_ = opening_deg;
+  update();
+}
+
+void InstrumentView::setOpening(double opening_deg) {
+  opening_deg_ = opening_deg;
+  update();
+}
+
+void InstrumentView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  update();
+}
+
+InstrumentView::Pane InstrumentView::pane(int row) const {
+  const double height = static_cast<double>(this->height()) / kPanes;
+  Pane pane;
+  pane.area = QRectF(0.0, row * height + kCaption, width(), height - kCaption);
+  pane.alongHinge = row < 2;
+  pane.from_mm = -kMargin_mm;
+  const double shown_mm = (row == 0 ? tool_.length_mm : kFront * tool_.pivot_mm) + 2.0 * kMargin_mm;
+  pane.perMm = width() / std::max(shown_mm, 1.0);
+  return pane;
+}
+
+QPointF InstrumentView::placeInWhole(double fromTip_mm) const {
+  const Pane whole = pane(0);
+  return {(fromTip_mm - whole.from_mm) * whole.perMm, whole.area.center().y()};
+}
+
+QPointF InstrumentView::placeOfHinge(double fromTip_mm) const {
+  const Pane front = pane(1);
+  return {(fromTip_mm - front.from_mm) * front.perMm, front.area.center().y()};
+}
+
+void InstrumentView::pickAt(const QPointF& place) {
+  if (tool_.length_mm <= 0.0) {
+    return;
+  }
+  const int row = std::clamp(static_cast<int>(place.y() * kPanes / std::max(height(), 1)), 0, kPanes - 1);
+  const Pane at = pane(row);
+  const double fromTip_mm = at.from_mm + place.x() / at.perMm;
+  if (row > 0) {
+    Q_EMIT hingePicked(fromTip_mm);
+  } else if (fromTip_mm > 0.5 * tool_.length_mm) {
+    Q_EMIT otherEndPicked();
+  }
+}
+
+void InstrumentView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) {
+    pickAt(event->position());
+  }
+}
+
+void InstrumentView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), theme_.backdrop);
+  if (tool_.length_mm <= 0.0) {
+    return;
+  }
+  const std::array<QString, kPanes> captions{tr("The whole: a click on the other half makes its end the tip"),
+                                             tr("The front, along the hinge: a click places the hinge"),
+                                             tr("The front, from above")};
+  for (int row = 0; row < kPanes; ++row) {
+    const Pane one = pane(row);
+    painter.setPen(theme_.text);
+    painter.drawText(QRectF(8.0, one.area.top() - kCaption, width() - 16.0, kCaption),
+                     Qt::AlignLeft | Qt::AlignVCenter, captions[static_cast<std::size_t>(row)]);
+    paintPane(painter, one);
+  }
+}
+
+void InstrumentView::paintPane(QPainter& painter, const Pane& pane) const {
+  painter.save();
+  painter.setClipRect(pane.area);
+  const double opening_rad = radians(opening_deg_);
+  paintMesh(painter, pane, tool_.shaft, theme_.shaft, 0.0);
+  if (pane.alongHinge) {  // opened, behind the closed jaws
+    painter.setOpacity(0.35);
+    paintMesh(painter, pane, tool_.upperJaw, theme_.grasp, opening_rad);
+    paintMesh(painter, pane, tool_.lowerJaw, theme_.grasp, -opening_rad);
+    painter.setOpacity(1.0);
+  }
+  paintMesh(painter, pane, tool_.lowerJaw, theme_.shaft.darker(120), 0.0);
+  paintMesh(painter, pane, tool_.upperJaw, theme_.shaft.lighter(115), 0.0);
+
+  const auto at = [&](double fromTip_mm) {
+    return QPointF((fromTip_mm - pane.from_mm) * pane.perMm, pane.area.center().y());
+  };
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme_.accent, 1.5, Qt::DashLine));
+  painter.drawLine(at(0.0), at(tool_.length_mm));
+  painter.setPen(QPen(theme_.caution, 2.5));
+  if (pane.alongHinge) {
+    painter.drawEllipse(at(tool_.pivot_mm), 5.0, 5.0);
+  } else {
+    const QPointF across(0.0, std::max(3.0, tool_.shaftRadius_mm) * pane.perMm);
+    painter.drawLine(at(tool_.pivot_mm) - across, at(tool_.pivot_mm) + across);
+  }
+  painter.setBrush(theme_.accent);
+  painter.setPen(Qt::NoPen);
+  painter.drawEllipse(at(0.0), 5.0, 5.0);
+  painter.restore();
+}
+
+void InstrumentView::paintMesh(QPainter& painter, const Pane& pane, const TriangleMesh& mesh,
+                               const QColor& colour, double turn_rad) const {
+  std::vector<Facet> facets;
+  facets.reserve(mesh.triangles.size());
+  const Vec3 pivot{0.0, 0.0, tool_.pivot_mm};
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    std::array<Vec3, 3> p;
+    Facet facet;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The upper jaw (y > 0) opens away from the axis: forwards lies towards -z of the hinge.
+      p[k] = pivot + rotateAbout(kViewMillimetres * mesh.vertices_m[t[k]] - pivot, {1, 0, 0}, turn_rad);
+      const double across_mm = pane.alongHinge ? p[k].y : p[k].x;
+      facet.depth += pane.alongHinge ? p[k].x : p[k].y;
+      facet.corners[k] = {(p[k].z - pane.from_mm) * pane.perMm,
+                          pane.area.center().y() - across_mm * pane.perMm};
+    }
+    const Vec3 normal = normalized(cross(p[1] - p[0], p[2] - p[0]));
+    const double facing = pane.alongHinge ? normal.x : normal.y;
+    if (facing > 0.0) {
+      facet.light = 0.45 + 0.55 * facing;
+      facets.push_back(facet);
+    }
+  }
+  std::sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth < b.depth; });
+  for (const Facet& facet : facets) {
+    const QColor shaded = QColor::fromRgbF(static_cast<float>(facet.light) * colour.redF(),
+                                           static_cast<float>(facet.light) * colour.greenF(),
+                                           static_cast<float>(facet.light) * colour.blueF());
+    painter.setPen(shaded);
+    painter.setBrush(shaded);
+    painter.drawPolygon(facet.corners.data(), 3);
+  }
+}
+
+}  // namespace torsio::gui

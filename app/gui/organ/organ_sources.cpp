@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first page of the wizard: what an organ or an instrument is made of.
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/organ/arm_form.h"
+#include "app/gui/organ/organ_wizard.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kCardWidth = 620;
+constexpr int kMostSeries = 100'000;
+
+}  // namespace
+
+QWidget* OrganWizard::createSourcePage() {
+  auto* page = new QWidget(pages_);
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2 * kSpace);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(2 * kSpace);
+  row->addLayout(column, 1);
+  meshCard_ = new Card(QString(), page);
+  meshCard_->setMaximumWidth(kCardWidth);
+  meshText_ = sentence(meshCard_);
+  meshCard_->content()->addWidget(meshText_);
+  mesh_ = primaryButton(meshCard_);
+  meshCard_->content()->addWidget(mesh_, 0, Qt::AlignLeft);
+  column->addWidget(meshCard_);
+  scanCard_ = new Card(QString(), page);
+  scanCard_->setMaximumWidth(kCardWidth);
+  scanText_ = sentence(scanCard_);
+  scanCard_->content()->addWidget(scanText_);
+  series_ = new QSpinBox(scanCard_);
+  series_->setRange(0, kMostSeries);
+  seriesLabel_ = addField(scanCard_->content(), series_);
+  resample_ = new QCheckBox(scanCard_);
+  scanCard_->content()->addWidget(resample_);
+  auto* scans = new QHBoxLayout;
+  scanFile_ = primaryButton(scanCard_);
+  scanFolder_ = primaryButton(scanCard_);
+  scans->addWidget(scanFile_);
+  scans->addWidget(scanFolder_);
+  scans->addStretch(1);
+  scanCard_->content()->addLayout(scans);
+  column->addWidget(scanCard_);
+  column->addStretch(1);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(2 * kSpace);
+  right->addWidget(createArmCard(page));
+  right->addWidget(createInstrumentCard(page));
+  right->addStretch(1);
+  row->addLayout(right, 1);
+  return page;
+}
+
+QWidget* OrganWizard::createInstrumentCard(QWidget* page) {
+  instrumentCard_ = new Card(QString(), page);
+  instrumentCard_->setMaximumWidth(kCardWidth);
+  instrumentText_ = sentence(instrumentCard_);
+  instrumentCard_->content()->addWidget(instrumentText_);
+  auto* buttons = new QHBoxLayout;
+  instrumentFile_ = primaryButton(instrumentCard_);
+  instrumentFolder_ = primaryButton(instrumentCard_);
+  buttons->addWidget(instrumentFile_);
+  buttons->addWidget(instrumentFolder_);
+  buttons->addStretch(1);
+  instrumentCard_->content()->addLayout(buttons);
+  connect(instrumentFile_, &QPushButton::clicked, this,
+          [this] { chooseScanFile(&OrganWizard::openInstrument); });
+  connect(instrumentFolder_, &QPushButton::clicked, this,
+          [this] { chooseScanFolder(&OrganWizard::openInstrument); });
+  return instrumentCard_;
+}
+
+QWidget* OrganWizard::createArmCard(QWidget* page) {
+  armCard_ = new Card(QString(), page);
+  armCard_->setMaximumWidth(kCardWidth);
+  armText_ = sentence(armCard_);
+  armCard_->content()->addWidget(armText_);
+  arm_ = new ArmForm(armCard_);
+  armCard_->content()->addWidget(arm_);
+  makeArm_ = primaryButton(armCard_);
+  armCard_->content()->addWidget(makeArm_, 0, Qt::AlignLeft);
+  return armCard_;
+}
+
+void OrganWizard::chooseMesh() {
+  const QString file = askFileToOpen(
+      this, tr("Mesh of an organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+  if (!file.isEmpty()) {
+    judgeMesh(toPath(file));
+  }
+}
+
+void OrganWizard::chooseScanFile(Opening open) {
+  const QString file =
+      askFileToOpen(this, tr("Scan"), tr("NIfTI files (*.nii *.nii.gz *.hdr *.hdr.gz);;All files (*)"));
+  if (!file.isEmpty()) {
+    (this->*open)(toPath(file));
+  }
+}
+
+void OrganWizard::chooseScanFolder(Opening open) {
+  const QString folder = askFolder(this, tr("Folder of DICOM files"));
+  if (!folder.isEmpty()) {
+    (this->*open)(toPath(folder));
+  }
+}
+
+void OrganWizard::retranslateSources() {
+  meshCard_->setTitle(tr("Mesh"));
+  meshText_->setText(
+      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, "
+         "mended where that is safe, and twisted to see how it bears it."));
+  mesh_->setText(tr("Choose a mesh\u2026"));
+  scanCard_->setTitle(tr("Scan"));
+  scanText_->setText(
+      tr("A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and "
+         "mend what was found. Names of patients are neither shown nor kept."));
+  nameField(seriesLabel_, tr("&Series, where a folder holds several"));
+  series_->setSpecialValueText(tr("the one with the most slices"));
+  resample_->setText(tr("Take slices at uneven distances"));
+  scanFile_->setText(tr("NIfTI file\u2026"));
+  scanFolder_->setText(tr("DICOM folder\u2026"));
+  armCard_->setTitle(tr("Arm with a person's measures"));
+  armText_->setText(
+      tr("A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or "
+         "is treated. The fields begin with a man's; the girths of the forearm follow those of the wrist."));
+  arm_->retranslate();
+  makeArm_->setText(tr("Draw the arm"));
+  instrumentCard_->setTitle(tr("Instrument"));
+  instrumentText_->setText(tr(
+      "A CT of a tool, with its jaws closed, becomes an instrument: you place its tip, hinge and jaws on a "
+      "picture. What is chosen for scans holds for it, too."));
+  instrumentFile_->setText(tr("NIfTI file of a tool\u2026"));
+  instrumentFolder_->setText(tr("DICOM folder of a tool\u2026"));
+}
+
+}  // namespace torsio::gui

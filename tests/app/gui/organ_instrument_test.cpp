@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An instrument out of its scan in the window: found, its tip and hinge placed on the picture, saved.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <QDoubleSpinBox>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/organ/instrument_panel.h"
+#include "app/gui/organ/instrument_view.h"
+#include "app/gui/organ/organ_wizard.h"
+#include "app/gui/widgets/child.h"
+#include "sim/base/file_io.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "tests/app/gui/organ_desk.h"
+#include "tests/support/scan_files.h"
+
+namespace torsio::gui {
+namespace {
+
+using testing::OrganDesk;
+using testing::wizardButton;
+using testing::wizardFile;
+
+/// The shipped grasper, its shaft cut at 90 mm, along the patient's length; denser than metal is in a CT.
+std::filesystem::path grasperScan() {
+  const std::filesystem::path folder = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
+  TriangleMesh all;
+  ScanVolume scan;
+  std::vector<TriangleMesh> parts;
+  for (const char* name : {"shaft", "jaw_upper", "jaw_lower"}) {
+    parts.push_back(importMesh(folder / (std::string("grasper_") + name + ".ply"), {.organ = false}));
+    for (Vec3& v : parts.back().vertices_m) {
+      v.z = std::min(v.z, 0.09);
+      all.vertices_m.push_back(v);
+    }
+  }
+  scan = torsio::testing::blankScanAround(all, {0.7, 0.7, 0.7}, 6.0);
+  for (const TriangleMesh& part : parts) {
+    torsio::testing::fillWith(scan, part, 3000);
+  }
+  const std::filesystem::path file = wizardFile("tool.nii");
+  writeFileAtomically(file, torsio::testing::niftiBytes(scan));
+  return file;
+}
+
+TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
+  OrganDesk desk;
+  desk.openInstrument(grasperScan());
+  ASSERT_TRUE(desk.failures.isEmpty()) << desk.failures.join(' ').toStdString();
+  InstrumentPanel& panel = desk.wizard.instrument();
+  ASSERT_NEAR(panel.tool().length_mm, 90.0, 1.5);
+  EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
+
+  // The hinge is 20 mm behind the tip until it is clicked elsewhere.
+  EXPECT_NEAR(panel.tool().pivot_mm, 20.0, 1e-6);
+  panel.view().resize(600, 480);
+  panel.view().pickAt(panel.view().placeOfHinge(25.0));
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+  desk.findInstrument();
+  EXPECT_NEAR(panel.tool().pivot_mm, 25.0, 0.1);
+
+  // A click on the other half makes its end the tip, another one brings it back.
+  panel.view().pickAt(panel.view().placeInWhole(80.0));
+  desk.settle();
+  EXPECT_NEAR(panel.tool().tip_mm.z, 90.0, 1.5);
+  panel.view().pickAt(panel.view().placeInWhole(80.0));
+  desk.settle();
+  EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
+
+  child<QDoubleSpinBox>(desk.wizard, "toolOpening").setValue(30.0);
+  const std::filesystem::path file = wizardFile("tool.json");
+  desk.wizard.saveInstrument(file);
+  const auto saved = nlohmann::json::parse(readFile(file));
+  EXPECT_NEAR(saved.at("jaws").at("pivot_mm").at(2).get<double>(), 25.0, 0.1);
+  EXPECT_NEAR(saved.at("jaws").at("opening_deg").get<double>(), 30.0, 1e-6);
+  for (const auto& mesh : saved.at("meshes")) {
+    EXPECT_TRUE(std::filesystem::exists(file.parent_path() / mesh.get<std::string>())) << mesh;
+  }
+}
+
+}  // namespace
+}  // namespace torsio::gui
