@@ -178,8 +178,6 @@ QTableView, QTreeView, QListView { background: %surface; alternate-background-co
   border: 1px solid %line; border-radius: 6px; gridline-color: %line; selection-background-color: %accent;
   selection-color: %onAccent; }
 QTableView::item, QListView::item, QTreeView::item { padding: 4px 8px; }
-QListWidget::item { border: none; }  /* only what is drawn here keeps its padding */
-QListWidget::item:selected { background: %accent; color: %onAccent; }
 QListView[checkable="true"]::item { padding: 4px 0; }
 QFileDialog QTreeView::item, QFileDialog QListView::item { padding: 4px 0; }
 QHeaderView { background: %window; border: none; }
