@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "app/access/session_context.h"
-#include "db/connection/connection.h"
 
 namespace torsio {
 
-/// Does something to each of several, in their order: all or none. `act` takes one of `several` and calls a
-/// service, which asks for its own right. Throws what `act` throws, DbError; then nothing was done.
+/// Does `acts` as one step: all that services change in it, or nothing. They ask for their own rights. Throws
+/// what `acts` throws, DbError; then nothing was changed.
+void asOneStep(SessionContext& session, const std::function<void()>& acts);
+
+/// Does `act`, which calls a service, to each of several in their order: all or none. Throws as asOneStep().
 template <typename Several, typename Act>
 void allOrNone(SessionContext& session, const Several& several, Act act) {
-  Transaction transaction(session.connectionWithoutRight());
-  for (const auto& one : several) {
-    act(one);
-  }
-  transaction.commit();
+  asOneStep(session, [&] {
+    for (const auto& one : several) {
+      act(one);
+    }
+  });
 }
 
 }  // namespace torsio
