@@ -63,14 +63,9 @@ InstrumentView::Pane InstrumentView::pane(int row) const {
   return pane;
 }
 
-QPointF InstrumentView::placeInWhole(double fromTip_mm) const {
-  const Pane whole = pane(0);
-  return {(fromTip_mm - whole.from_mm) * whole.perMm, whole.area.center().y()};
-}
-
-QPointF InstrumentView::placeOfHinge(double fromTip_mm) const {
-  const Pane front = pane(1);
-  return {(fromTip_mm - front.from_mm) * front.perMm, front.area.center().y()};
+QPointF InstrumentView::placeOf(int row, double fromTip_mm) const {
+  const Pane at = pane(row);
+  return {(fromTip_mm - at.from_mm) * at.perMm, at.area.center().y()};
 }
 
 void InstrumentView::pickAt(const QPointF& place) {
@@ -107,11 +102,12 @@ void InstrumentView::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(theme_.text);
     painter.drawText(QRectF(8.0, one.area.top() - kCaption, width() - 16.0, kCaption),
                      Qt::AlignLeft | Qt::AlignVCenter, captions[static_cast<std::size_t>(row)]);
-    paintPane(painter, one);
+    paintPane(painter, row);
   }
 }
 
-void InstrumentView::paintPane(QPainter& painter, const Pane& pane) const {
+void InstrumentView::paintPane(QPainter& painter, int row) const {
+  const Pane pane = this->pane(row);
   painter.save();
   painter.setClipRect(pane.area);
   const double opening_rad = radians(opening_deg_);
@@ -125,9 +121,7 @@ void InstrumentView::paintPane(QPainter& painter, const Pane& pane) const {
   paintMesh(painter, pane, tool_.lowerJaw, theme_.shaft.darker(120), 0.0);
   paintMesh(painter, pane, tool_.upperJaw, theme_.shaft.lighter(115), 0.0);
 
-  const auto at = [&](double fromTip_mm) {
-    return QPointF((fromTip_mm - pane.from_mm) * pane.perMm, pane.area.center().y());
-  };
+  const auto at = [&](double fromTip_mm) { return placeOf(row, fromTip_mm); };
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(theme_.accent, 1.5, Qt::DashLine));
   painter.drawLine(at(0.0), at(tool_.length_mm));

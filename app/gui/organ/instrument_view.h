@@ -23,11 +23,9 @@ class InstrumentView : public QWidget {
 
   /// What a click at a place of the widget says; as a mouse button does.
   void pickAt(const QPointF& place);
-  /// Middle of the picture of a point of the instrument's frame (millimetres) in the pane that shows the
-  /// hinge.
-  [[nodiscard]] QPointF placeOfHinge(double fromTip_mm) const;
-  /// The same in the pane of the whole instrument.
-  [[nodiscard]] QPointF placeInWhole(double fromTip_mm) const;
+  /// Where a point of the shaft's axis is drawn, in the row of the whole instrument (0), of its front along
+  /// the hinge (1) or from above (2).
+  [[nodiscard]] QPointF placeOf(int row, double fromTip_mm) const;
 
  Q_SIGNALS:
   /// The tip is at the other end.
@@ -48,7 +46,7 @@ class InstrumentView : public QWidget {
     bool alongHinge;  // else from above
   };
   [[nodiscard]] Pane pane(int row) const;
-  void paintPane(QPainter& painter, const Pane& pane) const;
+  void paintPane(QPainter& painter, int row) const;
   void paintMesh(QPainter& painter, const Pane& pane, const TriangleMesh& mesh, const QColor& colour,
                  double turn_rad) const;
 

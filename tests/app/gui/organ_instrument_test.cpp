@@ -57,16 +57,16 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   // The hinge is 20 mm behind the tip until it is clicked elsewhere.
   EXPECT_NEAR(panel.tool().pivot_mm, 20.0, 1e-6);
   panel.view().resize(600, 480);
-  panel.view().pickAt(panel.view().placeOfHinge(25.0));
+  panel.view().pickAt(panel.view().placeOf(1, 25.0));
   EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
   desk.findInstrument();
   EXPECT_NEAR(panel.tool().pivot_mm, 25.0, 0.1);
 
   // A click on the other half makes its end the tip, another one brings it back.
-  panel.view().pickAt(panel.view().placeInWhole(80.0));
+  panel.view().pickAt(panel.view().placeOf(0, 80.0));
   desk.settle();
   EXPECT_NEAR(panel.tool().tip_mm.z, 90.0, 1.5);
-  panel.view().pickAt(panel.view().placeInWhole(80.0));
+  panel.view().pickAt(panel.view().placeOf(0, 80.0));
   desk.settle();
   EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
 
