@@ -44,10 +44,36 @@ class Twin {
       default:
         byCategory();
     }
+    if (decimals_ != kExactDecimals) {
+      for (std::size_t column = 1; column < table_.columns.size(); ++column) {
+        dropIdleZeros(column);
+      }
+    }
     return std::move(table_);
   }
 
  private:
+  /// Takes the zeros from the ends of a column's numbers that all of them have: marks stay "8.5", means
+  /// "8.73".
+  void dropIdleZeros(std::size_t column) {
+    std::size_t idle = static_cast<std::size_t>(decimals_) + 1;  // with the point
+    for (const std::vector<Text>& row : table_.rows) {
+      const std::string cell = row[column].str();
+      if (cell.empty()) {
+        continue;
+      }
+      const std::size_t last = cell.find_last_not_of('0');
+      const auto point = cell.size() - std::min(cell.size(), static_cast<std::size_t>(decimals_) + 1);
+      const bool number = cell.find_first_not_of("-0123456789.") == std::string::npos && cell[point] == '.';
+      idle = !number ? 0 : std::min(idle, cell[last] == '.' ? cell.size() - last : cell.size() - 1 - last);
+    }
+    for (std::vector<Text>& row : table_.rows) {
+      if (std::string cell = row[column].str(); idle > 0 && !cell.empty()) {
+        row[column] = cell.substr(0, cell.size() - idle);
+      }
+    }
+  }
+
   [[nodiscard]] std::string number(double value) const {
     return decimals_ == kExactDecimals ? formatExact(value) : formatFixed(value, decimals_);
   }

@@ -9,7 +9,8 @@ namespace torsio {
 inline constexpr int kExactDecimals = -1;
 
 /// Returns the numbers behind a figure as a table: every value that is drawn, and nothing else. A value
-/// that does not exist is an empty cell. `decimals`: of every number, or kExactDecimals.
+/// that does not exist is an empty cell. `decimals`: at most so many, as few as all numbers of a column do
+/// with; or kExactDecimals.
 [[nodiscard]] ReportTable figureTable(const ReportFigure& figure, int decimals = kExactDecimals);
 
 }  // namespace torsio

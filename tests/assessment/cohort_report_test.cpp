@@ -216,6 +216,27 @@ TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
   EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1).str()), *means->series.at(0).y.at(0));
 }
 
+TEST(CohortReport, AColumnOfAFigureHasTheDecimalsThatItsNumbersNeed) {
+  ReportFigure figure;
+  figure.kind = FigureKind::kGroupedBars;
+  figure.categories = {Text::verbatim("a"), Text::verbatim("b"), Text::verbatim("c")};
+  using Values = std::vector<std::optional<double>>;
+  for (const Values& values :
+       {Values{6.0, 10.0, 0.0}, Values{8.73, -8.5, std::nullopt}, Values{1.0 / 3.0, 100.0, 1e-9}}) {
+    figure.series.emplace_back();
+    figure.series.back().y = values;
+  }
+
+  const ReportTable table = figureTable(figure, 4);
+
+  const auto column = [&](std::size_t c) {
+    return table.rows[0][c].str() + " " + table.rows[1][c].str() + " " + table.rows[2][c].str();
+  };
+  EXPECT_EQ(column(1), "6 10 0");
+  EXPECT_EQ(column(2), "8.73 -8.50 ");
+  EXPECT_EQ(column(3), "0.3333 100.0000 0.0000");
+}
+
 TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
   CohortInputs in = demonstrationCohort();
   in.identity = ReportIdentity::kAggregated;
