@@ -91,7 +91,7 @@ TEST_F(CurriculumRepositoryTest, RefusesPrerequisitesInACircle) {
   EXPECT_TRUE(CurriculumRepository(connection).versionIds(version.curriculumId).empty());
 }
 
-TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedOnly) {
+TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedAndMayRunAgain) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);
@@ -105,7 +105,11 @@ TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedOnly) {
   move(CurriculumState::kRunning);
   EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
   move(CurriculumState::kClosed);
-  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kRunning); }).code, ErrorCode::kBadData);
+  EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
+  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
+  move(CurriculumState::kRunning);
+  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kRunning);
+  move(CurriculumState::kClosed);
   EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
 }
 

@@ -98,7 +98,7 @@ TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
   EXPECT_EQ(codeOf("--calibration none"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--measured /nowhere.csv"), static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_EQ(codeOf("--markers /nowhere.json"), static_cast<int>(ErrorCode::kFileMissing));
-  EXPECT_EQ(codeOf("--organ intestine --measured /nowhere.csv"), static_cast<int>(ErrorCode::kBadData));
+  EXPECT_EQ(codeOf("--organ intestine --measured /nowhere.csv"), static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
