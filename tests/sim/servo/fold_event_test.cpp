@@ -195,7 +195,7 @@ TEST(FoldEvent, EndsTheGripOfAnOrganThatSlipsBackByAWholeTurn) {
   EXPECT_EQ(run.before.phase, ExercisePhase::kTwisting);
   EXPECT_GT(run.before.response.torque_Nm, 0.0);  // it still holds the turn that is counted
   EXPECT_EQ(run.at.phase, ExercisePhase::kReleased);
-  EXPECT_EQ(run.last.phase, ExercisePhase::kTracking);
+  EXPECT_LT(run.last.phase, ExercisePhase::kTwisting);  // the jaw may lie on what has turned back under it
   EXPECT_NEAR(run.last.response.angle_rad, 0.0, 0.02);
 }
 
