@@ -25,6 +25,7 @@
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
 #include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -125,11 +126,7 @@ std::vector<ScreenEntry> administratorDialogs() {
   };
   const auto otherPrograms = [](Page& page) {
     child<QPushButton>(page, "otherPrograms").click();
-    auto& dialog = child<QDialog>(page, "instrumentOutlet");
-    dialog.setWindowFlags(Qt::Widget);
-    dialog.setAutoFillBackground(true);
-    dialog.resize(dialog.sizeHint());
-    dialog.show();
+    placeDialog(child<QDialog>(page, "instrumentOutlet"));
   };
   const auto browsers = [](Page& page) {
     dynamic_cast<UsersPage&>(page).placeReviewDesk(ReviewDeskDialog::ownPlace());

@@ -15,6 +15,7 @@
 #include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/review_desk_dialog.h"
 #include "app/gui/administrator/people/users_page.h"
+#include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
 
 namespace torsio::gui {
@@ -122,10 +123,7 @@ void UsersPage::showReviewDesk() {
 
 ReviewDeskDialog& UsersPage::placeReviewDesk(const DeskPlace& place) {
   auto* dialog = new ReviewDeskDialog(shell(), place, window());
-  dialog->setWindowFlags(Qt::Widget);
-  dialog->setAutoFillBackground(true);
-  dialog->resize(dialog->sizeHint());
-  dialog->show();
+  placeDialog(*dialog);
   return *dialog;
 }
 

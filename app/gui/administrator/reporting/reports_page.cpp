@@ -16,6 +16,7 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/reporting/trace_dialog.h"
 #include "app/gui/base/language.h"
+#include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/base/table_choice.h"
@@ -278,11 +279,8 @@ void ReportsPage::askOther() {
 
 ExportDialog& ReportsPage::placeExport() {
   auto* dialog = new ExportDialog(shell(), request(), digests_, reportLanguage(), window());
-  dialog->setWindowFlags(Qt::Widget);
-  dialog->setAutoFillBackground(true);
   shell().waitForJobs();
-  dialog->resize(dialog->sizeHint());
-  dialog->show();
+  placeDialog(*dialog);
   return *dialog;
 }
 
