@@ -3,7 +3,12 @@
 
 #include <system_error>
 
+#ifdef _WIN32
 #include <QStorageInfo>
+#else
+#include <sys/stat.h>
+#endif
+
 #include <nlohmann/json.hpp>
 
 #include "app/access/session_context.h"
@@ -26,10 +31,18 @@ fs::path folderOf(const fs::path& file) {
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
+/// Asks the files themselves where it can: a list of mounts does not know the disk of a changed root.
 bool onOneDisk(const fs::path& one, const fs::path& other) {
+#ifdef _WIN32
   const QStorageInfo first(QString::fromStdString(folderOf(one).string()));
   const QStorageInfo second(QString::fromStdString(folderOf(other).string()));
   return first.isValid() && first == second;
+#else
+  struct stat first {};
+  struct stat second {};
+  return ::stat(folderOf(one).c_str(), &first) == 0 && ::stat(folderOf(other).c_str(), &second) == 0 &&
+         first.st_dev == second.st_dev;
+#endif
 }
 
 /// The file of the record; empty: it lies on a server.
