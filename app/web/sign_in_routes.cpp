@@ -77,8 +77,10 @@ HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
   }
   switch (answer->outcome) {
     case SignIn::kOk:
+      call.desk.signInTries().wasRight(call.desk.clientOf(call.request));
       break;
     case SignIn::kMustChange:
+      call.desk.signInTries().wasRight(call.desk.clientOf(call.request));
       return jsonAnswer({{"outcome", "must_change"}});
     case SignIn::kWait: {
       const std::int64_t left_us = answer->waitUntilUtc_us - call.context.now_us();

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kSecretBytes = 32;
 constexpr std::string_view kCaseThing = "case ";
+constexpr std::size_t kRightToWrong = 6;
 constexpr std::size_t kMostWindows = 10'000;  // addresses; beyond it the old ones are forgotten
 
 std::string hashOf(const std::string& cookie) {
@@ -191,13 +192,22 @@ std::chrono::seconds TryLimit::tried(const std::string& address, SteadyTime now)
   }
   Window& window = windows_[address];
   if (now - window.begun > within_) {
-    window = {now, 0};
+    window = {now, 0, 0};
   }
-  if (++window.tries <= most_) {
+  ++window.tries;
+  if (window.tries - window.right <= most_ && window.tries <= kRightToWrong * most_) {
     return std::chrono::seconds(0);
   }
   return std::chrono::duration_cast<std::chrono::seconds>(within_ - (now - window.begun)) +
          std::chrono::seconds(1);
+}
+
+void TryLimit::wasRight(const std::string& address) {
+  const std::lock_guard lock(mutex_);
+  const auto found = windows_.find(address);
+  if (found != windows_.end() && found->second.right < found->second.tries) {
+    ++found->second.right;
+  }
 }
 
 }  // namespace torsio::web

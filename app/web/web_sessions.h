@@ -109,17 +109,20 @@ class WebSessions {
 /// is known. Nothing else of it is kept.
 [[nodiscard]] std::string browserName(const std::string& userAgent);
 
-/// How often something may be tried from one address. Any thread.
+/// How often something may be tried from one address. A try that was right does not count, up to six times as many:
+/// behind a centre's proxy ten physicians who sign in at once have one address. Any thread.
 class TryLimit {
  public:
   TryLimit(std::size_t most, std::chrono::seconds within) : most_(most), within_(within) {}
   /// Counts a try; how long to wait before the next one is allowed, 0 for this one may go on.
   [[nodiscard]] std::chrono::seconds tried(const std::string& address, SteadyTime now);
+  void wasRight(const std::string& address);
 
  private:
   struct Window {
     SteadyTime begun{};
     std::size_t tries = 0;
+    std::size_t right = 0;
   };
   std::size_t most_;
   std::chrono::seconds within_;

@@ -92,6 +92,36 @@ TEST(WebDesk, SlowsDownWhoeverGuesses) {
   EXPECT_GE(waited, 4);
 }
 
+TEST(WebDesk, TwelveWhoComeInAtOnceFromOneAddressAreNoGuesses) {
+  const Served served;
+  WebClient client = served.client();
+  const auto tried = [&](const std::string& password) {
+    return client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", password}}).status;
+  };
+
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_EQ(tried(kPassword), 200) << i;
+  }
+  int waited = 0;
+  for (int i = 0; i < 14; ++i) {
+    waited += client.send("POST", "/api/sign-in", {{"login", "nobody"}, {"password", "x"}}).status == 429;
+  }
+  EXPECT_GE(waited, 4) << "what was right lets nobody guess more";
+}
+
+TEST(TryLimit, WhatWasRightDoesNotCountUpToSixTimesAsMany) {
+  TryLimit limit(2, std::chrono::minutes(1));
+  const SteadyTime now{std::chrono::hours(1)};
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_EQ(limit.tried("a", now).count(), 0) << i;
+    limit.wasRight("a");
+  }
+
+  EXPECT_GT(limit.tried("a", now).count(), 0) << "a thirteenth costs time as well";
+  EXPECT_EQ(limit.tried("b", now).count(), 0) << "another address";
+  EXPECT_EQ(limit.tried("a", now + std::chrono::minutes(2)).count(), 0);
+}
+
 TEST(WebDesk, ObeysItsOwnPageAlone) {
   const Served served;
   WebClient client = served.physician(0);
