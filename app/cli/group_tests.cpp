@@ -12,6 +12,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/multiplicity.h"
 #include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/shapiro_wilk.h"
 
 namespace torsio::cli {
 

@@ -109,8 +109,8 @@ class WebSessions {
 /// is known. Nothing else of it is kept.
 [[nodiscard]] std::string browserName(const std::string& userAgent);
 
-/// How often something may be tried from one address. A try that was right does not count, up to six times as many:
-/// behind a centre's proxy ten physicians who sign in at once have one address. Any thread.
+/// How often something may be tried from one address. A try that was right does not count, up to six times as
+/// many: behind a centre's proxy ten physicians who sign in at once have one address. Any thread.
 class TryLimit {
  public:
   TryLimit(std::size_t most, std::chrono::seconds within) : most_(most), within_(within) {}

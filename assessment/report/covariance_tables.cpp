@@ -11,6 +11,7 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
+#include "assessment/statistics/shapiro_wilk.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {

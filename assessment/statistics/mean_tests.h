@@ -113,12 +113,4 @@ struct PairComparison {
 [[nodiscard]] Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups,
                                                                     double confidence = kUsualConfidence);
 
-struct NormalityTest {
-  double w = 0.0;
-  double p = 0.0;
-};
-/// Tests 4 to 5000 values for normality by Shapiro and Wilk (Royston 1995); for examining residuals, not
-/// for choosing tests.
-[[nodiscard]] Outcome<NormalityTest> shapiroWilk(std::span<const double> values);
-
 }  // namespace torsio

@@ -12,6 +12,7 @@
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/multiplicity.h"
 #include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/shapiro_wilk.h"
 #include "tests/assessment/group_cases.h"
 #include "tests/assessment/reference_case.h"
 

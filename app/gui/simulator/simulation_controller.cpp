@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/simulator/simulation_controller.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <QUuid>
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/parking_place.h"
 #include "app/recording/recording_host.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -18,48 +17,6 @@
 #include "sim/servo/tool_touch.h"
 
 namespace torsio::gui {
-
-namespace {
-
-constexpr double kParkingWay_m = 0.020;
-constexpr double kParkingStep_m = 0.002;
-constexpr double kFarthestParking_m = 0.300;
-constexpr int kParkingTurns = 12;
-constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to be pointed at
-const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
-
-/// The model is the recorded one, and the scene is found among the two formulations; its parameters tell
-/// which.
-LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const TrialHeader& header) {
-  request.tissue = header.model;
-  for (const Formulation formulation : {Formulation::kSaintVenant, Formulation::kPaper}) {
-    request.formulation = formulation;
-    LoadedScene loaded = loader(request);
-    if (loaded.scene->organHash == header.organHash && loaded.scene->parameterHash == header.parameterHash) {
-      return loaded;
-    }
-  }
-  throw Error(ErrorCode::kVerifyFailed,
-              Text::tr("the organ or its parameters are not those of the recording"),
-              Text::tr("run %1", header.trialId),
-              Text::tr("Open the organ file of the recording first, or use the version that recorded it: %1",
-                       header.softwareVersion));
-}
-
-}  // namespace
-
-LoadedScene loadSceneForView(const SceneRequest& request) {
-  LoadedScene loaded;
-  loaded.scene = std::make_shared<const Scene>(loadScene(request));
-  // A user's organ is not what the scene it borrows was drawn for.
-  const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
-  loaded.view = makeViewScene(loaded.scene, tissue);
-  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
-  if (!request.organFile) {
-    loaded.view.markers = organMarkers(*loaded.scene, request.assets);
-  }
-  return loaded;
-}
 
 SimulationController::SimulationController(SceneLoader loader, TrialRecording recording, QObject* parent)
     : QObject(parent), loader_(std::move(loader)), recording_(std::move(recording)) {
@@ -120,7 +77,7 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
     auto poses = std::make_shared<PoseTrack>();
     std::exception_ptr problem;
     try {
-      *loaded = trial ? loadRecorded(loader, request, trial->header) : loader(request);
+      *loaded = trial ? loadRecordedScene(loader, request, trial->header) : loader(request);
       if (trial) {
         *poses = PoseTrack(*loaded->scene, trial->header, trial->chunks);
       }
@@ -275,37 +232,9 @@ std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outc
   return result;
 }
 
-namespace {
-
-/// How an organ may lie before anybody has touched it: an organ that came twisted by any angle.
-std::vector<OrganState> waysItMayLie(const Scene& scene) {
-  std::vector<OrganState> ways{OrganState{}};
-  if (scene.hollow) {
-    for (int i = 1; i < kParkingTurns; ++i) {
-      ways.push_back(scene.stateAt(2.0 * std::numbers::pi * i / kParkingTurns));
-    }
-  }
-  return ways;
-}
-
-}  // namespace
-
 Vec3 SimulationController::parkingPoint_m() const {
   TORSIO_EXPECTS(scene() != nullptr);
-  const Scene& shown = *scene();
-  const double share = std::clamp(shown.pattern.graspArc, kInsideEnd, 1.0 - kInsideEnd);
-  const Vec3 centre_m = shown.lattice().frameAt(share * shown.lattice().length_m()).centre_m;
-  const std::vector<OrganState> lies = waysItMayLie(shown);
-  for (double way_m = 0.0; way_m < kFarthestParking_m; way_m += kParkingStep_m) {
-    const Vec3 point_m = centre_m + kTowardsViewer * way_m;
-    const bool clear = std::ranges::all_of(lies, [&](const OrganState& organ) {
-      return nearestSurface(point_m, shown, organ).distance_m >= kParkingWay_m;
-    });
-    if (clear) {
-      return point_m;
-    }
-  }
-  return centre_m + kTowardsViewer * kFarthestParking_m;
+  return torsio::gui::parkingPoint_m(*scene());
 }
 
 void SimulationController::advance(double elapsed_s) {

@@ -16,22 +16,12 @@
 #include "app/gui/base/problem.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/loaded_scene.h"
 #include "app/gui/simulator/simulation_stage.h"
 #include "app/gui/simulator/trial_recording.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {
-
-/// A scene together with what the view draws of it.
-struct LoadedScene {
-  std::shared_ptr<const Scene> scene;
-  ViewScene view;
-  std::shared_ptr<NewestShape> shape{};  ///< where a model beside the servo answers; else null
-};
-
-/// Reads a scene. Called in a worker thread; throws Error.
-using SceneLoader = std::function<LoadedScene(const SceneRequest&)>;
-[[nodiscard]] LoadedScene loadSceneForView(const SceneRequest& request);
 
 /// Opens the haptic device for a scene. Called in a worker thread; throws Error{kDevice}.
 using HapticOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&)>;

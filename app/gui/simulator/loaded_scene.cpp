@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/simulator/loaded_scene.h"
+
+#include <string>
+
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+LoadedScene loadSceneForView(const SceneRequest& request) {
+  LoadedScene loaded;
+  loaded.scene = std::make_shared<const Scene>(loadScene(request));
+  // A user's organ is not what the scene it borrows was drawn for.
+  const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
+  loaded.view = makeViewScene(loaded.scene, tissue);
+  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
+  if (!request.organFile) {
+    loaded.view.markers = organMarkers(*loaded.scene, request.assets);
+  }
+  return loaded;
+}
+
+LoadedScene loadRecordedScene(const SceneLoader& loader, SceneRequest request, const TrialHeader& header) {
+  request.tissue = header.model;
+  for (const Formulation formulation : {Formulation::kSaintVenant, Formulation::kPaper}) {
+    request.formulation = formulation;
+    LoadedScene loaded = loader(request);
+    if (loaded.scene->organHash == header.organHash && loaded.scene->parameterHash == header.parameterHash) {
+      return loaded;
+    }
+  }
+  throw Error(ErrorCode::kVerifyFailed,
+              Text::tr("the organ or its parameters are not those of the recording"),
+              Text::tr("run %1", header.trialId),
+              Text::tr("Open the organ file of the recording first, or use the version that recorded it: %1",
+                       header.softwareVersion));
+}
+
+}  // namespace torsio::gui
