@@ -62,6 +62,19 @@ float patchNoise(const Vec3& p) {
   return sum;
 }
 
+/// The moist coat of the organs of the abdomen.
+TissueLook serosa() {
+  return {.colour = {203, 130, 120},
+          .roughness = 0.46F,
+          .clearcoat = 0.38F,
+          .filmRoughness = 0.24F,
+          .mottling = 0.48F,
+          .patch_m = 0.030,
+          .scatter = 1.0F,
+          .relief_mm = {0.22F, 0.08F, 0.012F},
+          .borderFat = 0.85F};
+}
+
 }  // namespace
 
 TissueLook tissueLook(std::string_view sceneId) {
@@ -77,60 +90,35 @@ TissueLook tissueLook(std::string_view sceneId) {
             .poreDepth = 0.05F,
             .relief_mm = {0.10F, 0.04F, 0.03F}};
   }
+  TissueLook look = serosa();
   if (sceneId.find("intestine") != std::string_view::npos ||
       sceneId.find("bowel") != std::string_view::npos) {
-    return {.kind = TissueKind::kIntestine,
-            .colour = {208, 136, 124},
-            .roughness = 0.44F,
-            .clearcoat = 0.42F,
-            .filmRoughness = 0.22F,
-            .mottling = 0.45F,
-            .patch_m = 0.014,
-            .scatter = 1.0F,
-            .foldDepth = 0.08F,
-            .relief_mm = {0.14F, 0.07F, 0.012F},
-            .bands = 1,
-            .bandShare = 0.42F,
-            .bandHalf_rad = 0.20,
-            .borderFat = 0.90F};
+    look.kind = TissueKind::kIntestine;
+    look.colour = {208, 136, 124};
+    look.roughness = 0.44F;
+    look.clearcoat = 0.42F;
+    look.filmRoughness = 0.22F;
+    look.mottling = 0.45F;
+    look.patch_m = 0.014;
+    look.foldDepth = 0.08F;
+    look.relief_mm = {0.14F, 0.07F, 0.012F};
+    look.bands = 1;
+    look.bandShare = 0.42F;
+    look.bandHalf_rad = 0.20;
+    look.borderFat = 0.90F;
+  } else if (sceneId.find("sigmoid") != std::string_view::npos) {
+    look.colour = {203, 142, 130};
+    look.mottling = 0.40F;
+    look.bands = 3;
+    look.bandShare = 0.75F;
+    look.borderFat = 0.75F;
+  } else if (sceneId.find("midgut") != std::string_view::npos) {
+    look.bands = 3;  // strands of the mesentery in its stalk
+    look.bandShare = 0.55F;
+    look.bandHalf_rad = 0.22;
+    look.borderFat = 0.6F;
   }
-  if (sceneId.find("sigmoid") != std::string_view::npos) {
-    return {.colour = {203, 142, 130},
-            .roughness = 0.46F,
-            .clearcoat = 0.38F,
-            .filmRoughness = 0.24F,
-            .mottling = 0.40F,
-            .patch_m = 0.030,
-            .scatter = 1.0F,
-            .relief_mm = {0.22F, 0.08F, 0.012F},
-            .bands = 3,
-            .bandShare = 0.75F,
-            .bandHalf_rad = 0.13,
-            .borderFat = 0.75F};
-  }
-  if (sceneId.find("midgut") != std::string_view::npos) {
-    return {.colour = {203, 130, 120},
-            .roughness = 0.46F,
-            .clearcoat = 0.38F,
-            .filmRoughness = 0.24F,
-            .mottling = 0.48F,
-            .patch_m = 0.030,
-            .scatter = 1.0F,
-            .relief_mm = {0.22F, 0.08F, 0.012F},
-            .bands = 3,  // strands of the mesentery in its stalk
-            .bandShare = 0.55F,
-            .bandHalf_rad = 0.22,
-            .borderFat = 0.6F};
-  }
-  return {.colour = {203, 130, 120},
-          .roughness = 0.46F,
-          .clearcoat = 0.38F,
-          .filmRoughness = 0.24F,
-          .mottling = 0.48F,
-          .patch_m = 0.030,
-          .scatter = 1.0F,
-          .relief_mm = {0.22F, 0.08F, 0.012F},
-          .borderFat = 0.85F};
+  return look;
 }
 
 std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m) {

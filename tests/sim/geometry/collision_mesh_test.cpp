@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
@@ -18,6 +17,7 @@
 #include "sim/base/random.h"
 #include "tests/sim/geometry/shapes.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/fcl_model.h"
 
 namespace torsio {
 namespace {
@@ -114,18 +114,7 @@ TEST(CollisionMesh, AgreesWithBruteForceInsideAndOutside) {
 TEST(CollisionMesh, AgreesWithTheDistanceQueryOfFcl) {
   const TriangleMesh mesh = wavyBody();
   const CollisionMesh collision(mesh);
-  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) {
-    points.emplace_back(v.x, v.y, v.z);
-  }
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  model->beginModel();
-  model->addSubModel(points, triangles);
-  model->endModel();
+  const auto model = testing::fclModel(mesh);
   constexpr double kProbeRadius_m = 1e-7;
   const auto probe = std::make_shared<fcl::Sphered>(kProbeRadius_m);
 
@@ -188,18 +177,7 @@ TEST(CollisionMesh, FindsTheNearestPairOfASegmentAsManyPointsOnItDo) {
 TEST(CollisionMesh, AgreesWithTheCapsulesOfFcl) {
   const TriangleMesh mesh = wavyBody();
   const CollisionMesh collision(mesh);
-  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) {
-    points.emplace_back(v.x, v.y, v.z);
-  }
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  model->beginModel();
-  model->addSubModel(points, triangles);
-  model->endModel();
+  const auto model = testing::fclModel(mesh);
   constexpr double kRadius_m = 0.0025;
   constexpr double kFclCapsule_m = 1e-4;  // its convex solver stops early far from the surface
 

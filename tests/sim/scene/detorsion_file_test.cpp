@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patterns that are undone, as scene files state them: what is read, and what each refusal names.
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -14,33 +13,22 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
+#include "tests/support/copied_scene_files.h"
 
 namespace torsio {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kShipped = fs::path(TORSIO_SOURCE_DIR) / "assets";
-
 /// A copy of the sigmoid's scene file in which one thing can be changed.
-class DetorsionFile : public ::testing::Test {
+class DetorsionFile : public testing::CopiedSceneFiles {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    assets_ = fs::path(::testing::TempDir()) / (std::string("detorsion_file_") + test->name());
-    fs::remove_all(assets_);
-    fs::create_directories(assets_ / "scenes");
-    fs::create_directories(assets_ / "instruments");
-    for (const char* name : {"scenes/sigmoid.json", "scenes/testis.json", "scenes/forearm.json",
-                             "scenes/materials.json", "instruments/grasper.json"}) {
-      fs::copy_file(kShipped / name, assets_ / name);
-    }
-    whole_ = Json::parse(readFile(assets_ / "scenes/sigmoid.json"));
-  }
-  void TearDown() override { fs::remove_all(assets_); }
+  DetorsionFile()
+      : CopiedSceneFiles({"scenes/sigmoid.json", "scenes/testis.json", "scenes/forearm.json",
+                          "scenes/materials.json", "instruments/grasper.json"}),
+        whole_(Json::parse(readFile(assets_ / "scenes/sigmoid.json"))) {}
 
   SceneDescription changed(const std::function<void(Json& pattern)>& edit) {
     Json json = whole_;
@@ -65,7 +53,6 @@ class DetorsionFile : public ::testing::Test {
     return parametersText(scene, scene.patterns[0].pattern, false, TissueModel::kTwist);
   }
 
-  fs::path assets_;
   Json whole_;
 };
 

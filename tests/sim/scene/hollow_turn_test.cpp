@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the shipped hollow organs go round: rigidly in the mobile part, nowhere through themselves.
 #include <algorithm>
-#include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,32 +11,13 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/tissue/rod/fold_check.h"
+#include "tests/support/shipped_hollow_organs.h"
 
 namespace torsio {
 namespace {
 
-/// A shipped organ, loaded once.
-const Scene& twistedOrgan(const std::string& id) {
-  static std::map<std::string, Scene> loaded;
-  const auto found = loaded.find(id);
-  if (found != loaded.end()) {
-    return found->second;
-  }
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  return loaded.emplace(id, loadScene(request)).first->second;
-}
-
-std::vector<Vec3> smoothAt(const Scene& scene, const OrganState& lies) {
-  const HollowMap map(scene.lattice(), *scene.hollow, lies);
-  std::vector<Vec3> moved_m;
-  for (const TwistVertex& vertex : scene.hollow->vertices()) {
-    moved_m.push_back(map.vertex(vertex));
-  }
-  return moved_m;
-}
+using testing::smoothAt;
+using testing::twistedOrgan;
 
 /// The angles at which the organ is looked at: from rest to its largest twist, both ways.
 std::vector<double> wayOf(const Scene& scene, double step_rad) {

@@ -2,7 +2,6 @@
 // Scene files with one thing wrong: the message names the file, the field and what to do.
 #include "sim/scene/scene_file.h"
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -12,32 +11,21 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "tests/support/copied_scene_files.h"
 
 namespace torsio {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kAssets = fs::path(TORSIO_SOURCE_DIR) / "assets";
-
 /// A copy of the shipped data files (not of the organs) in which one file can be changed.
-class SceneFile : public ::testing::Test {
+class SceneFile : public testing::CopiedSceneFiles {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    assets_ = fs::path(::testing::TempDir()) / (std::string("scene_file_") + test->name());
-    fs::remove_all(assets_);
-    fs::create_directories(assets_ / "scenes");
-    fs::create_directories(assets_ / "instruments");
-    for (const char* name : {"scenes/forearm.json", "scenes/stomach.json", "scenes/materials.json",
-                             "instruments/grasper.json"}) {
-      fs::copy_file(kAssets / name, assets_ / name);
-    }
-  }
-  void TearDown() override { fs::remove_all(assets_); }
+  SceneFile()
+      : CopiedSceneFiles({"scenes/forearm.json", "scenes/stomach.json", "scenes/materials.json",
+                          "instruments/grasper.json"}) {}
 
   void change(const std::string& file, const std::function<void(Json&)>& edit) {
     Json json = Json::parse(readFile(assets_ / file));
@@ -64,8 +52,6 @@ class SceneFile : public ::testing::Test {
     EXPECT_FALSE(error.remedy().empty()) << field;
     writeFileAtomically(assets_ / "scenes/stomach.json", before);
   }
-
-  fs::path assets_;
 };
 
 TEST_F(SceneFile, IsReadInFull) {

@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
@@ -22,6 +21,7 @@
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/hollow_map.h"
 #include "tests/sim/servo/bar_scene.h"
+#include "tests/support/fcl_model.h"
 
 namespace torsio {
 namespace {
@@ -161,18 +161,7 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   const OrganState organ{{0.2, 1.2}, {}};
   const TriangleMesh mesh = moved(scene, organ);
   const CollisionMesh surface(mesh);
-  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) {
-    points.emplace_back(v.x, v.y, v.z);
-  }
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  model->beginModel();
-  model->addSubModel(points, triangles);
-  model->endModel();
+  const auto model = testing::fclModel(mesh);
 
   int compared = 0;
   for (const ToolState& tool : toolsNear(mesh, surface, 400)) {

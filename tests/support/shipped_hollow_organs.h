@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/scene/hollow_map.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::testing {
+
+/// A shipped hollow organ with the pattern that undoes its twist, loaded once.
+inline const Scene& twistedOrgan(const std::string& id) {
+  static std::map<std::string, Scene> loaded;
+  const auto found = loaded.find(id);
+  if (found != loaded.end()) {
+    return found->second;
+  }
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = id;
+  request.pattern = "detorse";
+  return loaded.emplace(id, loadScene(request)).first->second;
+}
+
+/// Its vertices as it lies, without the folds of its wall.
+inline std::vector<Vec3> smoothAt(const Scene& scene, const OrganState& lies) {
+  const HollowMap map(scene.lattice(), *scene.hollow, lies);
+  std::vector<Vec3> moved_m;
+  for (const TwistVertex& vertex : scene.hollow->vertices()) {
+    moved_m.push_back(map.vertex(vertex));
+  }
+  return moved_m;
+}
+
+}  // namespace torsio::testing
