@@ -12,18 +12,24 @@
 #include "app/cli/progress_line.h"
 #include "sim/base/error.h"
 #include "sim/base/short_number.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_steps.h"
 #include "sim/scene/instrument_file.h"
+#include "sim/scene/instrument_import.h"
 
 namespace torsio::cli {
 
 namespace {
 
+/// What reconstruct and import have in common.
 struct InstrumentArguments {
   std::string source;
   std::string out;
-  ToolRequest tool;
+  ToolRequest tool;             // of a scan; the places of a mesh, too
+  std::optional<double> scale;  // of a mesh: millimetres in one file unit
+  std::string unit = "mm";
+  double drawnOpen_deg = 0.0;
   std::vector<double> seed;
   std::vector<double> tip;
   std::vector<double> shaft;
@@ -31,6 +37,8 @@ struct InstrumentArguments {
   InstrumentFacts facts;
   bool json = false;
 };
+
+constexpr double kToolUnit_m = 1e-3;
 
 std::optional<Vec3> placeOf(const std::vector<double>& xyz) {
   return xyz.empty() ? std::nullopt : std::optional(Vec3{xyz[0], xyz[1], xyz[2]});
@@ -40,15 +48,17 @@ nlohmann::ordered_json numbersOf(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string& out) {
+/// `origin`: "scan" or "file", whose axes the places are given in.
+nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string& origin,
+                                      const std::string& out) {
   nlohmann::ordered_json json;
   json["length_mm"] = tool.length_mm;
   json["shaft_radius_mm"] = tool.shaftRadius_mm;
   json["tip_radius_mm"] = tool.tipRadius_mm;
   json["pivot_mm"] = tool.pivot_mm;
-  json["tip_in_scan_mm"] = numbersOf(tool.tip_mm);
-  json["shaft_in_scan"] = numbersOf(tool.axes[2]);
-  json["jaw_axis_in_scan"] = numbersOf(tool.axes[0]);
+  json["tip_in_" + origin + "_mm"] = numbersOf(tool.tip_mm);
+  json["shaft_in_" + origin] = numbersOf(tool.axes[2]);
+  json["jaw_axis_in_" + origin] = numbersOf(tool.axes[0]);
   json["triangles"] = {tool.shaft.triangles.size(), tool.upperJaw.triangles.size(),
                        tool.lowerJaw.triangles.size()};
   json["findings"] = nlohmann::ordered_json::array();
@@ -62,27 +72,26 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
   return json;
 }
 
-void runInstrument(InstrumentArguments& arguments) {
+/// Checks the name of the file to write and takes the places, `unit_mm` being that of the ones given.
+void takePlaces(InstrumentArguments& arguments, double unit_mm) {
   if (!arguments.out.ends_with(".json")) {
     throw Error(ErrorCode::kUsage, Text::verbatim("an instrument's file ends with .json"),
                 "--out " + arguments.out, Text::verbatim("Name it so"));
   }
-  arguments.tool.source = arguments.source;
   arguments.tool.seed_mm = placeOf(arguments.seed);
   arguments.tool.tip_mm = placeOf(arguments.tip);
+  if (arguments.tool.tip_mm) {
+    *arguments.tool.tip_mm = unit_mm * *arguments.tool.tip_mm;
+  }
   arguments.tool.shaft = placeOf(arguments.shaft);
   arguments.tool.jawAxis = placeOf(arguments.jawAxis);
-  ToolSurface tool;
-  {
-    ProgressLine line;
-    tool = toolApart(arguments.tool, [&line](ScanStep step, double fraction) {
-      const ScanStepShare share = shareOf(step);
-      line.show({share.words, share.at(fraction), -1.0});
-    });
-  }
+}
+
+void finishInstrument(const InstrumentArguments& arguments, const ToolSurface& tool,
+                      const std::string& origin) {
   writeInstrument(arguments.out, tool, arguments.facts);
   if (arguments.json) {
-    std::cout << instrumentJson(tool, arguments.out).dump(2) << '\n';
+    std::cout << instrumentJson(tool, origin, arguments.out).dump(2) << '\n';
     return;
   }
   std::cout << arguments.out << ": " << shortNumber(tool.length_mm) << " mm long, shaft "
@@ -94,42 +103,101 @@ void runInstrument(InstrumentArguments& arguments) {
   }
 }
 
+void runReconstruct(InstrumentArguments& arguments) {
+  takePlaces(arguments, 1.0);
+  arguments.tool.source = arguments.source;
+  ToolSurface tool;
+  {
+    ProgressLine line;
+    tool = toolApart(arguments.tool, [&line](ScanStep step, double fraction) {
+      const ScanStepShare share = shareOf(step);
+      line.show({share.words, share.at(fraction), -1.0});
+    });
+  }
+  finishInstrument(arguments, tool, "scan");
+}
+
+void runImport(InstrumentArguments& arguments) {
+  InstrumentImportRequest request;
+  request.file = arguments.source;
+  request.scale_m = arguments.scale ? *arguments.scale * kToolUnit_m : lengthUnit_m(arguments.unit);
+  takePlaces(arguments, request.scale_m / kToolUnit_m);
+  static_cast<ToolPlaces&>(request) = arguments.tool;
+  request.drawnOpen_deg = arguments.drawnOpen_deg;
+  arguments.facts.provenance = kInstrumentOfMesh;
+  finishInstrument(arguments, importInstrument(request), "file");
+}
+
+/// What is said of an instrument, whatever it is made of; `unit` is that of its places.
+void addPlaces(CLI::App& command, InstrumentArguments& arguments, const std::string& unit) {
+  command.add_option("--out", arguments.out, "Instrument to write, NAME.json, with its meshes beside it")
+      ->required();
+  const auto vector = [&command](const char* name, std::vector<double>& xyz, const std::string& meaning) {
+    command.add_option(name, xyz, meaning)->delimiter(',')->expected(3);
+  };
+  vector("--tip", arguments.tip, "x,y,z near its tip, " + unit + "; else the narrower end");
+  vector("--shaft", arguments.shaft, "x,y,z: direction from the tip to the hand; else found");
+  vector("--jaw-axis", arguments.jawAxis, "x,y,z: direction of the hinge; else along the jaws' broad side");
+  command.add_option("--pivot", arguments.tool.pivot_mm, "From the tip to the hinge of the jaws, mm")
+      ->capture_default_str();
+  command.add_option("--opening", arguments.facts.opening_deg, "How far each jaw opens, degrees")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  command.add_option("--grip-reach", arguments.facts.gripReach_mm, "How far a closed jaw holds tissue, mm")
+      ->capture_default_str();
+  command.add_option("--tip-radius", arguments.facts.tipRadius_mm,
+                     "Of the ball that touches, mm; else measured");
+  command.add_option("--title", arguments.facts.title, "Its name for people");
+  command.add_flag("--json", arguments.json, "Print JSON");
+}
+
+void addReconstruct(CLI::App& instrument) {
+  auto arguments = std::make_shared<InstrumentArguments>();
+  CLI::App* command = instrument.add_subcommand(
+      "reconstruct", "Make an instrument of its scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
+  command->add_option("SOURCE", arguments->source, "Folder or file of the scan")->required();
+  command->add_option("--threshold", arguments->tool.threshold_HU, "Denser than so many HU is the instrument")
+      ->capture_default_str();
+  command
+      ->add_option("--seed", arguments->seed,
+                   "x,y,z of a point in it, mm: left, back, up; else the largest piece")
+      ->delimiter(',')
+      ->expected(3);
+  addPlaces(*command, *arguments, "mm");
+  command
+      ->add_option("--series", arguments->tool.series, "Which of several series, by its number in the list")
+      ->check(CLI::Range(1, 100'000));
+  command->add_flag("--resample", arguments->tool.resample, "Take slices at uneven distances");
+  command->callback([arguments] { runReconstruct(*arguments); });
+}
+
+void addImport(CLI::App& instrument) {
+  auto arguments = std::make_shared<InstrumentArguments>();
+  CLI::App* command = instrument.add_subcommand(
+      "import", "Make an instrument of a mesh of it: obj, stl, ply, off, glb, gltf or dae");
+  command->add_option("FILE", arguments->source, "Mesh file")->required();
+  CLI::Option* scale =
+      command->add_option("--scale", arguments->scale, "Millimetres in one unit of the file, such as 25.4");
+  command->add_option("--organ-unit", arguments->unit, "Unit of the file: m, cm, mm or um")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um"}))
+      ->excludes(scale)
+      ->capture_default_str();
+  command
+      ->add_option("--drawn-open", arguments->drawnOpen_deg,
+                   "How far each jaw stands open in the file, degrees")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  addPlaces(*command, *arguments, "the file's unit");
+  command->callback([arguments] { runImport(*arguments); });
+}
+
 }  // namespace
 
 void addInstrument(CLI::App& program) {
   CLI::App* instrument = program.add_subcommand("instrument", "Instruments of your own");
   instrument->require_subcommand(1);
-  auto arguments = std::make_shared<InstrumentArguments>();
-  CLI::App* command = instrument->add_subcommand(
-      "reconstruct", "Make an instrument of its scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
-  command->add_option("SOURCE", arguments->source, "Folder or file of the scan")->required();
-  command->add_option("--out", arguments->out, "Instrument to write, NAME.json, with its meshes beside it")
-      ->required();
-  command->add_option("--threshold", arguments->tool.threshold_HU, "Denser than so many HU is the instrument")
-      ->capture_default_str();
-  const auto vector = [command](const char* name, std::vector<double>& xyz, const char* meaning) {
-    command->add_option(name, xyz, meaning)->delimiter(',')->expected(3);
-  };
-  vector("--seed", arguments->seed, "x,y,z of a point in it, mm: left, back, up; else the largest piece");
-  vector("--tip", arguments->tip, "x,y,z near its tip, mm; else the narrower end");
-  vector("--shaft", arguments->shaft, "x,y,z: direction from the tip to the hand; else found");
-  vector("--jaw-axis", arguments->jawAxis, "x,y,z: direction of the hinge; else along the jaws' broad side");
-  command->add_option("--pivot", arguments->tool.pivot_mm, "From the tip to the hinge of the jaws, mm")
-      ->capture_default_str();
-  command->add_option("--opening", arguments->facts.opening_deg, "How far each jaw opens, degrees")
-      ->check(CLI::Range(0.0, 90.0))
-      ->capture_default_str();
-  command->add_option("--grip-reach", arguments->facts.gripReach_mm, "How far a closed jaw holds tissue, mm")
-      ->capture_default_str();
-  command->add_option("--tip-radius", arguments->facts.tipRadius_mm,
-                      "Of the ball that touches, mm; else measured");
-  command->add_option("--title", arguments->facts.title, "Its name for people");
-  command
-      ->add_option("--series", arguments->tool.series, "Which of several series, by its number in the list")
-      ->check(CLI::Range(1, 100'000));
-  command->add_flag("--resample", arguments->tool.resample, "Take slices at uneven distances");
-  command->add_flag("--json", arguments->json, "Print JSON");
-  command->callback([arguments] { runInstrument(*arguments); });
+  addReconstruct(*instrument);
+  addImport(*instrument);
 }
 
 }  // namespace torsio::cli

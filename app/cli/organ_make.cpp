@@ -36,8 +36,11 @@ void runMakeArm(const CLI::App& command, ArmArguments& arguments) {
   }
   OrganImportRequest named;
   applyOrganResultOptions(arguments.result, 1.0, named);  // refuses a name that is no organ file's
-  const OrganImport import = importArm(person, assetsFolder());
-  finishOrgan(import, arguments.result, "arm", organJson(import, arguments.result.out));
+  const JudgedArm arm = importArm(person, assetsFolder());
+  finishOrgan(arm.import, arguments.result, "arm", organJson(arm.import, arguments.result.out));
+  if (!arguments.result.out.empty()) {
+    writeArmMarkers(arguments.result.out, *arm.drawn);
+  }
 }
 
 }  // namespace
@@ -63,7 +66,8 @@ void addOrganMake(CLI::App& organ) {
   command->add_option("--fingers", arguments->fingers_mm, "Lengths of thumb to little finger, mm")
       ->expected(5)
       ->check(CLI::Range(kFingers[0].least_mm, kFingers[0].most_mm));
-  command->add_option("--out", arguments->result.out, "Organ file to write when accepted, NAME.organ");
+  command->add_option("--out", arguments->result.out,
+                      "Organ file to write when accepted, NAME.organ, with NAME_markers.json");
   command->add_flag("--json", arguments->result.json, "Print JSON");
   command->callback([command, arguments] { runMakeArm(*command, *arguments); });
 }

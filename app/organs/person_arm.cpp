@@ -2,8 +2,10 @@
 #include "app/organs/person_arm.h"
 
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 #include "sim/base/short_number.h"
 #include "tools/organs/forearm.h"
+#include "tools/organs/shipped_files.h"
 
 namespace torsio {
 
@@ -43,16 +45,22 @@ ArmMeasures measuresOf(const PersonArm& person) {
 
 }  // namespace
 
-OrganImport importArm(const PersonArm& person, const std::filesystem::path& assets) {
-  const Arm arm = makeArm(measuresOf(person));
+JudgedArm importArm(const PersonArm& person, const std::filesystem::path& assets) {
+  const auto arm = std::make_shared<const Arm>(makeArm(measuresOf(person)));
   OrganImportRequest request;
   request.assets = assets;
   request.file = "arm.ply";
   // The patterns of the shipped forearm: the elbow is held, the hand follows the wrist.
   request.anatomy = "forearm";
   request.ends = {
-      .fixedEnd_m = arm.fixedEnd_m, .freeEnd_m = arm.wrist_m, .fixedCut = {}, .freeCut = {0.0, 0.0, 1.0}};
-  return importOrgan(request, [&arm] { return RawMesh{.mesh = arm.surface, .ignored = {}}; });
+      .fixedEnd_m = arm->fixedEnd_m, .freeEnd_m = arm->wrist_m, .fixedCut = {}, .freeCut = {0.0, 0.0, 1.0}};
+  return {importOrgan(request, [&arm] { return RawMesh{.mesh = arm->surface, .ignored = {}}; }), arm};
+}
+
+void writeArmMarkers(const std::filesystem::path& organFile, const Arm& arm) {
+  std::filesystem::path markers = organFile;
+  markers.replace_filename(organFile.stem().string() + "_markers.json");
+  writeFileAtomically(markers, armMarkersJson(arm, organFile.filename().string()));
 }
 
 }  // namespace torsio

@@ -3,11 +3,14 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "sim/scene/organ_import.h"
 
 namespace torsio {
+
+struct Arm;
 
 /// A length that a person may have, millimetres.
 struct PersonLength {
@@ -44,9 +47,19 @@ struct PersonArm {
                                    kFingers[3].man_mm, kFingers[4].man_mm};
 };
 
+/// An arm that was drawn and judged.
+struct JudgedArm {
+  OrganImport import;
+  std::shared_ptr<const Arm> drawn;
+};
+
 /// Draws a forearm with its hand and judges it as a mesh is, held at the elbow and cut at the wrist, with the
 /// patterns of the shipped forearm. Seconds: in a worker thread. Throws Error{kBadParameter} for a length
 /// outside its range. `assets`: the assets folder.
-[[nodiscard]] OrganImport importArm(const PersonArm& person, const std::filesystem::path& assets);
+[[nodiscard]] JudgedArm importArm(const PersonArm& person, const std::filesystem::path& assets);
+
+/// Writes NAME_markers.json beside the organ file of an arm: its ten markers and zero line as those of the
+/// shipped forearm. Throws Error{kFileUnwritable}.
+void writeArmMarkers(const std::filesystem::path& organFile, const Arm& arm);
 
 }  // namespace torsio

@@ -16890,8 +16890,8 @@ audit trail %3</source>
         <translation>请给出较低的阈值，或另一个扫描</translation>
     </message>
     <message>
-        <source>the jaws are taken to turn about their broad side, %1, %2, %3 in the scan</source>
-        <translation>假定钳口绕其宽边转动，在扫描中方向为 %1、%2、%3</translation>
+        <source>the jaws are taken to turn about their broad side, %1, %2, %3 in the file</source>
+        <translation>假定钳口绕其宽边转动，在文件坐标中方向为 %1、%2、%3</translation>
     </message>
     <message>
         <source>Give the axis of the hinge where it is another</source>
@@ -18016,6 +18016,50 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     <message>
         <source>finger %1</source>
         <translation>第 %1 指</translation>
+    </message>
+    <message>
+        <source>M03 %1 triangles of open surfaces; an instrument has at most %2</source>
+        <translation>M03 开放曲面有 %1 个三角形；器械最多 %2 个</translation>
+    </message>
+    <message>
+        <source>M18 the mesh is flat: %1 mm thick</source>
+        <translation>M18 网格过扁：厚 %1 毫米</translation>
+    </message>
+    <message>
+        <source>Give the surface of a whole instrument</source>
+        <translation>请给出整个器械的曲面</translation>
+    </message>
+    <message>
+        <source>Give the hinge, its axis, the direction of the shaft and a point near the tip</source>
+        <translation>请给出铰链、其轴线、杆的方向以及尖端附近的一点</translation>
+    </message>
+    <message>
+        <source>M20 the instrument has no two jaws in front of its hinge</source>
+        <translation>M20 器械在铰链前方没有两片钳口</translation>
+    </message>
+    <message>
+        <source>jaws stand open by 0 to 90 degrees</source>
+        <translation>钳口张开 0 到 90 度</translation>
+    </message>
+    <message>
+        <source>Give the angle of one jaw</source>
+        <translation>请给出单片钳口的角度</translation>
+    </message>
+    <message>
+        <source>M09 largest side %1 mm is no instrument (%2 to %3 mm)</source>
+        <translation>M09 最长边 %1 毫米不是器械（%2 至 %3 毫米）</translation>
+    </message>
+    <message>
+        <source>M20 the mesh is %1 mm long: no instrument with jaws of %2 mm</source>
+        <translation>M20 网格长 %1 毫米：不是带 %2 毫米钳口的器械</translation>
+    </message>
+    <message>
+        <source>some of the surface is open; it is shown as it is</source>
+        <translation>部分曲面未封闭；按原样显示</translation>
+    </message>
+    <message>
+        <source>Close it in a mesh editor where that is seen</source>
+        <translation>若可见，请在网格编辑器中封闭</translation>
     </message>
 </context>
 <context>
@@ -22763,6 +22807,34 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Save instrument…</source>
         <translation>保存器械…</translation>
     </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>微米</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Each jaw is drawn open by</source>
+        <translation>图纸中每片钳口张开</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::InstrumentView</name>
@@ -24497,18 +24569,6 @@ Leave it empty to remove it.</source>
         <translation>器械</translation>
     </message>
     <message>
-        <source>A CT of a tool, with its jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. What is chosen for scans holds for it, too.</source>
-        <translation>工具的 CT（钳口闭合）可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于它。</translation>
-    </message>
-    <message>
-        <source>NIfTI file of a tool…</source>
-        <translation>工具的 NIfTI 文件…</translation>
-    </message>
-    <message>
-        <source>DICOM folder of a tool…</source>
-        <translation>工具的 DICOM 文件夹…</translation>
-    </message>
-    <message>
         <source>Looking for the instrument</source>
         <translation>正在查找器械</translation>
     </message>
@@ -24527,6 +24587,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>Bring an organ: a mesh, a scan or a person&apos;s measures become one that can be twisted, once it is judged.</source>
         <translation>引入器官：您自己的网格、扫描或个人尺寸经评判后，即成为可扭转的器官。</translation>
+    </message>
+    <message>
+        <source>Mesh of an instrument</source>
+        <translation>器械网格</translation>
+    </message>
+    <message>
+        <source>A mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. What is chosen for scans holds for its CT, too.</source>
+        <translation>工具的网格，或钳口闭合时的 CT，可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于其 CT。</translation>
+    </message>
+    <message>
+        <source>Mesh…</source>
+        <translation>网格…</translation>
     </message>
 </context>
 <context>
@@ -29002,6 +29074,22 @@ Leave it empty to remove it.</source>
     <message>
         <source>Make an organ of a mesh or a scan of your own: look at it, judge it, keep it</source>
         <translation>用您自己的网格或扫描制作器官：查看、评判、保存</translation>
+    </message>
+    <message>
+        <source>Instrument…</source>
+        <translation>器械…</translation>
+    </message>
+    <message>
+        <source>Show an instrument of your own; what is felt stays that of the exercise</source>
+        <translation>显示您自己的器械；手感仍是练习中的</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>器械</translation>
+    </message>
+    <message>
+        <source>Instruments (*.json)</source>
+        <translation>器械 (*.json)</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ void writeInstrument(const std::filesystem::path& file, const ToolSurface& tool,
   nlohmann::ordered_json json;
   json["id"] = id;
   json["title"] = facts.title.empty() ? id : facts.title;
-  json["provenance"] = "from a scan, by torsio instrument reconstruct";
+  json["provenance"] = facts.provenance;
   json["licence"] = "not stated";
   json["frame"] =
       "tip at the origin, shaft along +z towards the hand; the upper jaw (y > 0) opens by +angle about the "

@@ -15,9 +15,9 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/geometry/apart/mesh_process.h"
-#include "sim/geometry/mesh/mesh_export.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "tests/support/dicom_files.h"
+#include "tests/support/mesh_formats.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"
 
@@ -105,10 +105,7 @@ int main(int argc, char** argv) {
     series.push_back(folder / syntax);
     torsio::testing::writeDicomSeries(series.back(), scan, {.syntax = syntax});
   }
-  const std::vector<std::pair<std::string, std::string>> meshes{
-      {".ply", plyBytes(bar)},
-      {".ply", plyBytes(bar, {.format = PlyFormat::kAscii})},
-      {".obj", objText(bar)}};
+  const std::vector<std::pair<std::string, std::string>> meshes = torsio::testing::everyFormat(bar);
   std::map<std::string, std::size_t> answers;
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   for (std::uint64_t n = 1; std::chrono::steady_clock::now() < until; ++n) {

@@ -8,9 +8,11 @@
 #include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/query/collision_mesh.h"
+#include "tools/organs/curves.h"
 #include "tools/organs/forearm_shape.h"
 #include "tools/organs/marching_tetrahedra.h"
 #include "tools/organs/millimetre.h"
+#include "tools/organs/organ_places.h"
 #include "tools/organs/remesh.h"
 
 namespace torsio {
@@ -104,10 +106,23 @@ std::vector<ArmMarker> placeMarkers(const ArmShape& shape, const TriangleMesh& s
   for (const Place& place : places) {
     const Vec3 p = skin.closest(kMillimetre_m * place.near_mm).position_m;
     const double angle_rad = portableAtan2(p.y, p.x);
-    markers.push_back({static_cast<int>(markers.size()) + 1, place.name, p,
+    markers.push_back({static_cast<int>(markers.size()) + 1, place.name, p, p.z,
                        angle_rad < 0.0 ? angle_rad + 2.0 * kPi : angle_rad});
   }
   return markers;
+}
+
+/// The radial side of the forearm, from which angles count.
+std::vector<Vec3> radialLine(const ArmShape& shape, const TriangleMesh& surface_m) {
+  std::vector<CurveFrame> axis;
+  for (int z = 0; z <= static_cast<int>(shape.wristZ()); ++z) {
+    axis.push_back({.arc = static_cast<double>(z),
+                    .centre = {0, 0, static_cast<double>(z)},
+                    .tangent = {0, 0, 1},
+                    .e1 = {1, 0, 0},
+                    .e2 = {0, 1, 0}});
+  }
+  return placesOn(surface_m, axis, 0.0, {}).zeroLine_m;
 }
 
 }  // namespace
@@ -131,6 +146,7 @@ Arm makeArm(const ArmMeasures& measures, double edges) {
   arm.wrist_m = {0, 0, kMillimetre_m * shape.wristZ()};
   arm.ridgeZero = {1, 0, 0};
   arm.markers = placeMarkers(shape, arm.surface);
+  arm.zeroLine_m = radialLine(shape, arm.surface);
   arm.freeEnd_m = arm.markers.back().position_m;
   for (const Vec3& v : arm.surface.vertices_m) {
     const double turn = portableAtan2(v.y, v.x) / (2.0 * kPi);

@@ -32,6 +32,7 @@ struct ArmMarker {
   int number = 0;  ///< 1..10
   std::string name;
   Vec3 position_m;
+  double arc_m = 0.0;      ///< along the forearm's axis from the elbow; the hand's too
   double angle_rad = 0.0;  ///< about the forearm's axis: 0 radial, 90 degrees dorsal, 180 ulnar, 270 palmar
 };
 
@@ -45,6 +46,7 @@ struct Arm {
   Vec3 freeEnd_m;   ///< tip of the middle finger
   Vec3 ridgeZero;   ///< radial
   std::vector<ArmMarker> markers;
+  std::vector<Vec3> zeroLine_m;               ///< on the radial side of the forearm's skin, every 10 mm
   std::vector<std::array<float, 2>> texture;  ///< TubeOrgan::texture, about the forearm's axis
 };
 

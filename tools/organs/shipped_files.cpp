@@ -55,7 +55,13 @@ std::string millimetres(const Vec3& metres) {
 class JsonObject {
  public:
   explicit JsonObject(std::string indent = "  ") : indent_(std::move(indent)) {}
-  JsonObject& text(const char* key, const std::string& value) { return raw(key, '"' + value + '"'); }
+  JsonObject& text(const char* key, const std::string& value) {
+    std::string quoted;
+    for (const char c : value) {
+      quoted.append(c == '"' || c == '\\' ? 1U : 0U, '\\').append(1, c);
+    }
+    return raw(key, '"' + quoted + '"');
+  }
   JsonObject& raw(const char* key, const std::string& value) {
     if (!body_.empty()) {
       body_ += ",\n";
@@ -148,28 +154,6 @@ std::string markersJson(const TubeOrgan& organ, const char* file, const std::str
   return json.lines() + "\n";
 }
 
-std::string markersJson(const Arm& arm) {
-  std::string markers = "[";
-  for (const ArmMarker& m : arm.markers) {
-    JsonObject one("      ");
-    one.raw("number", std::to_string(m.number))
-        .text("name", m.name)
-        .raw("position_mm", millimetres(m.position_m));
-    one.raw("angle_deg", hundredths(degrees(m.angle_rad)));
-    markers += (markers.size() > 1 ? ",\n    " : "\n    ") + one.lines();
-  }
-  JsonObject json;
-  json.text("organ", "forearm.ply").text("provenance", kProvenance).text("licence", kLicence);
-  json.text(
-      "frame",
-      "LPS; axis along +z, elbow at z = 0, fingers up; thumb at +x, back of the hand at +y; angles about the "
-      "axis from +x (radial) over +y (dorsal)");
-  json.raw("fixed_end_mm", millimetres(arm.fixedEnd_m)).raw("wrist_mm", millimetres(arm.wrist_m));
-  json.raw("free_end_mm", millimetres(arm.freeEnd_m)).raw("ridge_zero", vectorText(arm.ridgeZero));
-  json.raw("markers", markers + "\n  ]");
-  return json.lines() + "\n";
-}
-
 std::string grasperJson(const Grasper& g) {
   JsonObject jaws("    ");
   jaws.raw("pivot_mm", millimetres(g.jawPivot_m)).raw("axis", vectorText({1, 0, 0}));
@@ -194,6 +178,25 @@ std::string grasperJson(const Grasper& g) {
 
 }  // namespace
 
+std::string armMarkersJson(const Arm& arm, const std::string& file) {
+  std::vector<OrganPlace> markers;
+  for (const ArmMarker& m : arm.markers) {
+    markers.push_back({m.name, 1000.0 * m.arc_m, degrees(m.angle_rad), m.position_m});
+  }
+  JsonObject json;
+  json.text("organ", file).text("provenance", kProvenance).text("licence", kLicence);
+  json.text(
+      "frame",
+      "LPS; axis along +z, elbow at z = 0, fingers up; thumb at +x, back of the hand at +y; arc_mm along the "
+      "axis from the elbow; angles about it from +x (radial) over +y (dorsal)");
+  json.raw("fixed_end_mm", millimetres(arm.fixedEnd_m)).raw("wrist_mm", millimetres(arm.wrist_m));
+  json.raw("free_end_mm", millimetres(arm.freeEnd_m)).raw("ridge_zero", vectorText(arm.ridgeZero));
+  json.raw("length_mm", hundredths(1000.0 * arm.freeEnd_m.z));
+  json.raw("zero_line_mm", polyline(arm.zeroLine_m));
+  json.raw("markers", placesJson(markers));
+  return json.lines() + "\n";
+}
+
 std::vector<ShippedFile> shippedFiles() {
   const Arm arm = makeArm();
   const WholeStomach stomach = makeWholeStomach();
@@ -208,7 +211,7 @@ std::vector<ShippedFile> shippedFiles() {
        ply(arm.surface, "right forearm and hand, straight, supinated",
            "a man's means of ANSUR II (2012); fingers after Chatzioglou 2024, Anat Cell Biol 57:172",
            arm.texture)},
-      {"organs/forearm_markers.json", markersJson(arm)},
+      {"organs/forearm_markers.json", armMarkersJson(arm, "forearm.ply")},
       {"organs/stomach.ply",
        ply(stomach.organ, "stomach with oesophagus, cardia, fundus, antrum, pylorus and bulb",
            "centreline 267 mm, 0.73 l, moderately full; curvatures, widths and wall after sources on the "

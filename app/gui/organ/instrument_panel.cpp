@@ -2,7 +2,9 @@
 #include "app/gui/organ/instrument_panel.h"
 
 #include <algorithm>
+#include <array>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -27,6 +29,7 @@ constexpr double kLeastThreshold_HU = -500.0;
 constexpr double kMostThreshold_HU = 3000.0;
 constexpr double kLeastPivot_mm = 3.0;
 constexpr double kMostPivot_mm = 100.0;
+constexpr std::array<double, 5> kUnits_m{1e-3, 1e-2, 1.0, 1e-6, 0.0254};  // mm, cm, m, um, inch
 
 QDoubleSpinBox* box(QWidget* parent, const char* name, double least, double most, const QString& unit) {
   auto* field = new QDoubleSpinBox(parent);
@@ -65,6 +68,12 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   reach_ = box(placesCard_, "toolReach", 0.5, 50.0, QStringLiteral(" mm"));
   reach_->setDecimals(1);
   title_ = new QLineEdit(placesCard_);
+  unit_ = new QComboBox(placesCard_);
+  unit_->setObjectName(QStringLiteral("toolUnit"));
+  unit_->addItems(QStringList(static_cast<qsizetype>(kUnits_m.size())));
+  drawnOpen_ = box(placesCard_, "toolDrawnOpen", 0.0, 90.0, QStringLiteral("\u00B0"));
+  unitLabel_ = addField(column, unit_);
+  drawnOpenLabel_ = addField(column, drawnOpen_);
   thresholdLabel_ = addField(column, threshold_);
   pivotLabel_ = addField(column, pivot_);
   openingLabel_ = addField(column, opening_);
@@ -88,6 +97,8 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
 
   connect(threshold_, &QDoubleSpinBox::valueChanged, this, &InstrumentPanel::noteChange);
   connect(pivot_, &QDoubleSpinBox::valueChanged, this, &InstrumentPanel::noteChange);
+  connect(drawnOpen_, &QDoubleSpinBox::valueChanged, this, &InstrumentPanel::noteChange);
+  connect(unit_, &QComboBox::currentIndexChanged, this, &InstrumentPanel::noteChange);
   connect(opening_, &QDoubleSpinBox::valueChanged, view_, &InstrumentView::setOpening);
   connect(view_, &InstrumentView::hingePicked, pivot_, &QDoubleSpinBox::setValue);
   connect(view_, &InstrumentView::otherEndPicked, this, &InstrumentPanel::takeOtherEnd);
@@ -99,16 +110,45 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
 }
 
 void InstrumentPanel::begin(const ToolRequest& request) {
+  reset(request, {});
+}
+
+void InstrumentPanel::beginMesh(const std::filesystem::path& file) {
+  reset({}, file);
+}
+
+void InstrumentPanel::reset(const ToolRequest& request, const std::filesystem::path& meshFile) {
   request_ = request;
+  meshFile_ = meshFile;
   tool_ = {};
   const QSignalBlocker quietThreshold(threshold_);
   const QSignalBlocker quietPivot(pivot_);
+  const QSignalBlocker quietUnit(unit_);
+  const QSignalBlocker quietOpen(drawnOpen_);
   threshold_->setValue(request.threshold_HU);
   pivot_->setValue(request.pivot_mm);
+  unit_->setCurrentIndex(0);
+  drawnOpen_->setValue(0.0);
   opening_->setValue(InstrumentFacts().opening_deg);
   reach_->setValue(InstrumentFacts().gripReach_mm);
   title_->clear();
+  for (QWidget* one : {static_cast<QWidget*>(threshold_), static_cast<QWidget*>(thresholdLabel_)}) {
+    one->setVisible(!ofMesh());
+  }
+  for (QWidget* one : {static_cast<QWidget*>(unit_), static_cast<QWidget*>(unitLabel_),
+                       static_cast<QWidget*>(drawnOpen_), static_cast<QWidget*>(drawnOpenLabel_)}) {
+    one->setVisible(ofMesh());
+  }
   setTool({});
+}
+
+InstrumentImportRequest InstrumentPanel::meshRequest() const {
+  InstrumentImportRequest request;
+  static_cast<ToolPlaces&>(request) = this->request();
+  request.file = meshFile_;
+  request.scale_m = kUnits_m[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
+  request.drawnOpen_deg = drawnOpen_->value();
+  return request;
 }
 
 ToolRequest InstrumentPanel::request() const {
@@ -121,7 +161,8 @@ ToolRequest InstrumentPanel::request() const {
 InstrumentFacts InstrumentPanel::facts() const {
   return {.title = title_->text().trimmed().toStdString(),
           .opening_deg = opening_->value(),
-          .gripReach_mm = reach_->value()};
+          .gripReach_mm = reach_->value(),
+          .provenance = ofMesh() ? kInstrumentOfMesh : kInstrumentOfScan};
 }
 
 void InstrumentPanel::setTool(const ToolSurface& tool) {
@@ -178,6 +219,13 @@ void InstrumentPanel::showNumbers() {
 void InstrumentPanel::retranslate() {
   pictureCard_->setTitle(tr("The instrument"));
   placesCard_->setTitle(tr("Tip, axis and jaws"));
+  nameField(unitLabel_, tr("Unit of the file"));
+  const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres"), tr("micrometres"),
+                          tr("inches")};
+  for (int i = 0; i < units.size(); ++i) {
+    unit_->setItemText(i, units[i]);
+  }
+  nameField(drawnOpenLabel_, tr("Each jaw is drawn open by"));
   nameField(thresholdLabel_, tr("Denser than this is the instrument"));
   nameField(pivotLabel_, tr("Hinge, from the tip"));
   nameField(openingLabel_, tr("Each jaw opens by"));

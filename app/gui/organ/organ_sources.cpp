@@ -72,12 +72,16 @@ QWidget* OrganWizard::createInstrumentCard(QWidget* page) {
   instrumentText_ = sentence(instrumentCard_);
   instrumentCard_->content()->addWidget(instrumentText_);
   auto* buttons = new QHBoxLayout;
+  instrumentMesh_ = primaryButton(instrumentCard_);
   instrumentFile_ = primaryButton(instrumentCard_);
   instrumentFolder_ = primaryButton(instrumentCard_);
+  buttons->addWidget(instrumentMesh_);
   buttons->addWidget(instrumentFile_);
   buttons->addWidget(instrumentFolder_);
   buttons->addStretch(1);
   instrumentCard_->content()->addLayout(buttons);
+  connect(instrumentMesh_, &QPushButton::clicked, this,
+          [this] { chooseMesh(tr("Mesh of an instrument"), &OrganWizard::openToolMesh); });
   connect(instrumentFile_, &QPushButton::clicked, this,
           [this] { chooseScanFile(&OrganWizard::openInstrument); });
   connect(instrumentFolder_, &QPushButton::clicked, this,
@@ -97,11 +101,11 @@ QWidget* OrganWizard::createArmCard(QWidget* page) {
   return armCard_;
 }
 
-void OrganWizard::chooseMesh() {
-  const QString file = askFileToOpen(
-      this, tr("Mesh of an organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+void OrganWizard::chooseMesh(const QString& title, Opening open) {
+  const QString file =
+      askFileToOpen(this, title, tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
   if (!file.isEmpty()) {
-    judgeMesh(toPath(file));
+    (this->*open)(toPath(file));
   }
 }
 
@@ -143,10 +147,11 @@ void OrganWizard::retranslateSources() {
   makeArm_->setText(tr("Draw the arm"));
   instrumentCard_->setTitle(tr("Instrument"));
   instrumentText_->setText(tr(
-      "A CT of a tool, with its jaws closed, becomes an instrument: you place its tip, hinge and jaws on a "
-      "picture. What is chosen for scans holds for it, too."));
-  instrumentFile_->setText(tr("NIfTI file of a tool\u2026"));
-  instrumentFolder_->setText(tr("DICOM folder of a tool\u2026"));
+      "A mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and "
+      "jaws on a picture. What is chosen for scans holds for its CT, too."));
+  instrumentMesh_->setText(tr("Mesh\u2026"));
+  instrumentFile_->setText(tr("NIfTI file\u2026"));
+  instrumentFolder_->setText(tr("DICOM folder\u2026"));
 }
 
 }  // namespace torsio::gui

@@ -26,9 +26,6 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/organs/person_arm.h"
-#include "sim/imaging/apart/scan_process.h"
-#include "sim/imaging/surface/scan_steps.h"
-#include "sim/scene/instrument_file.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
@@ -38,7 +35,6 @@ namespace {
 constexpr int kSourcePage = 0;
 constexpr int kSlicesPage = 1;
 constexpr int kJudgingPage = 2;
-constexpr int kInstrumentPage = 3;
 constexpr int kPanelWidth = 400;
 constexpr double kMillimetres = 1000.0;  // in a metre
 
@@ -63,7 +59,8 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
   instrument_ = new InstrumentPanel(pages_);
   pages_->addWidget(instrument_);
   connect(close_, &QPushButton::clicked, this, &OrganWizard::closed);
-  connect(mesh_, &QPushButton::clicked, this, &OrganWizard::chooseMesh);
+  connect(mesh_, &QPushButton::clicked, this,
+          [this] { chooseMesh(tr("Mesh of an organ"), &OrganWizard::judgeMesh); });
   connect(makeArm_, &QPushButton::clicked, this, &OrganWizard::makeArm);
   connect(scanFile_, &QPushButton::clicked, this, [this] { chooseScanFile(&OrganWizard::openScan); });
   connect(scanFolder_, &QPushButton::clicked, this, [this] { chooseScanFolder(&OrganWizard::openScan); });
@@ -185,55 +182,6 @@ void OrganWizard::judgeMesh(const std::filesystem::path& file) {
       [this, trial] { adopt(std::move(*trial)); });
 }
 
-void OrganWizard::openInstrument(const std::filesystem::path& source) {
-  if (!mayWork()) {
-    return;
-  }
-  ToolRequest tool;
-  tool.source = source;
-  tool.series = series_->value();
-  tool.resample = resample_->isChecked();
-  source_ = source;
-  instrument_->begin(tool);
-  pages_->setCurrentIndex(kInstrumentPage);
-  findInstrument();
-}
-
-void OrganWizard::findInstrument() {
-  if (!mayWork()) {
-    return;
-  }
-  const auto found = std::make_shared<ToolSurface>();
-  shell_.run(
-      tr("Looking for the instrument"),
-      [found, request = instrument_->request()](SessionContext&, const ProgressCallback& progress) {
-        *found = toolApart(request, [&progress](ScanStep step, double fraction) {
-          const ScanStepShare share = shareOf(step);
-          tellProgress(progress, share.words, share.at(fraction));
-        });
-      },
-      [this, found] { instrument_->setTool(*found); });
-}
-
-void OrganWizard::saveInstrument(const std::filesystem::path& file) {
-  writeInstrument(file, instrument_->tool(), instrument_->facts());
-}
-
-void OrganWizard::chooseInstrumentName() {
-  QString file = askFileToSave(this, tr("Save instrument"), QStringLiteral("instrument.json"),
-                               tr("Instruments (*.json)"));
-  if (file.isEmpty()) {
-    return;
-  }
-  if (!file.endsWith(QStringLiteral(".json"))) {
-    file += QStringLiteral(".json");
-  }
-  attempt(shell_, [&] {
-    saveInstrument(toPath(file));
-    shell_.notify(tr("Saved %1").arg(file));
-  });
-}
-
 void OrganWizard::makeArm() {
   if (!mayWork()) {
     return;
@@ -242,16 +190,21 @@ void OrganWizard::makeArm() {
   ofScan_ = false;
   ofMeasures_ = true;
   const auto trial = std::make_shared<OrganTrial>();
+  const auto drawn = std::make_shared<std::shared_ptr<const Arm>>();
   shell_.run(
       tr("Drawing the arm"),
-      [trial, person = arm_->person(), assets = shell_.assets()](SessionContext&,
-                                                                 const ProgressCallback& progress) {
+      [trial, drawn, person = arm_->person(), assets = shell_.assets()](SessionContext&,
+                                                                        const ProgressCallback& progress) {
         tellProgress(progress, Text::tr("Drawing the arm"), 0.0);
-        OrganImport import = importArm(person, assets);
+        JudgedArm arm = importArm(person, assets);
+        *drawn = arm.drawn;
         tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
-        *trial = trialOf(std::move(import), assets);
+        *trial = trialOf(std::move(arm.import), assets);
       },
-      [this, trial] { adopt(std::move(*trial)); });
+      [this, trial, drawn] {
+        drawnArm_ = *drawn;
+        adopt(std::move(*trial));
+      });
 }
 
 ScanRequest OrganWizard::ofSource(ScanRequest scan) const {
@@ -369,6 +322,9 @@ void OrganWizard::showButtons() {
 
 void OrganWizard::save(const std::filesystem::path& file) {
   writeOrganFile(file, trial_->import.organ);
+  if (ofMeasures_) {
+    writeArmMarkers(file, *drawnArm_);
+  }
   saved_ = file;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <QWidget>
@@ -14,6 +15,10 @@ class QLabel;
 class QPushButton;
 class QSpinBox;
 class QStackedWidget;
+
+namespace torsio {
+struct Arm;
+}
 
 namespace torsio::gui {
 
@@ -42,6 +47,8 @@ class OrganWizard : public QWidget {
   void judgeMesh(const std::filesystem::path& file);
   /// Looks for an instrument in a scan of it, with what its page says; the page follows.
   void openInstrument(const std::filesystem::path& source);
+  /// The same in a mesh of it.
+  void openToolMesh(const std::filesystem::path& file);
   void findInstrument();
   /// Writes the instrument that was found. Throws as writeInstrument().
   void saveInstrument(const std::filesystem::path& file);
@@ -80,8 +87,8 @@ class OrganWizard : public QWidget {
   void retranslateSources();
   void chooseInstrumentName();
   QWidget* createJudgingPage();
-  void chooseMesh();
   using Opening = void (OrganWizard::*)(const std::filesystem::path& source);
+  void chooseMesh(const QString& title, Opening open);
   void chooseScanFile(Opening open);
   void chooseScanFolder(Opening open);
   [[nodiscard]] bool mayWork();
@@ -99,8 +106,9 @@ class OrganWizard : public QWidget {
   std::filesystem::path source_;
   bool ofScan_ = false;
   bool ofMeasures_ = false;  // an arm that was drawn
-  ScanRequest drawn_;        // of surface_
-  ScanSurface surface_;      // as it was drawn from the scan
+  std::shared_ptr<const Arm> drawnArm_;
+  ScanRequest drawn_;    // of surface_
+  ScanSurface surface_;  // as it was drawn from the scan
   std::optional<OrganTrial> trial_;
   std::optional<std::filesystem::path> saved_;
   bool changed_ = false;  // the settings, since the organ was judged
@@ -124,6 +132,7 @@ class OrganWizard : public QWidget {
   QPushButton* makeArm_ = nullptr;
   Card* instrumentCard_ = nullptr;
   QLabel* instrumentText_ = nullptr;
+  QPushButton* instrumentMesh_ = nullptr;
   QPushButton* instrumentFile_ = nullptr;
   QPushButton* instrumentFolder_ = nullptr;
   InstrumentPanel* instrument_ = nullptr;

@@ -67,6 +67,9 @@ class SimulatorWindow : public QMainWindow {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
   /// How mouse and keys move the instrument and the camera: what and how.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
+  /// Shows an instrument of a centre's own (NAME.json) until the window closes; what is felt stays that of
+  /// the exercise. Throws as loadInstrument().
+  void showInstrument(const std::filesystem::path& file);
   /// Opens the panel of the model's parts and scrolls to it.
   void unfoldEngineerPanel();
   /// One round of the frame timer; tests call it themselves.
@@ -85,6 +88,7 @@ class SimulatorWindow : public QMainWindow {
   struct Actions {
     QAction* open = nullptr;
     QAction* bring = nullptr;
+    QAction* instrument = nullptr;
     QAction* picture = nullptr;
     QAction* strip = nullptr;
     QAction* record = nullptr;
@@ -128,6 +132,7 @@ class SimulatorWindow : public QMainWindow {
   void look(ViewPreset preset);
   void lookWhole();
   void chooseOrganFile();
+  void chooseInstrument();
   void choosePicture();
   void chooseFilmStrip();
   [[nodiscard]] std::vector<StripFrame> replayFrames();

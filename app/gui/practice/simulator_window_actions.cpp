@@ -31,6 +31,8 @@ void SimulatorWindow::nameActions() {
   name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
   name(a.bring, tr("Bring an organ\u2026"),
        tr("Make an organ of a mesh or a scan of your own: look at it, judge it, keep it"));
+  name(a.instrument, tr("Instrument\u2026"),
+       tr("Show an instrument of your own; what is felt stays that of the exercise"));
   name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
   name(a.strip, tr("Film strip\u2026"),
        tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
@@ -76,6 +78,7 @@ void SimulatorWindow::createActions() {
   Actions& a = actions_;
   a.open = addKeyed(QKeySequence::Open);
   a.bring = addKeyed(QKeySequence());
+  a.instrument = addKeyed(QKeySequence());
   a.picture = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
   a.strip = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_F);
   a.record = addKeyed(Qt::CTRL | Qt::Key_R);
@@ -100,6 +103,7 @@ void SimulatorWindow::createActions() {
 
   connect(a.open, &QAction::triggered, this, &SimulatorWindow::chooseOrganFile);
   connect(a.bring, &QAction::triggered, this, &SimulatorWindow::organWanted);
+  connect(a.instrument, &QAction::triggered, this, &SimulatorWindow::chooseInstrument);
   connect(a.picture, &QAction::triggered, this, &SimulatorWindow::choosePicture);
   connect(a.strip, &QAction::triggered, this, &SimulatorWindow::chooseFilmStrip);
   connect(a.record, &QAction::triggered, this, &SimulatorWindow::toggleRecording);
@@ -161,7 +165,7 @@ void SimulatorWindow::createMenuBar() {
   connect(a.about, &QAction::triggered, this, &SimulatorWindow::showAbout);
 
   m.file = menuBar()->addMenu(QString());
-  m.file->addActions({a.open, a.picture, a.strip});
+  m.file->addActions({a.open, a.instrument, a.picture, a.strip});
   m.file->addSeparator();
   m.file->addAction(a.quit);
   m.exercise = menuBar()->addMenu(QString());
@@ -219,7 +223,7 @@ void SimulatorWindow::createToolBar() {
   menus_.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menus_.more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menus_.more);
-  menu->addActions({a.restart, a.open, a.bring, a.compare, a.strip});
+  menu->addActions({a.restart, a.open, a.bring, a.instrument, a.compare, a.strip});
   menu->addSeparator();
   menu->addActions({a.wireframe, a.markers});
   menu->addMenu(menus_.quality);

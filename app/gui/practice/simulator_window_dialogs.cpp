@@ -12,6 +12,8 @@
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/file_choice.h"
@@ -53,6 +55,23 @@ void SimulatorWindow::chooseOrganFile() {
   }
   request.organScale_m = scales_m[units.indexOf(unit)];
   controller_->load(request);
+}
+
+void SimulatorWindow::showInstrument(const std::filesystem::path& file) {
+  view_->setInstrument(loadInstrument(file));
+}
+
+void SimulatorWindow::chooseInstrument() {
+  const QString file = askFileToOpen(this, tr("Instrument"), tr("Instruments (*.json)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  try {
+    showInstrument(toPath(file));
+  } catch (const Error& error) {
+    const TranslatedError said = translated(error);
+    showProblem(said.happened, said.remedy, said.details);
+  }
 }
 
 void SimulatorWindow::chooseReplay() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -15,6 +16,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio::gui {
@@ -25,6 +27,7 @@ using Attribute = QQuick3DGeometry::Attribute;
 
 constexpr double kSharpEdgeCosine = 0.819;  // 35 degrees
 constexpr float kMillimetres = 1000.0F;
+constexpr double kInstrumentUnit_m = 1e-3;
 
 QVector3D millimetres(const Vec3& p) {
   return QVector3D(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)) * kMillimetres;
@@ -69,21 +72,19 @@ QVector3D vectorOf(const QJsonValue& value) {
           static_cast<float>(array.at(2).toDouble())};
 }
 
-}  // namespace
-
-InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id) {
-  const std::filesystem::path folder = assets / "instruments";
-  const std::filesystem::path file = folder / (id + ".json");
+InstrumentParts partsOf(const std::filesystem::path& file,
+                        const std::function<TriangleMesh(const std::filesystem::path& mesh)>& read) {
   const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(readFile(file))).object();
   const QJsonObject meshes = root.value(QLatin1String("meshes")).toObject();
   const QJsonObject jaws = root.value(QLatin1String("jaws")).toObject();
   const auto part = [&](const char* name) {
     const std::string mesh = meshes.value(QLatin1String(name)).toString().toStdString();
-    if (mesh.empty()) {
+    // Only beside the file: it must not name "../../secret.ply".
+    if (mesh.empty() || std::filesystem::path(mesh).filename() != mesh) {
       throw Error(ErrorCode::kBadData, Text::tr("the instrument names no mesh '%1'", name), file.string(),
                   Text::tr("Take the instrument that was installed with the program"));
     }
-    return importMesh(folder / mesh, {.scale_m = 0.001, .organ = false});
+    return read(file.parent_path() / mesh);
   };
   InstrumentParts parts;
   parts.shaft = part("shaft");
@@ -96,6 +97,20 @@ InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::s
   parts.jawPivot_mm = vectorOf(jaws.value(QLatin1String("pivot_mm")));
   parts.jawOpening_deg = jaws.value(QLatin1String("opening_deg")).toDouble(parts.jawOpening_deg);
   return parts;
+}
+
+}  // namespace
+
+InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id) {
+  return partsOf(assets / "instruments" / (id + ".json"), [](const std::filesystem::path& mesh) {
+    return importMesh(mesh, {.scale_m = kInstrumentUnit_m, .organ = false});
+  });
+}
+
+InstrumentParts loadInstrument(const std::filesystem::path& file) {
+  return partsOf(file, [](const std::filesystem::path& mesh) {
+    return checkedMesh(readMeshApart(mesh, kInstrumentUnit_m).mesh, mesh.string(), {.organ = false});
+  });
 }
 
 TriangleMesh turnedBody(std::span<const std::array<double, 2>> profile_mm, int sides) {

@@ -28,8 +28,10 @@ struct InstrumentParts {
   double jawOpening_deg = 20.0;  ///< each jaw, fully open
 };
 
-/// Throws Error{kFileMissing, kFileUnreadable, kBadData} for files that are absent or not an instrument.
+/// Reads a shipped instrument, or (NAME.json) one of a centre's own with its meshes beside it. Throws
+/// Error{kFileMissing, kFileUnreadable, kBadData, kBadMesh} for files that are absent or not an instrument.
 [[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id);
+[[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& file);
 
 /// A closed body of revolution about z; `profile_mm`: radius and z, from one end on the axis to the other, z
 /// rising.

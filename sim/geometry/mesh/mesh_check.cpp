@@ -159,29 +159,10 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
 
 void requireSize(const MeshReport& report, const std::string& where, double unit_m) {
   const double side_m = report.largestSide_m();
-  if (side_m >= kSmallestOrgan_m && side_m <= kLargestOrgan_m) {
-    return;
-  }
-  struct Unit {
-    const char* option;
-    const char* name;
-    double metres;
-  };
-  // The likeliest first: 190 units read as metres are millimetres, though centimetres would pass too.
-  constexpr std::array<Unit, 4> kUnits{{{"mm", "millimetres", 0.001},
-                                        {"m", "metres", 1.0},
-                                        {"cm", "centimetres", 0.01},
-                                        {"um", "micrometres", 1e-6}}};
-  for (const Unit& unit : kUnits) {
-    const double guess_m = side_m / unit_m * unit.metres;
-    if (guess_m >= kSmallestOrgan_m && guess_m <= kLargestOrgan_m) {
-      refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
-                 Text::tr("Add --organ-unit %1", unit.option));
-    }
-  }
-  refuseMesh(Text::tr("M09 largest side %1 is no organ (%2 to %3)", mm(side_m), mm(kSmallestOrgan_m),
-                      mm(kLargestOrgan_m)),
-             where, Text::tr("Scale the mesh to life size"));
+  requireLargestSide(side_m, kOrganSide,
+                     Text::tr("M09 largest side %1 is no organ (%2 to %3)", mm(side_m), mm(kSmallestOrgan_m),
+                              mm(kLargestOrgan_m)),
+                     where, unit_m);
 }
 
 void requireClosedManifold(const MeshReport& r, const std::string& where) {
@@ -226,6 +207,31 @@ void requireShape(const MeshReport& r, const std::string& where) {
 }
 
 }  // namespace
+
+void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
+                        const std::string& where, double unit_m) {
+  if (range.holds(side_m)) {
+    return;
+  }
+  struct Unit {
+    const char* option;
+    const char* name;
+    double metres;
+  };
+  // The likeliest first: 190 units read as metres are millimetres, though centimetres would pass too.
+  constexpr std::array<Unit, 4> kUnits{{{"mm", "millimetres", 0.001},
+                                        {"m", "metres", 1.0},
+                                        {"cm", "centimetres", 0.01},
+                                        {"um", "micrometres", 1e-6}}};
+  for (const Unit& unit : kUnits) {
+    const double guess_m = side_m / unit_m * unit.metres;
+    if (range.holds(guess_m)) {
+      refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
+                 Text::tr("Add --organ-unit %1", unit.option));
+    }
+  }
+  refuseMesh(otherwise, where, Text::tr("Scale the mesh to life size"));
+}
 
 std::int64_t MeshReport::genus() const noexcept {
   if (!closed() || !manifold()) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/text.h"
 #include "sim/base/vec3.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
@@ -15,6 +16,15 @@ namespace torsio {
 inline constexpr double kSmallestOrgan_m = 0.03;     ///< of the largest side of the bounding box
 inline constexpr double kLargestOrgan_m = 2.0;       ///< of the largest side of the bounding box
 inline constexpr double kLargestCoordinate_m = 100;  ///< importers keep single precision
+/// Of the largest side of what a mesh shows.
+struct SideRange {
+  double least_m;
+  double most_m;
+  [[nodiscard]] constexpr bool holds(double side_m) const noexcept {
+    return side_m >= least_m && side_m <= most_m;
+  }
+};
+inline constexpr SideRange kOrganSide{kSmallestOrgan_m, kLargestOrgan_m};
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 inline constexpr std::size_t kFewestTriangles = 200;
 inline constexpr double kSmallPieceShare =
@@ -64,6 +74,11 @@ void requireSound(const TriangleMesh& mesh, const std::string& where);
 /// Checks that a mesh lies near the origin. Throws Error{kBadMesh} for a coordinate beyond
 /// kLargestCoordinate_m.
 void requireNearOrigin(const TriangleMesh& mesh, const std::string& where);
+
+/// Checks that a surface is as large as what it shows. Throws Error{kBadMesh}, M09, with the unit that would
+/// fit in place of `unit_m` where one does, else with the sentence `otherwise`.
+void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
+                        const std::string& where, double unit_m);
 
 /// Repairs what can be repaired without guessing (double vertices and faces, orientation, small separate
 /// pieces, inner shells) and returns a closed, manifold, outward-oriented surface of genus 0. Throws

@@ -12,7 +12,9 @@
 
 #include <queue>
 
+#include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
+#include "sim/geometry/mesh/surface_topology.h"
 
 namespace torsio {
 
@@ -21,6 +23,7 @@ namespace {
 constexpr double kLeastCosine = 0.3;     // between a triangle's normal before and after a collapse
 constexpr double kEvenness = 5e-3;       // weight of the squared edge length beside the squared distance
 constexpr double kTowardsMiddle = 1e-3;  // weight of the edge's middle where planes leave the place open
+constexpr double kHold = 100.0;          // weight of the plane of a flat face beside all others of a vertex
 
 /// Sum of squared distances to planes, each weighted by its triangle's area.
 struct PlaneSum {
@@ -31,12 +34,16 @@ struct PlaneSum {
 
   /// The plane through `point` with the unit normal `n`.
   void add(const Vec3& n, const Vec3& point, double area) {
+    hold(n, point, area);
+    weight += area;
+  }
+  /// The same as a condition on the place, which does not count as area.
+  void hold(const Vec3& n, const Vec3& point, double area) {
     const double d = -dot(n, point);
     matrix[0] += area * n.x * n.x, matrix[1] += area * n.x * n.y, matrix[2] += area * n.x * n.z;
     matrix[3] += area * n.y * n.y, matrix[4] += area * n.y * n.z, matrix[5] += area * n.z * n.z;
     vector += (area * d) * n;
     constant += area * d * d;
-    weight += area;
   }
   void add(const PlaneSum& other) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -92,6 +99,7 @@ class EdgeThinning {
         }
       }
     }
+    holdFlatFaces();
     for (const TriangleMesh::Triangle& t : mesh_.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (t[k] < t[(k + 1) % 3]) {  // of a closed surface each edge runs once so
@@ -132,6 +140,16 @@ class EdgeThinning {
       return std::tie(b.cost, b.kept, b.lost) < std::tie(a.cost, a.kept, a.lost);
     }
   };
+
+  /// Keeps flat ends flat and their rims sharp. The triangles at a rim may be slivers whose area says next to
+  /// nothing of their plane, and each collapse would lift the rim a little.
+  void holdFlatFaces() {
+    for (const FlatFace& face : findFlatFaces(mesh_, SurfaceTopology(mesh_))) {
+      for (const std::uint32_t v : face.vertices) {
+        planes_[v].hold(face.normal, face.centroid_m, kHold * planes_[v].weight);
+      }
+    }
+  }
 
   Vec3 normalTimesTwiceArea(const TriangleMesh::Triangle& t) const {
     const auto& p = mesh_.vertices_m;

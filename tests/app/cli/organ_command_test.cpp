@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "tests/app/cli/program.h"
 #include "tests/support/procedural_mesh.h"
@@ -84,6 +85,15 @@ TEST(OrganCommand, DrawsAnArmWithAPersonsMeasuresThatTwists) {
   EXPECT_TRUE(arm.at("accepted").get<bool>());
   EXPECT_GT(arm.at("volume_ml").get<double>(), 900.0);  // a man's 1 523 ml, girths by 0.86
   EXPECT_LT(arm.at("volume_ml").get<double>(), 1300.0);
+  // Its landmarks are data, as those of the shipped arm are.
+  const auto landmarks = nlohmann::json::parse(readFile(folder / "arm_markers.json"));
+  EXPECT_EQ(landmarks.at("organ"), "arm.organ");
+  EXPECT_GT(landmarks.at("zero_line_mm").size(), 20U);
+  ASSERT_EQ(landmarks.at("markers").size(), 10U);
+  for (const auto& marker : landmarks.at("markers")) {
+    EXPECT_GT(marker.at("arc_mm").get<double>(), 100.0);
+    EXPECT_TRUE(marker.contains("angle_deg"));
+  }
   const ProgramRun twisted = runTorsio("twist --json --pattern pronation --organ " + organ.string(), folder);
   ASSERT_EQ(twisted.code, 0) << twisted.err;
   EXPECT_FALSE(nlohmann::json::parse(twisted.out).at("folded").get<bool>());
@@ -125,6 +135,38 @@ TEST(OrganCommand, TakesItsUnitAsAFactor) {
 
   EXPECT_EQ(wrong.at("findings")[0].at("code"), "M09");
   EXPECT_NEAR(right.at("length_mm").get<double>(), 200.0, 0.01);
+}
+
+TEST(InstrumentCommand, MakesAnInstrumentOfAMeshOrSaysWhyNot) {
+  const auto folder = emptyFolder("instrument-mesh");
+  writeObj(folder / "tool.obj", testing::capsule(0.004, 0.16, 32, 40));
+
+  const ProgramRun made =
+      runTorsio("instrument import --json --title \"Our grasper\" --out " + (folder / "mine.json").string() +
+                    ' ' + (folder / "tool.obj").string(),
+                folder);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto told = nlohmann::json::parse(made.out);
+  EXPECT_NEAR(told.at("length_mm").get<double>(), 168.0, 0.5);
+  for (const char* key : {"shaft_radius_mm", "tip_radius_mm", "pivot_mm", "tip_in_file_mm", "shaft_in_file",
+                          "jaw_axis_in_file", "triangles", "findings", "out"}) {
+    EXPECT_TRUE(told.contains(key)) << key;
+  }
+  const auto file = nlohmann::json::parse(readFile(folder / "mine.json"));
+  EXPECT_EQ(file.at("title"), "Our grasper");
+  EXPECT_EQ(file.at("provenance"), "from a mesh, by torsio instrument import");
+  for (const auto& mesh : file.at("meshes")) {
+    EXPECT_TRUE(std::filesystem::exists(folder / mesh.get<std::string>())) << mesh;
+  }
+
+  // In metres it would be too long by far.
+  const ProgramRun refused =
+      runTorsio("instrument import --organ-unit m --out " + (folder / "no.json").string() + ' ' +
+                    (folder / "tool.obj").string(),
+                folder);
+  EXPECT_EQ(refused.code, 6);
+  EXPECT_NE(refused.err.find("M09"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "no.json"));
 }
 
 }  // namespace

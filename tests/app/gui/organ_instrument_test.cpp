@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,14 @@
 #include "app/gui/organ/instrument_panel.h"
 #include "app/gui/organ/instrument_view.h"
 #include "app/gui/organ/organ_wizard.h"
+#include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/child.h"
+#include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/geometry/mesh/mesh_export.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "tests/app/gui/organ_desk.h"
+#include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"
 
 namespace torsio::gui {
@@ -79,6 +84,63 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   for (const auto& mesh : saved.at("meshes")) {
     EXPECT_TRUE(std::filesystem::exists(file.parent_path() / mesh.get<std::string>())) << mesh;
   }
+}
+
+TEST(OrganInstrument, OfAMeshIsFoundPlacedAndSaved) {
+  const std::filesystem::path file = wizardFile("tool.ply");
+  writePly(file, torsio::testing::capsule(0.004, 0.16, 32, 40));
+  OrganDesk desk;
+  desk.wizard.openToolMesh(file);
+  desk.settle();
+  ASSERT_TRUE(desk.failures.isEmpty()) << desk.failures.join(' ').toStdString();
+  InstrumentPanel& panel = desk.wizard.instrument();
+  EXPECT_NEAR(panel.tool().length_mm, 168.0, 0.5);
+  EXPECT_FALSE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));  // a scan's
+  EXPECT_TRUE(child<QComboBox>(desk.wizard, "toolUnit").isVisibleTo(&panel));
+
+  child<QDoubleSpinBox>(desk.wizard, "toolHinge").setValue(30.0);
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+  desk.findInstrument();
+  EXPECT_NEAR(panel.tool().pivot_mm, 30.0, 1e-6);
+  const std::filesystem::path saved = wizardFile("mesh-tool.json");
+  desk.wizard.saveInstrument(saved);
+  EXPECT_EQ(nlohmann::json::parse(readFile(saved)).at("provenance"), kInstrumentOfMesh);
+
+  // The wrong unit is refused with its reason, and nothing can be saved.
+  child<QComboBox>(desk.wizard, "toolUnit").setCurrentIndex(2);
+  desk.findInstrument();
+  EXPECT_EQ(desk.failures.size(), 1);
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+
+  // A scan afterwards asks for its own things again.
+  desk.failures.clear();
+  desk.openInstrument(grasperScan());
+  EXPECT_TRUE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));
+  EXPECT_NEAR(panel.tool().length_mm, 90.0, 1.5);
+}
+
+TEST(OrganInstrument, OfACentresOwnIsReadBesideItsFileAndNowhereElse) {
+  const std::filesystem::path shipped = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
+  const std::filesystem::path folder = wizardFile("own");
+  std::filesystem::create_directories(folder);
+  std::string json = readFile(shipped / "grasper.json");
+  for (const char* name :
+       {"grasper_shaft.ply", "grasper_jaw_upper.ply", "grasper_jaw_lower.ply", "gloved_hand.ply"}) {
+    std::filesystem::copy_file(shipped / name, folder / name,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  writeFileAtomically(folder / "mine.json", json);
+
+  const InstrumentParts mine = loadInstrument(folder / "mine.json");
+
+  EXPECT_EQ(mine.upperJaw.triangles.size(), 1092U);
+  EXPECT_EQ(mine.jawPivot_mm, QVector3D(0, 0, 20));
+  EXPECT_FALSE(mine.hand.triangles.empty());
+
+  const std::string inside = "\"grasper_shaft.ply\"";
+  json.replace(json.find(inside), inside.size(), "\"../grasper_shaft.ply\"");
+  writeFileAtomically(folder / "mine.json", json);
+  EXPECT_THROW(static_cast<void>(loadInstrument(folder / "mine.json")), Error);
 }
 
 }  // namespace

@@ -172,6 +172,7 @@ TEST(OrganWizard, DrawsAnArmWithAPersonsMeasures) {
   const std::filesystem::path file = wizardFile("arm.organ");
   desk.wizard.save(file);
   EXPECT_EQ(contentHash(readOrganFile(file).mesh), contentHash(trial.import.organ.mesh));
+  EXPECT_TRUE(std::filesystem::exists(file.parent_path() / (file.stem().string() + "_markers.json")));
 }
 
 TEST(OrganWizard, TellsOfAFileThatIsNoSurfaceWithoutAPicture) {

@@ -17,14 +17,17 @@
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "tests/sim/geometry/shapes.h"
+#include "tests/support/mesh_formats.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::binaryStl;
 using testing::ellipsoid;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using testing::offText;
 
 constexpr double kSinglePrecision_m = 1e-8;  // half a float step at 100 mm is 4e-9 m
 
@@ -74,46 +77,6 @@ class MeshImport : public ::testing::Test {
   const TriangleMesh organ_ = ellipsoid({0.04, 0.05, 0.08});
   fs::path folder_;
 };
-
-std::string binaryStl(const TriangleMesh& mesh) {
-  std::string bytes(80, ' ');
-  const auto append = [&bytes](const void* from, std::size_t size) {
-    bytes.append(static_cast<const char*>(from), size);
-  };
-  const auto facets = static_cast<std::uint32_t>(mesh.triangles.size());
-  append(&facets, 4);
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    bytes.append(12, '\0');
-    for (const std::uint32_t corner : t) {
-      const Vec3& v = mesh.vertices_m[corner];
-      for (const double x : {v.x, v.y, v.z}) {
-        const auto mm = static_cast<float>(1000.0 * x);
-        append(&mm, 4);
-      }
-    }
-    bytes.append(2, '\0');
-  }
-  return bytes;
-}
-
-std::string offText(const TriangleMesh& mesh) {
-  std::string text =
-      "OFF\n" + std::to_string(mesh.vertices_m.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
-  for (const Vec3& v : mesh.vertices_m) {
-    for (const double x : {v.x, v.y, v.z}) {
-      text.append(std::to_string(1000.0 * x)).append(" ");
-    }
-    text += '\n';
-  }
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    text += '3';
-    for (const std::uint32_t corner : t) {
-      text.append(1, ' ').append(std::to_string(corner));
-    }
-    text += '\n';
-  }
-  return text;
-}
 
 TEST_F(MeshImport, ReadsBackWhatTheExportersWrite) {
   const MeshExportOptions ascii{

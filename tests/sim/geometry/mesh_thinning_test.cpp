@@ -2,11 +2,14 @@
 #include "sim/geometry/mesh/mesh_thinning.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
+#include "sim/geometry/mesh/surface_topology.h"
 #include "tests/sim/geometry/shapes.h"
 #include "tests/support/procedural_mesh.h"
 
@@ -51,6 +54,25 @@ TEST(ThinnedMesh, KeepsFlatFacesFlatAndTrianglesEven) {
   EXPECT_NEAR(report.boxMin_m.z, 0.0, 2e-4);
   EXPECT_NEAR(report.boxMax_m.z, 0.2, 2e-4);
   EXPECT_NEAR(report.volume_m3 / checkMesh(fine).volume_m3, 1.0, 4e-3);
+}
+
+// The end of a fine tube is a fan of slivers that say little of its plane; its rim was lifted all the same.
+TEST(ThinnedMesh, KeepsTheEndsOfAFineTubeFlat) {
+  const TriangleMesh fine = testing::bentTube(0.03, 0.09, 2.2, 500, 100);
+  const std::vector<FlatFace> before = findFlatFaces(fine, SurfaceTopology(fine));
+
+  const TriangleMesh coarse = thinned(fine, 10'000);
+
+  const std::vector<FlatFace> after = findFlatFaces(coarse, SurfaceTopology(coarse));
+  ASSERT_EQ(before.size(), 2U);
+  ASSERT_EQ(after.size(), 2U);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_NEAR(after[f].area_m2 / before[f].area_m2, 1.0, 2e-3);
+    const bool swapped = norm(after[f].centroid_m - before[f].centroid_m) > 0.01;
+    const FlatFace& same = before[swapped ? 1 - f : f];
+    EXPECT_LT(norm(after[f].centroid_m - same.centroid_m), 1e-4);
+    EXPECT_GT(dot(after[f].normal, same.normal), 0.99999);
+  }
 }
 
 TEST(ThinnedMesh, LeavesASmallMeshAsItIs) {

@@ -180,7 +180,30 @@ TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
     EXPECT_LT(std::abs(skin.closest(p).distance_m), kWritten_m) << marker;
     const double angle = std::atan2(p.y, p.x) - radians(marker.at("angle_deg").get<double>());
     EXPECT_NEAR(std::cos(angle), 1.0, 1e-5) << marker;
+    EXPECT_NEAR(marker.at("arc_mm").get<double>(), p.z / kMillimetre_m, 0.01) << marker;
+    EXPECT_LE(marker.at("arc_mm").get<double>(), json.at("length_mm").get<double>());
   }
+}
+
+TEST(ArmMarkers, CountTheirAnglesFromALineOnTheRadialSide) {
+  const auto json = nlohmann::json::parse(readFile(kAssets / "organs" / "forearm_markers.json"));
+  const CollisionMesh skin(importMesh(kAssets / "organs" / "forearm.ply"));
+  const auto& line = json.at("zero_line_mm");
+
+  ASSERT_GT(line.size(), 20U);
+  double before_m = 0.0;
+  for (const auto& point : line) {
+    const Vec3 p = pointMm(point);
+    EXPECT_LT(std::abs(skin.closest(p).distance_m), 2e-5) << point;
+    EXPECT_GT(p.x, 0.025) << point;  // radial
+    EXPECT_NEAR(p.y, 0.0, 1e-5) << point;
+    EXPECT_GT(p.z, before_m) << point;
+    before_m = p.z;
+  }
+  // From the elbow to the wrist crease, without the rounded rim of the cut.
+  EXPECT_LT(pointMm(line.front()).z, 0.012);
+  EXPECT_GT(pointMm(line.back()).z, 0.25);
+  EXPECT_LT(pointMm(line.back()).z, pointMm(json.at("wrist_mm")).z);
 }
 
 TEST(ArmMarkers, AreThoseOfARightHand) {

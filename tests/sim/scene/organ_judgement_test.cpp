@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "sim/scene/organ_import.h"
 #include "sim/scene/scene_file.h"
 #include "tests/support/organ_like_shapes.h"
+#include "tests/support/procedural_mesh.h"
 
 namespace torsio {
 namespace {
@@ -72,6 +74,30 @@ TEST(OrganJudgement, FindsNothingAboutAGentlyBentTube) {
   EXPECT_GT(tube.measures.elongation, 3.5);
   EXPECT_GT(tube.measures.leastDeterminant60, 0.3);
   EXPECT_LT(tube.measures.leastDeterminant60, 1.0);
+}
+
+/// What a PLY file keeps of a mesh: single precision, in millimetres.
+TriangleMesh asInFile(TriangleMesh mesh) {
+  for (Vec3& v : mesh.vertices_m) {
+    for (double* x : {&v.x, &v.y, &v.z}) {
+      *x = static_cast<double>(static_cast<float>(1000.0 * *x)) / 1000.0;
+    }
+  }
+  return mesh;
+}
+
+TEST(OrganJudgement, SaysTheSameOfOneShapeHoweverFineItIs) {
+  constexpr double kBend_m = 0.09;
+  constexpr double kTurn = 2.2;
+  double usual = 0.0;
+  for (const auto& [points, rings] : {std::pair{60, 100}, {250, 400}, {400, 500}}) {
+    const OrganJudgement tube = judgementOf(asInFile(testing::bentTube(0.03, kBend_m, kTurn, points, rings)));
+
+    EXPECT_TRUE(tube.findings.empty()) << points << " points";
+    EXPECT_NEAR(tube.measures.length_m, kBend_m * kTurn, 0.01 * kBend_m * kTurn) << points << " points";
+    usual = usual == 0.0 ? tube.measures.leastDeterminant60 : usual;
+    EXPECT_NEAR(tube.measures.leastDeterminant60, usual, 0.05) << points << " points";
+  }
 }
 
 TEST(OrganJudgement, FindsNothingAboutTheShippedOrgansThatTwistAsAWhole) {
