@@ -8,6 +8,8 @@ const kColour = 2;
 const kMap = 3;
 const kFactor = 4;
 const kStride_B = 24;
+/// Position, normal, factor on the colour: three floats each.
+export const kCorner_B = 36;
 
 /// A context, or null where the browser has none. Without edges smoothed where the processor draws.
 export function openContext(canvas) {
@@ -24,8 +26,32 @@ function drawnByProcessor() {
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-/// {use(), and set(name, value): a number, three numbers, nine or sixteen}. Throws Error where it does not compile.
+/// {use(); set(name, value): a number, three numbers each, or sixteen; setWhole(name, value): a whole number or some, or
+/// the unit of a texture; setEach(name, values): one number each}. Throws Error where it does not compile.
 export function makeProgram(gl, vertexSource, fragmentSource) {
+  return linked(gl, vertexSource, fragmentSource, []);
+}
+
+const kNothingShader = `#version 300 es
+void main() {}`;
+
+/// A program without a picture: write(buffer, count) runs its vertex shader for `count` vertices of the array that is
+/// bound, and puts `outputs` into the buffer, one vertex after the other.
+export function makeFeedback(gl, vertexSource, outputs) {
+  const program = linked(gl, vertexSource, kNothingShader, outputs);
+  return {
+    ...program,
+    write(buffer, count) {
+      gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+      gl.beginTransformFeedback(gl.POINTS);
+      gl.drawArrays(gl.POINTS, 0, count);
+      gl.endTransformFeedback();
+      gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+    },
+  };
+}
+
+function linked(gl, vertexSource, fragmentSource, outputs) {
   const program = gl.createProgram();
   for (const [kind, source] of [[gl.VERTEX_SHADER, vertexSource], [gl.FRAGMENT_SHADER, fragmentSource]]) {
     const shader = gl.createShader(kind);
@@ -33,6 +59,7 @@ export function makeProgram(gl, vertexSource, fragmentSource) {
     gl.compileShader(shader);
     gl.attachShader(program, shader);
   }
+  if (outputs.length) gl.transformFeedbackVaryings(program, outputs, gl.INTERLEAVED_ATTRIBS);
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
   const places = new Map();
@@ -42,54 +69,71 @@ export function makeProgram(gl, vertexSource, fragmentSource) {
   };
   return {
     use: () => gl.useProgram(program),
-    unit: (name, number) => gl.uniform1i(at(name), number),
     set(name, value) {
       if (value.length === undefined) gl.uniform1f(at(name), value);
-      else if (value.length === 3) gl.uniform3fv(at(name), value);
-      else gl.uniformMatrix4fv(at(name), false, value);
+      else if (value.length === 16) gl.uniformMatrix4fv(at(name), false, value);
+      else gl.uniform3fv(at(name), value);
+    },
+    setWhole: (name, value) => gl.uniform1iv(at(name), value.length === undefined ? [value] : value),
+    setEach: (name, values) => gl.uniform1fv(at(name), values),
+  };
+}
+
+/// Binds new numbers, or a buffer that is there, to an attribute of the array that is bound. Whole numbers stay whole
+/// unless `normalised`: then 255 is 1.
+export function attribute(gl, place, values, size, { normalised = false, stride = 0, offset = 0 } = {}) {
+  const kinds = new Map([[Uint8Array, gl.UNSIGNED_BYTE], [Uint32Array, gl.UNSIGNED_INT]]);
+  const there = values instanceof WebGLBuffer;
+  gl.bindBuffer(gl.ARRAY_BUFFER, there ? values : gl.createBuffer());
+  if (!there) gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+  const kind = kinds.get(values.constructor) ?? gl.FLOAT;
+  gl.enableVertexAttribArray(place);
+  if (kind === gl.FLOAT || normalised) gl.vertexAttribPointer(place, size, kind, normalised, stride, offset);
+  else gl.vertexAttribIPointer(place, size, kind, stride, offset);
+}
+
+/// `vertices`: x y z nx ny nz each, or a buffer of corners with their factors, too (organ_sum.js); `colour`: three u8
+/// each, or one colour for all; `map`: place on the skin's picture, 0 .. 1, two each, or null.
+export function makeMesh(gl, { index, vertices, colour, map = null }) {
+  const array = gl.createVertexArray();
+  gl.bindVertexArray(array);
+  const moving = vertices instanceof WebGLBuffer;
+  const stride = moving ? kCorner_B : kStride_B;
+  const shared = moving ? vertices : bufferOf(gl, vertices);
+  attribute(gl, kPosition, shared, 3, { stride });
+  attribute(gl, kNormal, shared, 3, { stride, offset: 12 });
+  if (moving) attribute(gl, kFactor, shared, 3, { stride, offset: 24 });
+  const oneColour = colour.length === 3;
+  if (!oneColour) attribute(gl, kColour, colour, 3, { normalised: true });
+  if (map) attribute(gl, kMap, map, 2);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
+  gl.bindVertexArray(null);
+  return {
+    draw(first = 0, count = index.length) {
+      gl.bindVertexArray(array);
+      if (oneColour) gl.vertexAttrib3f(kColour, ...colour);
+      if (!moving) gl.vertexAttrib3f(kFactor, 1, 1, 1);
+      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
     },
   };
 }
 
-/// `vertices`: x y z nx ny nz each; `colour`: three u8 each, or one colour for all; `map`: place on the skin's picture,
-/// 0 .. 1, two each, or null; `tinted`: a factor on the colour each, three floats, that move() brings.
-export function makeMesh(gl, { index, vertices, colour, map = null, tinted = false, moves = false }) {
-  const array = gl.createVertexArray();
-  gl.bindVertexArray(array);
-  const bound = (size_B, use, place, type, normalised, size, stride = 0, offset = 0) => {
-    const buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.bufferData(gl.ARRAY_BUFFER, size_B, use);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, size, type, normalised, stride, offset);
-    return buffer;
-  };
-  const buffer = bound(vertices, moves ? gl.DYNAMIC_DRAW : gl.STATIC_DRAW, kPosition, gl.FLOAT, false, 3, kStride_B);
-  gl.enableVertexAttribArray(kNormal);
-  gl.vertexAttribPointer(kNormal, 3, gl.FLOAT, false, kStride_B, 12);
-  const oneColour = colour.length === 3;
-  if (!oneColour) bound(colour, gl.STATIC_DRAW, kColour, gl.UNSIGNED_BYTE, true, 3);
-  if (map) bound(map, gl.STATIC_DRAW, kMap, gl.FLOAT, false, 2);
-  const factors = tinted ? bound(2 * vertices.byteLength / 4, gl.DYNAMIC_DRAW, kFactor, gl.FLOAT, false, 3) : null;
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, index, gl.STATIC_DRAW);
-  gl.bindVertexArray(null);
-  const put = (target, data) => {
-    gl.bindBuffer(gl.ARRAY_BUFFER, target);
-    gl.bufferSubData(gl.ARRAY_BUFFER, 0, data);
-  };
-  return {
-    move(fresh, tint = null) {
-      put(buffer, fresh);
-      if (factors && tint) put(factors, tint);
-    },
-    draw(first = 0, count = index.length) {
-      gl.bindVertexArray(array);
-      if (oneColour) gl.vertexAttrib3f(kColour, ...colour);
-      if (!factors) gl.vertexAttrib3f(kFactor, 1, 1, 1);
-      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
-    },
-  };
+function bufferOf(gl, values) {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+  return buffer;
+}
+
+/// Texels that a shader reads by number: 1024 a row, `layers` one behind the other. `make()` fills it while it is bound.
+export function tableTexture(gl, kind, make) {
+  const texture = gl.createTexture();
+  gl.bindTexture(kind, texture);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  make();
+  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(kind, filter, gl.NEAREST);
+  return texture;
 }
 
 /// A texture of a picture (ImageBitmap), or of four bytes that stand for all of it.
@@ -121,7 +165,7 @@ export function joinedTexture(gl, program, width, height, sources) {
   Object.entries(sources).forEach(([name, source], unit) => {
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, source);
-    program.unit(name, unit);
+    program.setWhole(name, unit);
   });
   gl.drawArrays(gl.TRIANGLES, 0, 3);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);

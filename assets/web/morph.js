@@ -2,6 +2,7 @@
 // The organ at any moment: mean shape plus weighted components, and its normals. Knows no page and no WebGL.
 
 const kFloatsAVertex = 6; // x y z, nx ny nz
+const kUnchanged = [1, 1, 1];
 const kMoments = 7; // that tell how much room the organ takes
 
 export class Morph {
@@ -19,7 +20,7 @@ export class Morph {
 
   /// Fills `vertices` (x y z in mm, then a normal that is not of unit length yet) with the organ at `time_s`.
   evaluate(time_s) {
-    this.#mix(time_s);
+    this.weightsAt(time_s);
     this.#place();
     this.#turnNormals();
     return this.vertices;
@@ -28,20 +29,29 @@ export class Morph {
   /// A factor on the colour of each vertex, three each, as the screen has colours: blood, then what was done to the
   /// tissue, the lowest first. Null for an organ whose colour stays.
   tintsAt(time_s) {
-    const { fed, blood, paint } = this.arrays;
+    const { fed, paint } = this.arrays;
     if (!fed) return null;
-    const frame = Math.min(Math.max(Math.round(time_s * this.meta.rate_hz), 0), this.meta.frames - 1);
+    const { blood, paints } = this.coloursAt(time_s);
     const tints = (this.tints ??= new Float32Array(3 * this.meta.vertices));
-    mixTints(tints.fill(1), blood.subarray(3 * frame, 3 * frame + 3), fed);
-    (this.meta.paints ?? []).forEach(({ factor, from, to }, number) => {
-      if (frame < from || frame >= to) return;
-      mixTints(tints, factor, paint.subarray(number * fed.length, (number + 1) * fed.length));
-    });
+    mixTints(tints.fill(1), blood, fed);
+    for (const { factor, layer } of paints) {
+      mixTints(tints, factor, paint.subarray(layer * fed.length, (layer + 1) * fed.length));
+    }
     return tints;
   }
+  /// What colours the organ at this time: {blood, paints: [{factor, layer}]}.
+  coloursAt(time_s) {
+    if (!this.arrays.fed) return { blood: kUnchanged, paints: [] };
+    const frame = Math.min(Math.max(Math.round(time_s * this.meta.rate_hz), 0), this.meta.frames - 1);
+    const layers = (this.meta.paints ?? []).map((one, layer) => ({ ...one, layer }));
+    return {
+      blood: this.arrays.blood.subarray(3 * frame, 3 * frame + 3),
+      paints: layers.filter(({ from, to }) => frame >= from && frame < to),
+    };
+  }
 
-  /// Weights at this time, each times its scale: linear between frames.
-  #mix(time_s) {
+  /// Weights at this time, each times its scale: linear between frames. Valid until the next call.
+  weightsAt(time_s) {
     const { components, frames, rate_hz, scale } = this.meta;
     const at = Math.min(Math.max(time_s * rate_hz, 0), frames - 1);
     const before = Math.min(Math.floor(at), Math.max(frames - 2, 0));
@@ -53,6 +63,7 @@ export class Morph {
       const b = weights[after * components + k];
       this.#weights[k] = scale[k] * (a + (b - a) * share);
     }
+    return this.#weights;
   }
 
   #place() {
@@ -86,7 +97,7 @@ export class Morph {
     const high = [-Infinity, -Infinity, -Infinity];
     const moments = Array.from({ length: kMoments }, (_, i) => (i * (this.meta.frames - 1)) / this.meta.rate_hz / (kMoments - 1));
     const everywhere = (visit) => moments.forEach((time_s) => {
-      this.#mix(time_s);
+      this.weightsAt(time_s);
       this.#place();
       for (let i = 0; i < this.placed.length; i += 3) visit(this.placed, i);
     });
@@ -116,13 +127,22 @@ function mixTints(tints, factor, shares) {
   }
 }
 
-/// Copies `width` numbers of each corner's vertex out of `from`: corners on a seam of the skin share a vertex.
-export function spread(from, corner, width, out) {
-  for (let i = 0, o = 0; i < corner.length; ++i) {
-    const begin = width * corner[i];
-    for (let k = 0; k < width; ++k) out[o++] = from[begin + k];
+/// The triangles round each vertex: from first[v] up to first[v + 1], the other two vertices of each, in the order in
+/// which they go round it: others[2 i], others[2 i + 1].
+export function fanned(index, vertices) {
+  const first = new Uint32Array(vertices + 1);
+  for (const vertex of index) first[vertex + 1] += 1;
+  for (let v = 0; v < vertices; ++v) first[v + 1] += first[v];
+  const next = first.slice();
+  const others = new Uint32Array(2 * index.length);
+  for (let i = 0; i < index.length; i += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const at = 2 * next[index[i + k]]++;
+      others[at] = index[i + ((k + 1) % 3)];
+      others[at + 1] = index[i + ((k + 2) % 3)];
+    }
   }
-  return out;
+  return { first, others };
 }
 
 /// Adds to `vertices` (x y z nx ny nz each) the normals of the triangles of `index`, weighted by area.

@@ -3,8 +3,9 @@
 // pictures take too long.
 import { h } from './dom.js';
 import { joinedTexture, makeMesh, makeProgram, makeTexture, openContext } from './gl.js';
-import { addNormals, Morph, spread } from './morph.js';
+import { addNormals, Morph } from './morph.js';
 import { OrbitCamera } from './orbit.js';
+import { OrganSum } from './organ_sum.js';
 import { kJoinShader, kJoinVertexShader, kLamps, kSteelShader, kVertexShader, tissueShader } from './shaders.js';
 import { jawOpening, poseMatrix, product, turnedAbout } from './tool_pose.js';
 
@@ -83,13 +84,12 @@ export class Stage {
   #map = null;
   #organMesh() {
     const { organ, skin } = this;
-    const moves = { moves: true, tinted: organ.tintsAt(0) !== null };
-    if (!skin) return makeMesh(this.#gl, { ...moves, index: organ.index, colour: organ.colour, vertices: organ.evaluate(this.#time_s) });
-    const { corner, place, width, height, index } = skin;
+    this.sum = new OrganSum(this.#gl, organ, skin?.corner);
+    const vertices = this.sum.buffer;
+    if (!skin) return makeMesh(this.#gl, { vertices, index: organ.index, colour: organ.colour });
+    const { place, width, height, index } = skin;
     const map = place.map((value, i) => value / (i % 2 === 0 ? width : height));
-    this.spreadVertices = new Float32Array(6 * corner.length);
-    this.spreadTints = moves.tinted ? new Float32Array(3 * corner.length) : null;
-    return makeMesh(this.#gl, { ...moves, index, map, colour: kWhite, vertices: this.spreadVertices });
+    return makeMesh(this.#gl, { vertices, index, map, colour: kWhite });
   }
   #skinTexture() {
     const gl = this.#gl;
@@ -179,7 +179,7 @@ export class Stage {
 
   #draw() {
     const gl = this.#gl;
-    if (this.#moved) this.#move();
+    if (this.#moved) this.sum.move(this.#time_s);
     this.#moved = false;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(0, 0, 0, 0);
@@ -196,15 +196,6 @@ export class Stage {
     this.#begin(this.steel);
     this.#drawTool(this.#meshes.tool);
     this.#sharpen();
-  }
-  /// The organ as it is at this time, and the colour of its blood.
-  #move() {
-    const vertices = this.organ.evaluate(this.#time_s);
-    const tints = this.organ.tintsAt(this.#time_s);
-    if (!this.skin) return this.#meshes.organ.move(vertices, tints);
-    const { corner } = this.skin;
-    return this.#meshes.organ.move(spread(vertices, corner, 6, this.spreadVertices),
-      tints && spread(tints, corner, 3, this.spreadTints));
   }
   /// The operating lamp stays where the room has it, the one beside the lens goes along.
   #begin(program) {

@@ -123,15 +123,19 @@ def organ():
     step = 10.0
     shapes = [shape(step * k) for k in range(POSES)]
     mean = shapes[0]
-    size = len(mean)
-    largest = 1e-6 + max(abs(s[i] - mean[i]) for s in shapes for i in range(size))
+    size, known = len(mean), POSES - 1
+    # Each component has a part in every shape, as those of the server have, and undoes itself: orthogonal.
+    mix = [[math.sqrt(2.0 / known) * math.cos(math.pi * (k + 0.5) * (m + 0.5) / known) for k in range(known)] for m in range(known)]
+    steps = [[one[i] - mean[i] for i in range(size)] for one in shapes[1:]]
+    mixed = [[sum(row[k] * steps[k][i] for k in range(known)) for i in range(size)] for row in mix]
+    largest = 1e-6 + max(max(map(abs, one)) for one in mixed)
     basis = array("h")
-    for one in shapes[1:]:
-        basis.extend(round(32767.0 * (one[i] - mean[i]) / largest) for i in range(size))
+    for one in mixed:
+        basis.extend(round(32767.0 * value / largest) for value in one)
     weights = array("f")
     for angle in angles:
-        for k in range(1, POSES):
-            weights.append(max(0.0, 1.0 - abs(angle - step * k) / step))
+        near = [max(0.0, 1.0 - abs(angle - step * k) / step) for k in range(1, POSES)]
+        weights.extend(sum(row[k] * near[k] for k in range(known)) for row in mix)
     colour = array("B")
     for j in range(ALONG):
         for i in range(ROUND):

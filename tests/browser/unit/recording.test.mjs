@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { readContainer } from '../../../assets/web/container.js';
-import { Morph, spread } from '../../../assets/web/morph.js';
+import { fanned, Morph } from '../../../assets/web/morph.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
 import { kLamps } from '../../../assets/web/shaders.js';
@@ -96,9 +96,19 @@ test('blood, then what was done to the tissue, colours each vertex by its share 
   near(9, [1, 1, 1, 0.8, 0.8, 0.8, 0.4, 0.4, 0]);
 });
 
-test('corners on a seam of the skin get the numbers of their vertex', () => {
-  const out = spread([0, 1, 10, 11, 20, 21], [2, 0, 2, 1], 2, new Float32Array(8));
-  assert.deepEqual([...out], [20, 21, 0, 1, 20, 21, 10, 11]);
+test('a fan has every triangle round its vertex, and goes round it as the triangle does', () => {
+  const { first, others } = fanned([0, 1, 2, 2, 1, 3], 5);
+  const fan = (v) => [...others.subarray(2 * first[v], 2 * first[v + 1])];
+  assert.deepEqual([0, 1, 2, 3, 4].map(fan), [[1, 2], [2, 0, 3, 2], [0, 1, 1, 3], [2, 1], []]);
+});
+
+test('bruises and clips lie on an organ in their own frames alone', () => {
+  const paints = [{ factor: [0, 0, 0], from: 1, to: 2 }, { factor: [1, 1, 0], from: 1, to: 3 }];
+  const arrays = { ...kTriangle.arrays, fed: new Uint8Array(3), blood: new Float32Array([1, 1, 1, 0.5, 0.25, 0.75, 0, 0, 0]) };
+  const morph = new Morph({ meta: { ...kTriangle.meta, paints }, arrays });
+  assert.deepEqual([0, 0.5, 1].map((time_s) => morph.coloursAt(time_s).paints.map((one) => one.layer)), [[], [0, 1], [1]]);
+  assert.deepEqual([...morph.coloursAt(0.5).blood], [0.5, 0.25, 0.75]);
+  assert.deepEqual(new Morph(kTriangle).coloursAt(0.5), { blood: [1, 1, 1], paints: [] });
 });
 
 test('the lamps are those of the window', () => {

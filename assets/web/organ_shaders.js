@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertex shaders that evaluate the twist (GLSL ES 3.00); organ_sum.js feeds them.
+
+/// Texels a row of the textures that are read by number.
+export const kRow = 1024;
+
+/// Of an organ; the server makes no more.
+export const kMostComponents = 48;
+/// Bruises, tears (32 of both in a recording) and a clip that lie on an organ at once.
+export const kMostPaints = 33;
+
+/// Where a vertex lies: its mean place and each displacement times its weight.
+export const kPlaceShader = `#version 300 es
+layout(location = 0) in vec3 mean;
+uniform highp isampler2DArray steps;
+uniform int count;
+uniform int layers[${kMostComponents}];
+uniform float weights[${kMostComponents}];
+out vec4 placed;
+void main() {
+  ivec2 at = ivec2(gl_VertexID % ${kRow}, gl_VertexID / ${kRow});
+  vec3 sum = mean;
+  for (int i = 0; i < count; ++i) sum += weights[i] * vec3(texelFetch(steps, ivec3(at, layers[i]), 0).xyz);
+  placed = vec4(sum, 1.0);
+}`;
+
+/// What is drawn of a corner: its vertex's place; the sum of the normals of the triangles round it, each as long as
+/// twice its area; blood, then what was done to the tissue, the lowest first.
+export const kCornerShader = `#version 300 es
+layout(location = 0) in uvec3 whose; // vertex, its first triangle among the fans, how many
+layout(location = 1) in float fed;
+uniform highp sampler2DArray places;
+uniform highp usampler2D fans;
+uniform highp sampler2DArray paints;
+uniform vec3 blood;
+uniform int paintCount;
+uniform int paintLayers[${kMostPaints}];
+uniform vec3 paintFactors[${kMostPaints}];
+out vec3 position;
+out vec3 normal;
+out vec3 factor;
+ivec2 texel(uint number) {
+  return ivec2(int(number % ${kRow}u), int(number / ${kRow}u));
+}
+vec3 place(uint vertex) {
+  return texelFetch(places, ivec3(texel(vertex), 0), 0).xyz;
+}
+void main() {
+  position = place(whose.x);
+  normal = vec3(0.0);
+  for (uint i = whose.y; i < whose.y + whose.z; ++i) {
+    uvec2 others = texelFetch(fans, texel(i), 0).xy;
+    normal += cross(place(others.x) - position, place(others.y) - position);
+  }
+  factor = mix(vec3(1.0), blood, fed);
+  for (int i = 0; i < paintCount; ++i) {
+    factor = mix(factor, paintFactors[i], texelFetch(paints, ivec3(texel(whose.x), paintLayers[i]), 0).r);
+  }
+}`;
