@@ -115,7 +115,7 @@ TEST(PrivateFiles, ACrashLeavesNoDump) {
     return std::string();
   };
   std::istringstream words;
-  for (int tries = 0; tries < 1'000 && !fs::exists(folder / "out"); ++tries) {  // it has begun its work
+  for (int tries = 0; tries < 6'000 && !fs::exists(folder / "out"); ++tries) {  // it has begun its work
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   words.str(limits().substr(18));

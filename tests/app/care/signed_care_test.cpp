@@ -249,7 +249,7 @@ TEST_F(SignedCare, ThePasswordOfWhoeverSignsInIsInNoListOfProcesses) {
   ASSERT_GT(program, 0);
   const std::string shown = "/proc/" + std::to_string(program);
   int waiting = 1;
-  for (int tries = 0; tries < 1'000 && waiting > 0; ++tries) {  // until it has read what was sent
+  for (int tries = 0; tries < 6'000 && waiting > 0; ++tries) {  // until it has read what was sent
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ioctl(pipe[0], FIONREAD, &waiting);
   }

@@ -18,6 +18,7 @@ namespace {
 struct Plug {
   std::atomic<bool> plugged{true};
   std::atomic<bool> hangs{false};
+  std::atomic<bool> hanging{false};  ///< a poll does not come back
   std::atomic<std::uint32_t> buttons{0};
 };
 
@@ -26,6 +27,7 @@ class PluggedSource final : public SteeringSource {
   explicit PluggedSource(std::shared_ptr<Plug> plug) : plug_(std::move(plug)) {}
   [[nodiscard]] std::optional<SteeringInput> poll() override {
     while (plug_->hangs.load()) {
+      plug_->hanging = true;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (!plug_->plugged.load()) {
@@ -107,7 +109,7 @@ TEST_F(Steered, AThreadThatHangsMakesTheReadingStaleThenLost) {
   serveUntilRead();
 
   plug_->hangs = true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the poll that goes on ends
+  ASSERT_TRUE(eventually([this] { return plug_->hanging.load(); }));  // the poll before it has ended
   const DeviceSample last = device_.read(1'000'000);
   const DeviceSample stale = device_.read(1'000'000 + kSteeringStale_us + 1);
   const DeviceSample lost = device_.read(1'000'000 + kSteeringLost_us + 1);
