@@ -1161,6 +1161,10 @@
         <translation>原因（不写姓名）</translation>
     </message>
     <message>
+        <source>! The plan of %1 has no such time. It is logged all the same, and noted as a deviation.</source>
+        <translation>! %1 的训练计划中没有这类时间。仍会登记，并记为方案偏离。</translation>
+    </message>
+    <message>
         <source>&amp;With</source>
         <translation>与(&amp;W)</translation>
     </message>
@@ -1179,6 +1183,10 @@
     <message>
         <source>trained before scoring</source>
         <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>trained outside the plan</source>
+        <translation>计划外训练</translation>
     </message>
 </context>
 <context>
@@ -5746,6 +5754,14 @@
     <message>
         <source>this phase belongs to another arm</source>
         <translation>该阶段属于另一组别</translation>
+    </message>
+    <message>
+        <source>the arm of this trainee spends no time on this</source>
+        <translation>该学员所在组别没有这类训练时间</translation>
+    </message>
+    <message>
+        <source>Say why; it is noted as a deviation</source>
+        <translation>请说明原因；将记为方案偏离</translation>
     </message>
     <message>
         <source>this physician cannot be asked</source>
@@ -11014,6 +11030,10 @@
     <message>
         <source>trained before scoring</source>
         <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>trained outside the plan</source>
+        <translation>计划外训练</translation>
     </message>
     <message>
         <source>Program file (BLAKE2b)</source>
@@ -20519,6 +20539,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>PDF (*.pdf)</source>
         <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Add a&amp;nother</source>
+        <translation>再加一个(&amp;N)</translation>
     </message>
     <message>
         <source>Name at least one place.</source>
