@@ -20664,6 +20664,10 @@ MSM = 质点弹簧</translation>
         <translation>没有可供比较的专家操作。</translation>
     </message>
     <message>
+        <source>Too little of this run could be measured to compare it with the expert&apos;s.</source>
+        <translation>本次运行可测量的部分太少，无法与专家的运行比较。</translation>
+    </message>
+    <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
     </message>
@@ -20678,6 +20682,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What was felt was not what was computed all the time: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
+    </message>
+    <message>
+        <source>The run was not computed evenly all the time: %1. %2.</source>
+        <translation>本次运行的计算并非始终均匀：%1。%2。</translation>
     </message>
     <message numerus="yes">
         <source>%n twist(s) not completed and not counted.</source>
@@ -23171,6 +23179,13 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>The overall mark lies outside the rows. Press again to seal the sheet.</source>
         <translation>总分超出各行分数的范围。再按一次即封存评分表。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LiveScene</name>
+    <message>
+        <source>Getting the organ ready…</source>
+        <translation>正在准备器官…</translation>
     </message>
 </context>
 <context>
