@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of the cohorts: who is enrolled, and how long they have trained.
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "app/study/cohort_service.h"
+#include "app/study/run_day.h"
 #include "app/study/scoring_due.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
@@ -15,10 +18,13 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/ids.h"
 #include "sim/base/refusal.h"
+#include "sim/base/time_units.h"
 
 namespace torsio {
 
 namespace {
+
+constexpr const char* kTrainedBesidePlan = "trained outside the plan";
 
 Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const EnrolmentId& enrolmentId) {
   for (Enrolment& enrolment : study.enrolments(cohortId)) {
@@ -37,40 +43,69 @@ const TrainingPhase* phaseOf(const StudyArm& arm, const PhaseId& phaseId) {
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-void checkPhase(SessionContext& session, const Cohort& cohort, const Enrolment& enrolment,
-                const NewExposure& exposure) {
-  if (exposure.phaseId.empty()) {
-    return;
-  }
+/// The arm that an enrolment was drawn for. Empty: none, or the cohort follows no curriculum.
+std::optional<StudyArm> armOf(SessionContext& session, const Cohort& cohort, const Enrolment& enrolment) {
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   if (!version) {
-    refuse(Text::tr("the cohort follows no curriculum"), Text::tr("phase"),
-           Text::tr("Record the time without a phase"));
+    return std::nullopt;
   }
-  StudyRepository study(session.connection());
   ArmId armId;
-  for (const StudyGroup& group : study.groups(cohort.id)) {
+  for (const StudyGroup& group : StudyRepository(session.connection()).groups(cohort.id)) {
     if (group.id == enrolment.groupId) {
       armId = group.armId;
     }
   }
   for (const StudyArm& arm : version->arms) {
-    if (arm.id != armId) {
-      continue;
+    if (arm.id == armId) {
+      return arm;
     }
-    const TrainingPhase* phase = phaseOf(arm, exposure.phaseId);
-    if (phase == nullptr) {
-      break;
-    }
-    if (exposure.kind == ExposureKind::kRest || exposure.kind == exposureIn(phase->kind)) {
-      return;
-    }
+  }
+  return std::nullopt;
+}
+
+void checkPhase(const Cohort& cohort, const std::optional<StudyArm>& arm, const Enrolment& enrolment,
+                const NewExposure& exposure) {
+  if (cohort.curriculumVersionId.empty()) {
+    refuse(Text::tr("the cohort follows no curriculum"), Text::tr("phase"),
+           Text::tr("Record the time without a phase"));
+  }
+  const TrainingPhase* phase = arm ? phaseOf(*arm, exposure.phaseId) : nullptr;
+  if (phase == nullptr) {
+    refuse(Text::tr("this phase belongs to another arm"), enrolment.traineeCode,
+           Text::tr("Choose a phase of the trainee's own arm"));
+  }
+  if (exposure.kind != ExposureKind::kRest && exposure.kind != exposureIn(phase->kind)) {
     refuse(Text::tr("the phase is %1, the time is %2", std::string(storedText(phase->kind)),
                     std::string(storedText(exposure.kind))),
            enrolment.traineeCode, Text::tr("Record it for the phase that it was spent in"));
   }
-  refuse(Text::tr("this phase belongs to another arm"), enrolment.traineeCode,
-         Text::tr("Choose a phase of the trainee's own arm"));
+}
+
+/// Time that the arm does not plan makes its groups alike: it is noted as a deviation, with the reason.
+void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enrolment,
+              const NewExposure& exposure) {
+  if (isPlanned(arm, exposure.kind)) {
+    return;
+  }
+  if (exposure.reason.empty()) {
+    refuse(Text::tr("the arm of this trainee spends no time on this"), enrolment.traineeCode,
+           Text::tr("Say why; it is noted as a deviation"));
+  }
+  const DeviationId id = session.ids().newUuid();
+  StudyRepository(session.connection())
+      .addDeviation({id, exposure.cohortId, enrolment.id, kTrainedBesidePlan,
+                     std::to_string(exposure.duration_us / kSecond_us) + " s " +
+                         (exposure.kind == ExposureKind::kReal ? "on the real arm: " : "on the simulator: ") +
+                         exposure.reason,
+                     exposure.startedUtc_us, session.actor().userId, session.now_us(),
+                     enrolment.demonstration});
+  session.note({.action = AuditAction::kDeviationReport,
+                .objectKind = AuditObject::kDeviation,
+                .objectId = id,
+                .newJson = nlohmann::json{{"kind", kTrainedBesidePlan},
+                                          {"cohort", exposure.cohortId},
+                                          {"enrolment", enrolment.id}}
+                               .dump()});
 }
 
 /// Training that goes on while sheets of the real arm are missing is a deviation, whoever logs it.
@@ -187,7 +222,12 @@ ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) 
     refuse(Text::tr("has withdrawn from the study"), enrolment.traineeCode,
            Text::tr("Nothing is recorded any more"));
   }
-  checkPhase(session, cohort, enrolment, exposure);
+  const std::optional<StudyArm> arm = armOf(session, cohort, enrolment);
+  if (!exposure.phaseId.empty()) {
+    checkPhase(cohort, arm, enrolment, exposure);
+  } else if (arm) {
+    notePlan(session, *arm, enrolment, exposure);
+  }
   noteMissingSheets(session, exposure, enrolment);
   Exposure stored{session.ids().newUuid(), exposure.enrolmentId,   exposure.phaseId,
                   exposure.kind,           exposure.startedUtc_us, exposure.duration_us,

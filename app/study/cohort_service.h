@@ -112,9 +112,12 @@ struct NewExposure {
   ExposureKind kind = ExposureKind::kVirtual;
   std::int64_t startedUtc_us = 0;
   std::int64_t duration_us = 0;
+  std::string reason{};  ///< why, where the arm of the trainee spends no time on this; without names
 };
 /// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the run day: kStudySetup. Audited.
-/// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time.
+/// Time outside any phase that the arm does not plan (isPlanned()) is noted as a deviation.
+/// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time,
+/// time that is not planned without a reason.
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
 
 }  // namespace torsio

@@ -53,6 +53,11 @@ void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<Exposur
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
+  for (const ExposureKind kind : {ExposureKind::kVirtual, ExposureKind::kReal}) {
+    if (!isPlanned(arm, kind)) {
+      row.unplanned.push_back(kind);
+    }
+  }
   row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
   if (!row.done && !arm.phases.empty()) {
     row.phaseLabel = arm.phases[row.progress.phase].label;
@@ -89,6 +94,12 @@ Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const 
 }
 
 }  // namespace
+
+bool isPlanned(const StudyArm& arm, ExposureKind kind) {
+  return kind == ExposureKind::kRest || arm.phases.empty() ||
+         std::any_of(arm.phases.begin(), arm.phases.end(),
+                     [kind](const TrainingPhase& phase) { return exposureIn(phase.kind) == kind; });
+}
 
 PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> exposures) {
   PhaseProgress progress;

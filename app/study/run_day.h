@@ -34,6 +34,10 @@ struct PhaseProgress {
 /// order. Rest counts for no phase. An allowance that may not be split is used up by the first rest.
 [[nodiscard]] PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> exposures);
 
+/// Tells whether an arm spends time on this. Rest it always may; one without phases plans nothing, and
+/// nothing is beside its plan.
+[[nodiscard]] bool isPlanned(const StudyArm& arm, ExposureKind kind);
+
 /// One line of the board.
 struct RunDayRow {
   EnrolmentId enrolmentId{};
@@ -46,12 +50,13 @@ struct RunDayRow {
   std::string phaseKind{};
   PhaseProgress progress{};
   std::int64_t restAllowance_us = 0;
-  bool done = false;              ///< all phases
-  Occasion occasionDue{};         ///< the newest one that the exposure has reached; of
-                                  ///< several, the first that lacks sheets; no code: none
-  std::size_t sheetsMissing = 0;  ///< of that occasion
-  TrialId runningTrialId{};       ///< empty: nothing runs
-  std::string station{};          ///< where it runs
+  bool done = false;                      ///< all phases
+  std::vector<ExposureKind> unplanned{};  ///< what the arm spends no time on (isPlanned())
+  Occasion occasionDue{};                 ///< the newest one that the exposure has reached; of
+                                          ///< several, the first that lacks sheets; no code: none
+  std::size_t sheetsMissing = 0;          ///< of that occasion
+  TrialId runningTrialId{};               ///< empty: nothing runs
+  std::string station{};                  ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
   std::size_t deviations = 0;
   std::optional<DaySlot> slot{};  ///< of today that counts now (slotAt()); empty: none planned

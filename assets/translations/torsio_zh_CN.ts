@@ -1161,6 +1161,10 @@
         <translation>原因（不写姓名）</translation>
     </message>
     <message>
+        <source>! The plan of %1 has no such time. It is logged all the same, and noted as a deviation.</source>
+        <translation>! %1 的训练计划中没有这类时间。仍会登记，并记为方案偏离。</translation>
+    </message>
+    <message>
         <source>&amp;With</source>
         <translation>与(&amp;W)</translation>
     </message>
@@ -1179,6 +1183,10 @@
     <message>
         <source>trained before scoring</source>
         <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>trained outside the plan</source>
+        <translation>计划外训练</translation>
     </message>
 </context>
 <context>
@@ -5746,6 +5754,14 @@
     <message>
         <source>this phase belongs to another arm</source>
         <translation>该阶段属于另一组别</translation>
+    </message>
+    <message>
+        <source>the arm of this trainee spends no time on this</source>
+        <translation>该学员所在组别没有这类训练时间</translation>
+    </message>
+    <message>
+        <source>Say why; it is noted as a deviation</source>
+        <translation>请说明原因；将记为方案偏离</translation>
     </message>
     <message>
         <source>this physician cannot be asked</source>
@@ -11014,6 +11030,10 @@
     <message>
         <source>trained before scoring</source>
         <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>trained outside the plan</source>
+        <translation>计划外训练</translation>
     </message>
     <message>
         <source>Program file (BLAKE2b)</source>
@@ -20565,6 +20585,10 @@ MSM = 质点弹簧</translation>
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
+        <source>Add a&amp;nother</source>
+        <translation>再加一个(&amp;N)</translation>
+    </message>
+    <message>
         <source>Name at least one place.</source>
         <translation>请至少填写一个地点。</translation>
     </message>
@@ -20684,6 +20708,10 @@ MSM = 质点弹簧</translation>
         <translation>没有可供比较的专家操作。</translation>
     </message>
     <message>
+        <source>Too little of this run could be measured to compare it with the expert&apos;s.</source>
+        <translation>本次运行可测量的部分太少，无法与专家的运行比较。</translation>
+    </message>
+    <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
     </message>
@@ -20698,6 +20726,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What was felt was not what was computed all the time: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
+    </message>
+    <message>
+        <source>The run was not computed evenly all the time: %1. %2.</source>
+        <translation>本次运行的计算并非始终均匀：%1。%2。</translation>
     </message>
     <message numerus="yes">
         <source>%n twist(s) not completed and not counted.</source>
@@ -23219,6 +23251,13 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>The overall mark lies outside the rows. Press again to seal the sheet.</source>
         <translation>总分超出各行分数的范围。再按一次即封存评分表。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LiveScene</name>
+    <message>
+        <source>Getting the organ ready…</source>
+        <translation>正在准备器官…</translation>
     </message>
 </context>
 <context>

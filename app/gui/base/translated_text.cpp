@@ -52,6 +52,7 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "swapped"),
     QT_TRANSLATE_NOOP("Text", "phase cut short"),
     QT_TRANSLATE_NOOP("Text", "trained before scoring"),
+    QT_TRANSLATE_NOOP("Text", "trained outside the plan"),
     QT_TRANSLATE_NOOP("Text", "phase too long"),
     QT_TRANSLATE_NOOP("Text", "rest too long"),
     QT_TRANSLATE_NOOP("Text", "available-case"),

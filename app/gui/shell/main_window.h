@@ -156,6 +156,7 @@ class MainWindow : public QWidget {
   QTimer second_;
   std::unique_ptr<QTemporaryDir> lookedAt_;   ///< the record of a look round; outlives its session
   QString lookedFrom_;                        ///< the locator before it
+  Actor visitor_{};                           ///< who looks round, while seen as a simulated trainee
   std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;

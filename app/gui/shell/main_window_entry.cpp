@@ -368,6 +368,7 @@ void MainWindow::enterAsSimulatedTrainee() {
   // Later, since the menu that asked dies with the desk.
   QTimer::singleShot(0, this, [this, trainee] {
     leaveDesk();
+    visitor_ = session_->actor();
     forgetActor();
     session_->setActor(trainee);
     simulated_ = true;

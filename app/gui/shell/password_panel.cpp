@@ -49,7 +49,7 @@ PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
   column->addLayout(row);
   for (QLineEdit* field : {old_, new_, again_}) {
     connect(field, &QLineEdit::textChanged, this, &PasswordPanel::check);
-    connect(field, &QLineEdit::returnPressed, this, &PasswordPanel::submit);
+    connect(field, &QLineEdit::returnPressed, this, &PasswordPanel::goOn);
   }
   connect(save_, &QPushButton::clicked, this, &PasswordPanel::submit);
   connect(back_, &QPushButton::clicked, this, &PasswordPanel::givenUp);
@@ -97,6 +97,16 @@ void PasswordPanel::check() {
   }
   say(problem);
   save_->setEnabled(sound && !working_ && (!known_.isEmpty() || !old_->text().isEmpty()));
+}
+
+void PasswordPanel::goOn() {
+  for (QLineEdit* field : {old_, new_, again_}) {
+    if (field->isVisibleTo(this) && field->text().isEmpty()) {
+      field->setFocus();
+      return;
+    }
+  }
+  submit();
 }
 
 void PasswordPanel::submit() {

@@ -32,6 +32,7 @@ class PasswordPanel : public QWidget {
 
  private:
   void check();
+  void goOn();  // to the first field that is empty, else submits
   void submit();
   void retranslate();
 

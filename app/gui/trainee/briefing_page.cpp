@@ -133,6 +133,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   slow_->setObjectName(QStringLiteral("slow"));
   slow_->setCheckable(true);
   again_ = new QPushButton(this);
+  again_->setObjectName(QStringLiteral("again"));
   bar->addWidget(caption_, 1);
   bar->addWidget(slow_);
   bar->addWidget(again_);
@@ -212,6 +213,7 @@ void BriefingPage::enter(const QVariant& argument) {
     competence_.untwisting =
         competence_.untwisting || untwistingOf(shell().assets(), step_.module) != nullptr;
     asked_ = false;
+    seen_ = false;
     SceneRequest request;
     request.assets = shell().assets();
     request.id = step_.module.sceneId;
@@ -231,6 +233,11 @@ void BriefingPage::showExpert() {
   if (scene_->controller().scene() == nullptr) {
     return;
   }
+  if (TrialPlayback* expert = scene_->controller().playback(); asked_ && expert != nullptr) {
+    expert->seek_us(0);
+    expert->setPlaying(true);
+    return;
+  }
   asked_ = true;
   attempt(shell(), [&] {
     scene_->controller().openReplay(expertRun(*scene_->controller().scene(), step_.module.targetAngle_rad));
@@ -241,6 +248,11 @@ void BriefingPage::follow(const LiveState& state) {
   TrialPlayback* expert = scene_->controller().playback();
   if (expert == nullptr) {
     return;
+  }
+  if (!seen_ && scene_->pictured()) {
+    seen_ = true;  // what has played meanwhile was seen by nobody
+    expert->seek_us(0);
+    expert->setPlaying(true);
   }
   const double speed = slow_->isChecked() ? kSlowMotion : 1.0;
   if (expert->speed() != speed) {

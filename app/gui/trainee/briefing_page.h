@@ -43,6 +43,7 @@ class BriefingPage : public Page {
   ModuleStep step_;
   CompetenceVerdict competence_{};
   bool asked_ = false;   // the expert's run was asked for
+  bool seen_ = false;    // and began to play, with a picture of the organ
   bool undone_ = false;  // the module undoes an organ that came twisted
   LiveScene* scene_;
   QLabel* title_;

@@ -299,8 +299,10 @@ void DebriefPage::fillNotes() {
         tr("Force was shown, not felt: the device of this run gives none. Its measures are computed."));
   }
   if (!debrief_.servoTrouble.empty()) {
-    add("servoTrouble", tr("What was felt was not what was computed all the time: %1. %2.")
-                            .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
+    add("servoTrouble",
+        (debrief_.forceFelt ? tr("What was felt was not what was computed all the time: %1. %2.")
+                            : tr("The run was not computed evenly all the time: %1. %2."))
+            .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
   }
 }
 
@@ -355,8 +357,10 @@ void DebriefPage::fill() {
   if (debrief_.strengths.empty()) {
     for (QVBoxLayout* column : {strengths_, weaknesses_}) {
       auto* none = plainLabel(this, "quiet");
-      none->setText(debrief_.twists.empty() ? tr("No twist was finished in this run.")
-                                            : tr("There is no expert's run to compare with."));
+      none->setText(debrief_.twists.empty()          ? tr("No twist was finished in this run.")
+                    : debrief_.expert.time_s.empty() ? tr("There is no expert's run to compare with.")
+                                                     : tr("Too little of this run could be measured to "
+                                                          "compare it with the expert's."));
       column->addWidget(none);
     }
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <QEvent>
+#include <QLabel>
 #include <QVBoxLayout>
 
 #include "app/gui/scene/instrument_geometry.h"
@@ -24,10 +26,16 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
       controller_(std::make_unique<SimulationController>(std::move(loader), TrialRecording{})),
       view_(new SceneView(this)),
       pointer_(new PointerControls(*view_)),
-      tool_(*controller_, *pointer_, *view_) {
+      tool_(*controller_, *pointer_, *view_),
+      waiting_(new QLabel(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(view_);
+  waiting_->setObjectName(QStringLiteral("waitingForOrgan"));
+  waiting_->setProperty("quiet", true);
+  waiting_->setAlignment(Qt::AlignCenter);
+  waiting_->setAutoFillBackground(true);
+  sayWaiting();
   pointer_->setKeys(PointerKeys::stored());
   view_->setInstrument(loadInstrument(assets, "grasper"));
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
@@ -35,6 +43,7 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
     if (controller_->scene() == nullptr) {
       return;
     }
+    framesBefore_ = view_->framesDrawn();
     view_->setScene(controller_->viewScene());
     pointer_->park(controller_->parkingPoint_m());
   });
@@ -55,9 +64,18 @@ void LiveScene::setTheme(const Theme& theme) {
   view_->setTheme(theme);
 }
 
+bool LiveScene::pictured() const {
+  return controller_->scene() != nullptr && (!view_->draws() || view_->framesDrawn() > framesBefore_);
+}
+
+void LiveScene::sayWaiting() {
+  waiting_->setText(tr("Getting the organ ready\u2026"));
+}
+
 void LiveScene::frame(double elapsed_s) {
   pointer_->advance(elapsed_s);
   controller_->advance(elapsed_s);
+  waiting_->setVisible(!pictured());
   if (controller_->scene() == nullptr) {
     return;
   }
@@ -80,6 +98,18 @@ void LiveScene::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   since_.start();
   timer_.start(kFrame_ms);
+}
+
+void LiveScene::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  waiting_->setGeometry(rect());
+}
+
+void LiveScene::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) {
+    sayWaiting();
+  }
 }
 
 void LiveScene::hideEvent(QHideEvent* event) {

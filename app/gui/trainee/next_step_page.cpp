@@ -102,10 +102,17 @@ void NextStepPage::enter(const QVariant&) {
     }
     steps_ = nextSteps(shell().session(), shell().session().actor().personId);
     fill();
-    if (QPushButton* start = startButton()) {
-      start->setFocus();
-    }
+    focusStart();
   });
+}
+
+/// The button is a new one and not shown before the layout has its turn; what is hidden takes no keyboard
+/// from a page that is seen.
+void NextStepPage::focusStart() {
+  if (QPushButton* start = startButton()) {
+    start->show();
+    start->setFocus();
+  }
 }
 
 void NextStepPage::retranslate() {
@@ -338,8 +345,8 @@ void NextStepPage::fill() {
     addModule(step);
   }
   // The buttons are new ones: the keyboard stays where it was.
-  if (QPushButton* start = startButton(); atStart && start != nullptr) {
-    start->setFocus();
+  if (atStart) {
+    focusStart();
   }
 }
 

@@ -37,6 +37,7 @@ class NextStepPage : public Page {
   void fill();
   /// Of the next step; null when there is none.
   [[nodiscard]] QPushButton* startButton() const;
+  void focusStart();
   void fillNext();
   void fillSession();
   void fillNotices();

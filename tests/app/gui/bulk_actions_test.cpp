@@ -29,6 +29,7 @@
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
 #include "app/people/roster_import.h"
+#include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/day_plan.h"
 #include "app/study/live_call.h"
@@ -293,6 +294,36 @@ TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {
   for (const Enrolment& one : enrolments(office_.centre.as("administrator"), cohort_)) {
     EXPECT_EQ(one.state, EnrolmentState::kEnrolled);
   }
+}
+
+TEST_F(SeveralAtOnce, TimeThatSomebodysPlanDoesNotHaveIsLoggedWithAReasonOnly) {
+  AllocationPlan plan;
+  plan.cohortId = cohort_;
+  lockAllocation(office_.centre.as("allocator"), plan);
+  allocateAll(office_.centre.as("allocator"), cohort_);  // one in each of the paper's groups
+  auto page = office_.open<RunDayPage>("administrator", toQString(cohort_));
+  child<DataTable>(*page, "table").view().selectAll();
+  answer([](QDialog& dialog) {
+    auto& kind = child<QComboBox>(dialog, "exposureKind");
+    const auto& warned = child<QLabel>(dialog, "besideThePlan");
+    EXPECT_EQ(kind.currentText(), QStringLiteral("rest")) << "neither arm is planned for all three";
+    EXPECT_FALSE(warned.isVisible());
+    kind.setCurrentIndex(kind.findText(QStringLiteral("on the real arm")));
+    EXPECT_TRUE(warned.isVisible());
+    EXPECT_TRUE(warned.text().startsWith(QStringLiteral("! The plan of T-0"))) << warned.text().toStdString();
+    EXPECT_EQ(warned.text().count(QStringLiteral("T-0")), 1) << "two of three have such time";
+    EXPECT_FALSE(testing::button(dialog, QStringLiteral("Log time"))->isEnabled());
+    child<QLineEdit>(dialog, "reason").setText(QStringLiteral("the simulator failed"));
+    EXPECT_TRUE(testing::button(dialog, QStringLiteral("Log time"))->isEnabled());
+    dialog.accept();
+  });
+  press(*page, QStringLiteral("Log time"));
+
+  int beside = 0;
+  for (const ProtocolDeviation& one : deviations(office_.centre.as("administrator"), cohort_)) {
+    beside += one.kind == "trained outside the plan" ? 1 : 0;
+  }
+  EXPECT_EQ(beside, 1);
 }
 
 TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {

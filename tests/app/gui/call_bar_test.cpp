@@ -11,6 +11,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
@@ -219,6 +220,41 @@ TEST_F(CallsFromTheBoard, APlanBeginsAtTheNextQuarterOfAnHourAtTheStationsOfTrai
     dialog.reject();
   });
 
+  press(*page_, QStringLiteral("Plan the day"));
+}
+
+TEST_F(CallsFromTheBoard, AStationAtWhichNobodyHasTrainedIsOfferedForThePlan) {
+  StudyCentre& centre = office_.centre;
+  StationRepository stations(centre.connection());
+  stations.heartbeat({.station = "simulator-1",
+                      .heartbeatUtc_us = centre.session().now_us(),
+                      .deviceJson = R"({"text":"Touch"})"});
+  stations.heartbeat({.station = "simulator & 2", .heartbeatUtc_us = centre.session().now_us()});
+  page_->enter(toQString(cohort_));
+  const auto offered = [](QDialog& dialog) {
+    QStringList texts;
+    for (const QAction* action : child<QPushButton>(dialog, "planMore").menu()->actions()) {
+      texts << (action->isVisible() ? QStringList{action->text()} : QStringList{});
+    }
+    return texts;
+  };
+  answer([&](QDialog& dialog) {
+    auto& places = child<QLineEdit>(dialog, "planPlaces");
+    EXPECT_EQ(places.text(), QStringLiteral("simulator-1"));
+    ASSERT_EQ(offered(dialog), QStringList{QStringLiteral("simulator && 2")});
+    child<QPushButton>(dialog, "planMore").menu()->actions().last()->trigger();
+    EXPECT_EQ(places.text(), QStringLiteral("simulator-1, simulator & 2"));
+    EXPECT_TRUE(child<QPushButton>(dialog, "planMore").isHidden()) << "all are named";
+    places.setText(QStringLiteral("Skills lab"));
+    EXPECT_EQ(offered(dialog).size(), 2);
+    child<QPushButton>(dialog, "planAdd").click();
+    dialog.reject();
+  });
+  press(*page_, QStringLiteral("Plan the day"));
+  answer([&](QDialog& dialog) {
+    EXPECT_TRUE(offered(dialog).contains(QStringLiteral("Skills lab"))) << "it was in the plan before";
+    dialog.reject();
+  });
   press(*page_, QStringLiteral("Plan the day"));
 }
 

@@ -160,5 +160,22 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
+TEST(FirstRunByHand, EnterOnTheFirstPageBeginsThoughThePageIsSeenAlready) {
+  TrainingCentre centre;
+  Station station(centre);
+  station.open(PageId::kNextStep);
+  station.page->show();
+  QApplication::processEvents();
+  for (QPushButton* button : station.page->findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("&Consent")) {
+      button->setFocus();  // the first that takes the keyboard has it as the page is opened
+    }
+  }
+
+  station.page->enter({});
+
+  EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));
+}
+
 }  // namespace
 }  // namespace torsio::gui

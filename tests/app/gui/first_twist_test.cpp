@@ -107,7 +107,12 @@ TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   station.desk().moduleId = centre.module("first");
   station.open(PageId::kBriefing);
   auto* scene = station.find<LiveScene>("scene");
+  EXPECT_FALSE(scene->pictured());
+  EXPECT_FALSE(scene->findChild<QLabel*>(QStringLiteral("waitingForOrgan"))->isHidden())
+      << "not a black picture";
   ASSERT_TRUE(soon([&] { return scene->controller().playback() != nullptr; }));
+  scene->frame(0.04);
+  EXPECT_TRUE(scene->findChild<QLabel*>(QStringLiteral("waitingForOrgan"))->isHidden());
   auto* caption = station.find<QLabel>("caption");
   const auto saidWhile = [&](ExercisePhase phase, double angle_rad = 0.0) {
     LiveState state = inPhase(phase);
@@ -124,7 +129,15 @@ TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   EXPECT_DOUBLE_EQ(scene->controller().playback()->speed(), 1.0);
   station.press("slow");
   (void)saidWhile(ExercisePhase::kContact);
-  EXPECT_DOUBLE_EQ(scene->controller().playback()->speed(), 0.25);
+  TrialPlayback* expert = scene->controller().playback();
+  EXPECT_DOUBLE_EQ(expert->speed(), 0.25);
+  expert->seek_us(expert->duration_us());
+  expert->setPlaying(false);
+  EXPECT_TRUE(saidWhile(ExercisePhase::kReleased).contains(QStringLiteral("it is over")));
+  station.press("again");
+  EXPECT_EQ(scene->controller().playback(), expert) << "at once, from the beginning";
+  EXPECT_EQ(expert->position_us(), 0);
+  EXPECT_TRUE(expert->playing());
 }
 
 TEST(FirstTwist, ASoundTellsOnceThatALimitIsReachedWhereTheCentreWantsIt) {

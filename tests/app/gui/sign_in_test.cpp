@@ -86,6 +86,15 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   EXPECT_FALSE(QFileInfo::exists(setup().locator));
   EXPECT_EQ(demonstrationSize(*window_->session()).people, 1);
   window_->chooseTheme(ThemeKind::kDark);
+  addUser(*window_->session(),
+          {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
+  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  QApplication::processEvents();
+  EXPECT_EQ(window_->session()->actor().login, "demo");
+  ASSERT_TRUE(window_->signOut());  // to become oneself again, as the window says
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(window_->session()->actor().login, "visitor");
+  EXPECT_TRUE(QFileInfo::exists(file));
   ASSERT_TRUE(window_->signOut());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
@@ -188,9 +197,13 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
 
   enter(QStringLiteral("chen"), QString::fromLatin1(kStartPassword));
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("password"));
-  named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
-  named<QLineEdit>(*window_, QStringLiteral("Repeat password"))->setText(QString::fromLatin1(kOwnPassword));
-  press(*window_, QStringLiteral("Save password"));
+  auto* first = named<QLineEdit>(*window_, QStringLiteral("New password"));
+  auto* again = named<QLineEdit>(*window_, QStringLiteral("Repeat password"));
+  first->setText(QString::fromLatin1(kOwnPassword));
+  QTest::keyClick(first, Qt::Key_Return);  // Enter goes on to what is empty, as at the sign-in
+  EXPECT_EQ(window_->focusWidget(), again);
+  again->setText(QString::fromLatin1(kOwnPassword));
+  QTest::keyClick(again, Qt::Key_Return);
   testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));

@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/page_id.h"
+#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/level_bar.h"
@@ -143,6 +144,20 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
 }
 
 INSTANTIATE_TEST_SUITE_P(LightAndDark, ThemeContrast, ::testing::Values(ThemeKind::kLight, ThemeKind::kDark));
+
+TEST_P(ThemeContrast, ACardLooksLikeOneWhateverItIsCalled) {
+  const Theme& t = theme(GetParam());
+  applyTheme(*qApp, t);
+  Card card(QStringLiteral("This session"));
+  card.setObjectName(QStringLiteral("session"));
+  card.resize(300, 100);
+  card.show();
+  QApplication::processEvents();
+
+  const QImage picture = card.grab().toImage();
+
+  EXPECT_EQ(picture.pixelColor(picture.width() / 2, picture.height() - 20), t.surface);
+}
 
 TEST_P(ThemeContrast, TheCurrentEntryOfAnOpenListIsReadable) {
   const Theme& t = theme(GetParam());

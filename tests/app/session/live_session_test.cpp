@@ -143,8 +143,10 @@ class LiveSession : public DatabaseTest {
     endCall(office(), cohort_, id);
   }
   void trainAll() {
-    for (const EnrolmentId& id : enrolled_) {
-      recordExposure(office(), {cohort_, id, "", ExposureKind::kVirtual, office().now_us(), kPhase_us});
+    for (const RunDayRow& row : runDayBoard(office(), cohort_).rows) {
+      const ExposureKind kind =
+          row.unplanned == std::vector{ExposureKind::kVirtual} ? ExposureKind::kReal : ExposureKind::kVirtual;
+      recordExposure(office(), {cohort_, row.enrolmentId, "", kind, office().now_us(), kPhase_us});
     }
   }
 

@@ -168,8 +168,8 @@ TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
   SessionContext& office = study.centre.as("administrator");
   study.askAll();
   const std::string first = runDayBoard(office, study.cohortId).rows.front().enrolmentId;
-  recordExposure(office, {study.cohortId, first, "", ExposureKind::kVirtual, 0, 40 * kMinute_us});
-  recordExposure(office, {study.cohortId, first, "", ExposureKind::kReal, 0, 40 * kMinute_us});
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kVirtual, 0, 40 * kMinute_us, "both"});
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kReal, 0, 40 * kMinute_us, "both"});
 
   const RunDayRow trained = runDayBoard(office, study.cohortId).rows.front();
   study.submitAll("post");

@@ -61,6 +61,38 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", ExposureKind::kReal, 0, 0}), Error);
 }
 
+TEST(CohortService, TimeThatTheArmDoesNotPlanNeedsAReasonAndIsADeviation) {
+  SixTrainees study;
+  study.allocate();
+  SessionContext& session = study.centre.as("administrator");
+  int beside = 0;
+  for (const EnrolmentId& id : study.enrolmentIds) {
+    const StudyArm arm = study.armOf(id);
+    for (const ExposureKind kind : {ExposureKind::kVirtual, ExposureKind::kReal}) {
+      if (isPlanned(arm, kind)) {
+        recordExposure(session, {study.cohortId, id, "", kind, 0, kMinute_us});
+        continue;
+      }
+      ++beside;
+      EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", kind, 0, kMinute_us}), Error);
+      recordExposure(session, {study.cohortId, id, "", kind, 0, kMinute_us, "the simulator failed"});
+    }
+    EXPECT_TRUE(isPlanned(arm, ExposureKind::kRest));
+  }
+  EXPECT_EQ(study.centre.audited("exposure.record"), 12);
+
+  EXPECT_EQ(beside, 4) << "two of three groups train in one way only";
+  const std::vector<ProtocolDeviation> noted = deviations(session, study.cohortId);
+  ASSERT_EQ(noted.size(), 4U);
+  for (const ProtocolDeviation& one : noted) {
+    EXPECT_EQ(one.kind, "trained outside the plan");
+    EXPECT_TRUE(one.description.starts_with("60 s on the ")) << one.description;
+    EXPECT_TRUE(one.description.ends_with(": the simulator failed")) << one.description;
+  }
+  EXPECT_EQ(study.centre.audited("deviation.report"), 4);
+  EXPECT_TRUE(isPlanned({}, ExposureKind::kReal)) << "no plan forbids nothing";
+}
+
 TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
   SixTrainees study;
   study.allocate();

@@ -34,6 +34,9 @@ using testing::HostileRun;
 using testing::hostileRun;
 
 constexpr std::uint64_t kSeed = 20261125;
+constexpr std::size_t kCutRecordings = 8;
+constexpr std::size_t kLongestPiece = 2'500;  // samples: long enough for a twist of a quick hand
+constexpr int kPieces = 10'000;
 constexpr int kUsualRuns = 15;  // three of them on the shipped organs, which take longest
 
 int wanted(const char* variable, int least, int usual) {
@@ -140,7 +143,7 @@ std::ostream& operator<<(std::ostream& out, const Tally& tally) {
 }
 
 /// Passed it, one sample above the limit must be enough to fail it, and one that just reaches it is not.
-void raiseOneSample(const HostileRun& run, std::vector<Sample> samples, const AttemptRules& rules,
+void raiseOneSample(const TrialHeader& header, std::vector<Sample> samples, const AttemptRules& rules,
                     Random& random, Tally& tally) {
   const std::size_t at = awkwardPlace(samples, random);
   if (!led(samples[at])) {
@@ -148,20 +151,19 @@ void raiseOneSample(const HostileRun& run, std::vector<Sample> samples, const At
   }
   const double limit_N = *rules.forceLimit_N;
   samples[at].response.force_N = {0.0, limit_N, 0.0};
-  EXPECT_TRUE(verdictsOf(run.trial.header, samples, rules).anyPassed()) << "sample " << at;
+  EXPECT_TRUE(verdictsOf(header, samples, rules).anyPassed()) << "sample " << at;
   samples[at].response.force_N = {0.0, std::nextafter(limit_N, 1e9), 0.0};
-  EXPECT_FALSE(verdictsOf(run.trial.header, samples, rules).anyPassed()) << "sample " << at;
+  EXPECT_FALSE(verdictsOf(header, samples, rules).anyPassed()) << "sample " << at;
   ++tally.raised;
 }
 
-Tally judged(const HostileRun& run, Random& random) {
-  const std::vector<Sample> samples = decodeTrial(run.trial);
+Tally judged(const TrialHeader& header, const std::vector<Sample>& samples, AttemptRules rules,
+             Random& random) {
   const Bearing bearing = bearingOf(samples);
-  AttemptRules rules = run.rules;
   rules.forceLimit_N = awkwardLimit_N(bearing, random);
   const bool above = bearing.peak_N > *rules.forceLimit_N;
 
-  const Verdicts verdicts = verdictsOf(run.trial.header, samples, rules);
+  const Verdicts verdicts = verdictsOf(header, samples, rules);
 
   EXPECT_FALSE(verdicts.anyPassed() && above);
   // One peak on the page: of the check, of the curve below it, of what is kept.
@@ -179,7 +181,7 @@ Tally judged(const HostileRun& run, Random& random) {
   tally.failedByForceAlone = verdicts.told.checks.front().passed && !force.passed ? 1 : 0;
   tally.unseenByTheDevice = above && bearing.felt_N <= *rules.forceLimit_N ? 1 : 0;
   if (verdicts.anyPassed()) {
-    raiseOneSample(run, samples, rules, random, tally);
+    raiseOneSample(header, samples, rules, random, tally);
   }
   return tally;
 }
@@ -216,7 +218,7 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
     const auto stream = static_cast<std::uint64_t>(i);
     const HostileRun run = hostileRun(kSeed, stream);
     Random random = Random::forStream(kSeed + 1, stream);
-    const Tally one = judged(run, random);
+    const Tally one = judged(run.trial.header, decodeTrial(run.trial), run.rules, random);
     add(all, one);
     add(kinds[nameOf(run.hand)], one);
     add(kinds[run.scene], one);
@@ -232,6 +234,49 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
   EXPECT_GT(all.failedByForceAlone, 0);
   EXPECT_GT(all.unseenByTheDevice, 0);
   EXPECT_GT(all.raised, 0);
+}
+
+/// A run by chance that no hand led: a piece of a recording, with moments in which the tissue bears more or
+/// the device is away.
+std::vector<Sample> pieceOf(const std::vector<Sample>& whole, Random& random) {
+  const std::size_t length = std::min(whole.size(), 500 + random.bounded(kLongestPiece));
+  const std::size_t first = random.bounded(whole.size() - length + 1);
+  const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(first);
+  std::vector<Sample> piece(begin, begin + static_cast<std::ptrdiff_t>(length));
+  for (std::uint64_t i = random.bounded(4); i > 0; --i) {
+    const std::size_t from = random.bounded(length);
+    const std::size_t end = std::min(length, from + 1 + random.bounded(30));
+    const double more = 4.0 * random.uniform();
+    const bool away = random.bounded(4) == 0;
+    for (std::size_t at = from; at < end; ++at) {
+      piece[at].response.force_N = piece[at].response.force_N * more;
+      piece[at].device.status |= away ? static_cast<std::uint32_t>(kDeviceLost) : 0U;
+    }
+  }
+  return piece;
+}
+
+// Ten thousand, since a piece costs no servo: what is judged is judged as a whole run is.
+TEST(ForceLimit, NoPieceOfARunPassesWithASampleOfTissueForceAboveIt) {
+  std::vector<std::pair<HostileRun, std::vector<Sample>>> recordings;
+  for (std::uint64_t stream = 0; recordings.size() < kCutRecordings; ++stream) {
+    HostileRun run = hostileRun(kSeed, stream);
+    if (std::vector<Sample> samples = decodeTrial(run.trial); samples.size() > 2 * kLongestPiece) {
+      recordings.emplace_back(std::move(run), std::move(samples));
+    }
+  }
+  Tally all;
+  for (int i = 0; i < kPieces; ++i) {
+    SCOPED_TRACE("piece " + std::to_string(i));
+    Random random = Random::forStream(kSeed + 2, static_cast<std::uint64_t>(i));
+    const auto& [run, samples] = recordings[random.bounded(recordings.size())];
+    add(all, judged(run.trial.header, pieceOf(samples, random), run.rules, random));
+  }
+  RecordProperty("passed", all.passed);
+  EXPECT_EQ(all.runs, kPieces);
+  EXPECT_GT(all.passed, kPieces / 100);
+  EXPECT_GT(all.failedByForceAlone, kPieces / 100);
+  EXPECT_GT(all.unseenByTheDevice, kPieces / 100);
 }
 
 // A limit that the twist itself goes beyond would fail everybody.

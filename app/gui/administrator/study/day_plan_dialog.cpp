@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include <QAction>
 #include <QDateEdit>
 #include <QDateTime>
 #include <QDialogButtonBox>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimeEdit>
@@ -68,7 +70,7 @@ QString slotTime(std::int64_t utc_us, const QLocale& locale) {
 }
 
 DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees,
-                             const QStringList& places, QWidget* parent)
+                             const QStringList& places, const QStringList& others, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
       cohortId_(cohortId),
@@ -78,16 +80,18 @@ DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trai
       minutes_(new QSpinBox(this)),
       pause_(new QSpinBox(this)),
       places_(new QLineEdit(this)),
+      more_(new QPushButton(this)),
+      offered_(new QMenu(more_)),
       outlook_(sentence(this, false)),
       plan_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("day-plan"), this)),
       remove_(listButton(table_)),
       print_(listButton(table_)) {
-  build(places);
+  build(places, others);
   read();
 }
 
-void DayPlanDialog::build(const QStringList& places) {
+void DayPlanDialog::build(const QStringList& places, const QStringList& others) {
   setObjectName(QStringLiteral("dayPlan"));
   setWindowTitle(tr("Plan of the day"));
   resize(820, 620);
@@ -96,6 +100,7 @@ void DayPlanDialog::build(const QStringList& places) {
   minutes_->setObjectName(QStringLiteral("planMinutes"));
   pause_->setObjectName(QStringLiteral("planPause"));
   places_->setObjectName(QStringLiteral("planPlaces"));
+  more_->setObjectName(QStringLiteral("planMore"));
   plan_->setObjectName(QStringLiteral("planAdd"));
   table_->setObjectName(QStringLiteral("planSlots"));
   remove_->setObjectName(QStringLiteral("planRemove"));
@@ -108,6 +113,16 @@ void DayPlanDialog::build(const QStringList& places) {
   pause_->setSuffix(tr(" min"));
   places_->setText(places.join(QStringLiteral(", ")));
   places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
+  more_->setText(tr("Add a&nother"));
+  more_->setMenu(offered_);
+  for (const QString& place : places + others) {
+    QAction* action = offered_->addAction(QString(place).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    action->setData(place);
+    connect(action, &QAction::triggered, this, [this, place] {
+      places_->setText((namedPlaces() << place).join(QStringLiteral(", ")));
+      places_->setFocus();
+    });
+  }
   outlook_->setObjectName(QStringLiteral("planOutlook"));
   plan_->setText(tr("&Add %n trainee(s) to the plan", nullptr, static_cast<int>(trainees_.size())));
   remove_->setText(tr("&Remove"));
@@ -122,7 +137,12 @@ void DayPlanDialog::build(const QStringList& places) {
   form->addRow(tr("&First slot begins at"), first_);
   form->addRow(tr("&Each takes"), minutes_);
   form->addRow(tr("Pa&use between two"), pause_);
-  form->addRow(tr("Stations and roo&ms, with commas"), places_);
+  auto* placesRow = new QHBoxLayout;
+  placesRow->addWidget(places_, 1);
+  placesRow->addWidget(more_);
+  auto* placesLabel = new QLabel(tr("Stations and roo&ms, with commas"), this);
+  placesLabel->setBuddy(places_);
+  form->addRow(placesLabel, placesRow);
   auto* row = new QHBoxLayout;
   row->addWidget(outlook_, 1);
   row->addWidget(plan_);
@@ -144,12 +164,14 @@ void DayPlanDialog::build(const QStringList& places) {
   connect(minutes_, &QSpinBox::valueChanged, this, &DayPlanDialog::showOutlook);
   connect(pause_, &QSpinBox::valueChanged, this, &DayPlanDialog::showOutlook);
   connect(places_, &QLineEdit::textChanged, this, &DayPlanDialog::showOutlook);
+  connect(places_, &QLineEdit::textChanged, this, &DayPlanDialog::offerPlaces);
   connect(plan_, &QPushButton::clicked, this, &DayPlanDialog::plan);
   connect(remove_, &QPushButton::clicked, this, &DayPlanDialog::remove);
   connect(print_, &QPushButton::clicked, this, &DayPlanDialog::askPrint);
   connect(table_, &DataTable::currentChanged, this,
           [this](const QString& id) { remove_->setEnabled(!id.isEmpty()); });
   remove_->setEnabled(false);
+  offerPlaces();
   showOutlook();
 }
 
@@ -161,6 +183,16 @@ QStringList DayPlanDialog::namedPlaces() const {
     }
   }
   return places;
+}
+
+void DayPlanDialog::offerPlaces() {
+  const QStringList named = namedPlaces();
+  bool some = false;
+  for (QAction* place : offered_->actions()) {
+    place->setVisible(!named.contains(place->data().toString()));
+    some = some || place->isVisible();
+  }
+  more_->setVisible(some);
 }
 
 void DayPlanDialog::suggestFirst() {

@@ -18,6 +18,7 @@ class QDateEdit;
 class QLabel;
 class QLineEdit;
 class QLocale;
+class QMenu;
 class QPushButton;
 class QSpinBox;
 class QTimeEdit;
@@ -37,17 +38,20 @@ class DayPlanDialog : public QDialog {
  public:
   using Trainees = std::vector<std::pair<EnrolmentId, QString>>;  ///< with their codes
 
-  /// `trainees`: who is to be planned, in this order; `places`: the stations that are known.
+  /// `trainees`: who is to be planned, in this order; `places`: where trainees train, which are named
+  /// already; `others`: further places that may be added by a click.
   DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees, const QStringList& places,
-                QWidget* parent);
+                const QStringList& others, QWidget* parent);
 
   /// The slots of the day that is shown, by place. Throws Error{kFileUnwritable}.
   void print(const std::filesystem::path& file) const;
 
  private:
-  void build(const QStringList& places);
+  void build(const QStringList& places, const QStringList& others);
   void read();
   [[nodiscard]] QStringList namedPlaces() const;
+  /// Offers the places that are not named yet.
+  void offerPlaces();
   /// When the last slot would end, and whether that is still this day.
   void showOutlook();
   void suggestFirst();
@@ -65,6 +69,8 @@ class DayPlanDialog : public QDialog {
   QSpinBox* minutes_;
   QSpinBox* pause_;
   QLineEdit* places_;
+  QPushButton* more_;
+  QMenu* offered_;
   QLabel* outlook_;
   QPushButton* plan_;
   DataTable* table_;

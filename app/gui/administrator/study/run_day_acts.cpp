@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of RunDayPage: what is done to the chosen trainees.
+#include <cstdint>
+#include <map>
+
 #include <QComboBox>
 
 #include "app/access/all_or_none.h"
@@ -13,6 +16,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_plan.h"
 
 namespace torsio::gui {
 
@@ -39,14 +43,21 @@ void RunDayPage::planDay() {
       some.push_back(everybody.back());
     }
   }
+  // A station at which nobody has trained yet looks like the desk of a rater: it is offered, not named. So
+  // are the places of earlier plans.
   QStringList places;
+  QStringList others;
   for (const StationState& station : board_->stations) {
-    if (isTrainingStation(station)) {
-      places << toQString(station.station);
-    }
+    (isTrainingStation(station) ? places : others) << toQString(station.station);
   }
   attempt(shell(), [&] {
-    DayPlanDialog(shell(), chosenId(cohort_), some.size() > 1 ? some : everybody, places, this).exec();
+    for (const DaySlot& slot : daySlots(shell().session(), chosenId(cohort_), 0, INT64_MAX)) {
+      others << toQString(slot.place);
+    }
+    others.removeDuplicates();
+    others.removeIf([&places](const QString& place) { return places.contains(place); });
+    DayPlanDialog(shell(), chosenId(cohort_), some.size() > 1 ? some : everybody, places, others, this)
+        .exec();
   });
   read();
 }
@@ -78,16 +89,20 @@ void RunDayPage::logTime() {
   // Whoever trained together is chosen together; who has withdrawn trains no more.
   std::vector<EnrolmentId> ids;
   QStringList codes;
+  std::map<ExposureKind, QStringList> unplanned;
   for (const RunDayRow* row : chosen()) {
     if (row->state != EnrolmentState::kWithdrawn) {
       ids.push_back(row->enrolmentId);
       codes << toQString(row->traineeCode);
+      for (const ExposureKind kind : row->unplanned) {
+        unplanned[kind] << codes.back();
+      }
     }
   }
   if (ids.empty()) {
     return;
   }
-  std::optional<NewExposure> exposure = askExposure(this, firstFew(codes));
+  std::optional<NewExposure> exposure = askExposure(this, firstFew(codes), unplanned);
   if (!exposure) {
     return;
   }

@@ -9,8 +9,11 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 
+#include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/field_checks.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -31,8 +34,11 @@ class FormDialog : public QuestionDialog {
     column()->addLayout(form);
   }
 
-  bool ask(const QString& accept) {
-    finish(accept);
+  bool ask(const QString& accept, FieldChecks* checks = nullptr) {
+    QPushButton* ok = finish(accept);
+    if (checks != nullptr) {
+      checks->decide(ok);
+    }
     return exec() == QDialog::Accepted;
   }
 
@@ -61,6 +67,7 @@ QString deviationName(const std::string& kind) {
       {"swapped", QT_TRANSLATE_NOOP("RunDay", "swapped with somebody")},
       {"phase cut short", QT_TRANSLATE_NOOP("RunDay", "phase cut short")},
       {"trained before scoring", QT_TRANSLATE_NOOP("RunDay", "trained before scoring")},
+      {"trained outside the plan", QT_TRANSLATE_NOOP("RunDay", "trained outside the plan")},
       {"phase too long", QT_TRANSLATE_NOOP("RunDay", "phase too long")},
       {"rest too long", QT_TRANSLATE_NOOP("RunDay", "rest too long")},
       {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},
@@ -73,11 +80,20 @@ QString deviationName(const std::string& kind) {
   return toQString(kind);
 }
 
-std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
+std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
+                                       const std::map<ExposureKind, QStringList>& unplanned) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
   auto* kind = new QComboBox(&dialog);
   for (const ExposureKind one : {ExposureKind::kReal, ExposureKind::kVirtual, ExposureKind::kRest}) {
     kind->addItem(exposureName(one), QVariant::fromValue(static_cast<int>(one)));
+  }
+  kind->setObjectName(QStringLiteral("exposureKind"));
+  const auto beside = [kind, &unplanned] {
+    const auto found = unplanned.find(static_cast<ExposureKind>(kind->currentData().toInt()));
+    return found == unplanned.end() ? QStringList() : found->second;
+  };
+  while (!beside().isEmpty()) {  // rest is planned for everybody
+    kind->setCurrentIndex(kind->currentIndex() + 1);
   }
   auto* minutes = new QDoubleSpinBox(&dialog);
   minutes->setRange(0.5, 240.0);
@@ -87,10 +103,36 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
   minutes->setSuffix(translated(QT_TRANSLATE_NOOP("RunDay", " min")));
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
-  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")))) {
+  auto* caution = new QLabel(&dialog);
+  caution->setObjectName(QStringLiteral("besideThePlan"));
+  caution->setWordWrap(true);
+  setLook(caution, "caution", true);
+  auto* reason = new QLineEdit(&dialog);
+  reason->setObjectName(QStringLiteral("reason"));
+  reason->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
+  dialog.form->addRow(caution);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
+  FieldChecks checks(&dialog);
+  checks.add(dialog.form, reason, [&] {
+    return beside().isEmpty() || !reason->text().trimmed().isEmpty() ? QString() : reasonWanted();
+  });
+  const auto showPlan = [&] {
+    const QStringList codes = beside();
+    caution->setText(translated(QT_TRANSLATE_NOOP("RunDay",
+                                                  "! The plan of %1 has no such time. It is logged all the "
+                                                  "same, and noted as a deviation."))
+                         .arg(firstFew(codes)));
+    dialog.form->setRowVisible(caution, !codes.isEmpty());
+    dialog.form->setRowVisible(reason, !codes.isEmpty());
+    checks.check();
+  };
+  QObject::connect(kind, &QComboBox::currentIndexChanged, &dialog, showPlan);
+  showPlan();
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), &checks)) {
     return std::nullopt;
   }
   NewExposure exposure;
+  exposure.reason = beside().isEmpty() ? std::string() : reason->text().trimmed().toStdString();
   exposure.kind = static_cast<ExposureKind>(kind->currentData().toInt());
   exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
   return exposure;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include <QString>
+#include <QStringList>
 
 #include "app/study/cohort_service.h"
 #include "sim/base/ids.h"
@@ -15,9 +17,11 @@ namespace torsio::gui {
 /// Name of a kind of deviation in the user's language.
 [[nodiscard]] QString deviationName(const std::string& kind);
 
-/// Minutes on the real arm, on the simulator or resting. Cohort, enrolment and start are the caller's. Empty:
-/// given up.
-[[nodiscard]] std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee);
+/// Minutes on the real arm, on the simulator or resting; `unplanned`: codes of those among the trainees whose
+/// arm spends no time on it, which needs a reason. Cohort, enrolment and start are the caller's. Empty: given
+/// up.
+[[nodiscard]] std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
+                                                     const std::map<ExposureKind, QStringList>& unplanned);
 /// What did not go by the protocol. The same.
 [[nodiscard]] std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee);
 
