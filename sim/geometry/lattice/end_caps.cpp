@@ -20,6 +20,8 @@ using Index = std::uint32_t;
 constexpr double kCapShare = 0.3;   // radius of a disc as a share of the organ's mean radius
 constexpr double kFarEnough = 0.3;  // a flat end keeps this share of the organ's length from the other
 constexpr double kAtTip = 0.95;     // a flat end reaches this share of the largest distance
+constexpr double kNearTip = 0.75;   // or this one, when it is as large as an end
+constexpr double kOfSection = 0.3;  // of the organ's mean section
 constexpr Phrase kGiveEnds = Text::tr("Give two end points further apart, or a smaller cap radius.");
 
 struct Cap {
@@ -130,15 +132,24 @@ class CapFinder {
   }
 
   /// The flat face at the extreme end `tip` that keeps farthest from the other end: the end of a bar, never
-  /// one of its sides, and no flat spot halfway.
+  /// one of its sides, and no flat spot halfway. Ways lead across the end of a bent bar, too, and then the
+  /// largest distance lies beside it.
   Index bestFace(const std::vector<double>& fromOther, Index tip) const {
+    const Index at = faceNear(fromOther, kAtTip * fromOther[tip], 0.0);
+    return at != kNoFace ? at
+                         : faceNear(fromOther, kNearTip * fromOther[tip],
+                                    kOfSection * kPi * meanRadius_m_ * meanRadius_m_);
+  }
+
+  /// Of the flat faces that reach so far from the other end and are so large, the one that keeps farthest.
+  Index faceNear(const std::vector<double>& fromOther, double reach_m, double area_m2) const {
     Index best = kNoFace;
     double most = 0.0;
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const double least = nearest(faces_[f], fromOther);
       const bool atTip = std::any_of(faces_[f].vertices.begin(), faces_[f].vertices.end(),
-                                     [&](Index v) { return fromOther[v] >= kAtTip * fromOther[tip]; });
-      if (atTip && least > most) {
+                                     [&](Index v) { return fromOther[v] >= reach_m; });
+      if (atTip && least > most && faces_[f].area_m2 >= area_m2) {
         most = least;
         best = static_cast<Index>(f);
       }

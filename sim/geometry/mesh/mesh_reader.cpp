@@ -20,6 +20,7 @@
 #include <assimp/scene.h>
 
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 
@@ -160,13 +161,34 @@ MeshExtras extrasOf(const aiScene& scene) {
   return extras;
 }
 
+/// The bytes of a binary PLY file that assimp 5.2 would misread: where they begin with 0x0A it takes that for
+/// the second half of a line end and shifts all that follows. One more is put before it. Else empty.
+std::string mendedPly(const fs::path& file, const std::string& extension) {
+  constexpr std::string_view kEnd = "\nend_header\n";
+  constexpr std::size_t kHead = 65'536;
+  if (extension != "ply") {
+    return {};
+  }
+  std::string bytes = readFile(file);
+  const std::size_t end = std::string_view(bytes).substr(0, kHead).find(kEnd);
+  const std::size_t body = end + kEnd.size();
+  if (end == std::string::npos || body >= bytes.size() || bytes[body] != '\n') {
+    return {};
+  }
+  bytes.insert(body, 1, '\n');
+  return bytes;
+}
+
 RawMesh readWithAssimp(const fs::path& file, const std::string& extension, double scale_m) {
   Assimp::Importer importer;
   keepLoaders(importer, extension);
   importer.SetIOHandler(new FolderOnly(file));  // owned by the importer
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType;
+  const std::string mended = mendedPly(file, extension);
   const aiScene* const scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
+      mended.empty() ? importer.ReadFile(file.string(), kSteps)
+                     : importer.ReadFileFromMemory(mended.data(), mended.size(), kSteps, extension.c_str());
   if (scene == nullptr) {
     const std::string reason = printable(importer.GetErrorString());
     // assimp's words after points and lines were dropped

@@ -87,6 +87,27 @@ TEST_F(MeshImport, ReadsBackWhatTheExportersWrite) {
   expectSame(importMesh(file("c.obj", objText(organ_))), organ_);
 }
 
+TEST_F(MeshImport, ReadsAPlyWhoseFirstNumberLooksLikeALineEnd) {
+  // 0.08 is 0A D7 A3 3D: assimp dropped the first byte and read on shifted.
+  TriangleMesh mesh = organ_;
+  const double wanted_mm = static_cast<double>(0.08F);
+  const double by_m = wanted_mm / 1000.0 - mesh.vertices_m.front().x;
+  for (Vec3& v : mesh.vertices_m) {
+    v.x += by_m;
+  }
+  const std::string bytes = plyBytes(mesh);
+  ASSERT_EQ(bytes[bytes.find("end_header\n") + 11], '\n');
+
+  expectSame(importMesh(file("a.ply", bytes)), mesh);
+
+  std::string windows = bytes;
+  for (std::size_t at = 0; (at = windows.find('\n', at)) < windows.find("end_header"); at += 2) {
+    windows.replace(at, 1, "\r\n");
+  }
+  windows.replace(windows.find("end_header\n"), 11, "end_header\r\n");
+  expectSame(importMesh(file("b.ply", windows)), mesh);
+}
+
 TEST_F(MeshImport, ReadsColouredPly) {
   const std::vector<std::array<std::uint8_t, 3>> red(organ_.vertices_m.size(), {200, 10, 10});
   for (const PlyFormat format : {PlyFormat::kBinary, PlyFormat::kAscii}) {

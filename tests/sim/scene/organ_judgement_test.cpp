@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_holes.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/surface_topology.h"
 #include "sim/scene/organ_import.h"
 #include "sim/scene/scene_file.h"
 #include "tests/support/organ_like_shapes.h"
@@ -84,6 +88,36 @@ TriangleMesh asInFile(TriangleMesh mesh) {
     }
   }
   return mesh;
+}
+
+/// The tube with each end as a fan about its middle.
+TriangleMesh withFans(TriangleMesh tube) {
+  const SurfaceTopology topology(tube);
+  std::vector<std::uint8_t> end(tube.triangles.size(), 0);
+  for (const FlatFace& face : findFlatFaces(tube, topology)) {
+    for (const std::uint32_t t : face.triangles) {
+      end[t] = 1;
+    }
+  }
+  std::vector<TriangleMesh::Triangle> side;
+  for (std::size_t t = 0; t < end.size(); ++t) {
+    if (end[t] == 0) {
+      side.push_back(tube.triangles[t]);
+    }
+  }
+  tube.triangles = side;
+  EXPECT_EQ(closeHoles(tube).count, 2U);
+  return tube;
+}
+
+TEST(OrganJudgement, FindsTheEndsOfATubeWhoeverDrewThem) {
+  for (const auto& [points, rings] : {std::pair{60, 100}, {100, 200}, {200, 240}}) {
+    const OrganJudgement tube =
+        judgementOf(asInFile(withFans(testing::bentTube(0.03, 0.09, 2.2, points, rings))));
+
+    EXPECT_TRUE(tube.findings.empty()) << points << " points";
+    EXPECT_NEAR(tube.measures.length_m, 0.198, 0.00198) << points << " points";
+  }
 }
 
 TEST(OrganJudgement, SaysTheSameOfOneShapeHoweverFineItIs) {
