@@ -113,8 +113,9 @@ struct NewExposure {
   std::int64_t startedUtc_us = 0;
   std::int64_t duration_us = 0;
 };
-/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the run day: kStudySetup. Audited.
-/// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time.
+/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the day of training: kStudySetup.
+/// Audited. Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no
+/// time.
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
 
 }  // namespace torsio
