@@ -37,7 +37,7 @@ constexpr FormerWord kFormerWords[] = {
     {"scoring point*", "occasion"},
     {"ScoringPoint*", "Occasion"},
     {"scoring_point*", "occasion"},
-    {"spoken", "translated()"},
+    {"spoken(", "translated()"},
     {"debrief_words", "debrief_labels"},
     {"servo_words", "servo_labels"},
     {"alert_words", "alert_labels"},

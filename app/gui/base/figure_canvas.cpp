@@ -67,7 +67,7 @@ FigureCanvas::FigureCanvas(QWidget* parent)
     : QGraphicsView(parent), style_(chartStyle(theme(ThemeKind::kLight))) {
   setScene(new QGraphicsScene(this));
   setFrameShape(QFrame::NoFrame);
-  setRenderHint(QPainter::Antialiasing);
+  setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);  // else hatches never grow
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::StrongFocus);
@@ -140,7 +140,7 @@ QImage FigureCanvas::picture(const QSize& size) const {
   item->resize(QSizeF(size) / kCopiedScale);
   paper.setSceneRect(item->geometry());
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);
   paper.render(&painter, QRectF(image.rect()), paper.sceneRect());
   return image;
 }

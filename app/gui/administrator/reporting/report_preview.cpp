@@ -42,7 +42,7 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
   item->resize(size);
   scene.setSceneRect(item->geometry());
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);
   scene.render(&painter, QRectF(image.rect()), scene.sceneRect());
   return image;
 }
