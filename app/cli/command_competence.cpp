@@ -6,11 +6,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
-#include "app/maintenance/care_desk.h"
+#include "app/cli/maintenance_options.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/recording/competence_service.h"
 #include "assessment/attempt/competence.h"
 #include "sim/base/angle.h"
@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 struct CompetenceArguments {
   CompetenceDesign design;
   std::string database = "torsio.sqlite";
-  CareOptions care;
+  MaintenanceOptions maintenance;
   std::string exercise;
   std::string expertCohort;
   std::optional<double> tolerance_deg;
@@ -47,8 +47,8 @@ Json designJson(const CompetenceDesign& design) {
 }
 
 /// Somebody who signed in; rights are asked for by the services, as in the window.
-CareDesk deskOf(const CompetenceArguments& arguments) {
-  return {arguments.care.taker(), arguments.database};
+MaintenanceDesk deskOf(const CompetenceArguments& arguments) {
+  return {arguments.maintenance.maintainer(), arguments.database};
 }
 
 void plan(const CompetenceArguments& arguments) {
@@ -66,7 +66,7 @@ void plan(const CompetenceArguments& arguments) {
 }
 
 void show(const CompetenceArguments& arguments) {
-  CareDesk desk = deskOf(arguments);
+  MaintenanceDesk desk = deskOf(arguments);
   Json all = Json::array();
   for (const ExerciseDesigns& exercise : competenceDesigns(desk.session())) {
     Json json{{"exercise", exercise.moduleId.text()},
@@ -85,7 +85,7 @@ void show(const CompetenceArguments& arguments) {
 }
 
 void enrolDesign(const CompetenceArguments& arguments) {
-  CareDesk desk = deskOf(arguments);
+  MaintenanceDesk desk = deskOf(arguments);
   CompetenceDesign design = arguments.design;
   design.moduleId = arguments.exercise;
   if (!arguments.expertCohort.empty()) {
@@ -120,7 +120,7 @@ void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& a
 void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
   addDatabaseArgument(command, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
-  addSignIn(command, arguments->care, "--login")->required();
+  addSignIn(command, arguments->maintenance, "--login")->required();
 }
 
 }  // namespace

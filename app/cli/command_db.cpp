@@ -6,15 +6,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/progress_line.h"
 #include "app/maintenance/anchor.h"
-#include "app/maintenance/care_desk.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/maintenance/record_restore.h"
 #include "app/maintenance/server_preparation.h"
 #include "app/maintenance/station_anchor.h"
@@ -30,7 +30,7 @@ namespace {
 
 struct DbArguments {
   DatabaseOption database;
-  CareOptions care;
+  MaintenanceOptions maintenance;
   std::string file;
   std::string target;
   std::string role = "torsio_station";
@@ -74,7 +74,7 @@ void backUp(const DbArguments& arguments) {
   const std::string locator = arguments.database.locator();
   requireOwnBackups(locator);
   sweepLeftovers(locator);
-  CareDesk desk(arguments.care.taker(), locator);
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), locator);
   const BackupContent content = backUpDatabase(desk.session(), arguments.file, {},
                                                arguments.replace ? Replace::kBackup : Replace::kNothing);
   std::cout << "Backup written and checked: " << arguments.file << "\n";
@@ -109,7 +109,7 @@ void verify(const DbArguments& arguments) {
 
 void restore(const DbArguments& arguments) {
   const std::string file = arguments.database.locator();
-  const Restored restored = restoreRecord(arguments.care.taker(), arguments.file, file);
+  const Restored restored = restoreRecord(arguments.maintenance.maintainer(), arguments.file, file);
   if (restored.plan) {
     std::cout << Text::verbatim(
         "Not in the backup: %1 {person|people}, %2 {run|runs}, %3 {mark|marks}; erased again: %4 "
@@ -141,7 +141,7 @@ void check(const DbArguments& arguments) {
 void copy(const DbArguments& arguments) {
   CopyReport report;
   {
-    CareDesk desk(arguments.care.taker(), arguments.file);
+    MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.file);
     ProgressLine line;
     report = copyDatabase(desk.session(), arguments.target,
                           [&line](const Progress& progress) { line.show(progress); });
@@ -159,7 +159,7 @@ void copy(const DbArguments& arguments) {
 }
 
 void prepareServerRoles(const DbArguments& arguments) {
-  prepareServer(arguments.care.taker(), arguments.database.locator(), arguments.role);
+  prepareServer(arguments.maintenance.maintainer(), arguments.database.locator(), arguments.role);
   std::cout << "The roles are written. Stations work as " << arguments.role
             << "; this account brings the schema up to date, and nobody else uses it.\n"
             << "Give the role a password: psql -c '\\password " << arguments.role << "'\n";
@@ -177,7 +177,7 @@ void addDb(CLI::App& program) {
   command->add_option("FILE", arguments->file, "The backup to write")->required();
   command->add_flag("--replace", arguments->replace, "An older backup of that name may go; a record never");
   addDatabaseOption(*command, arguments->database);
-  addCareOptions(*command, arguments->care);
+  addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { backUp(*arguments); });
 
   command = db->add_subcommand("verify", "Test restore of a backup: reads all of it and its audit trail");
@@ -187,8 +187,8 @@ void addDb(CLI::App& program) {
   command = db->add_subcommand("restore", "Puts a backup in the place of a database that nobody has open");
   command->add_option("FILE", arguments->file, "The backup")->required();
   addDatabaseOption(*command, arguments->database);
-  addCareOptions(*command, arguments->care);
-  addSecondPerson(*command, arguments->care);
+  addMaintenanceOptions(*command, arguments->maintenance);
+  addSecondPerson(*command, arguments->maintenance);
   command->callback([arguments] { restore(*arguments); });
 
   command = db->add_subcommand("copies", "Lists the places that hold this record besides itself");
@@ -203,7 +203,7 @@ void addDb(CLI::App& program) {
   addDatabaseArgument(*command, "FROM", arguments->file, "SQLite file or postgresql://... address")
       ->required();
   addDatabaseArgument(*command, "TO", arguments->target, "New file or empty database")->required();
-  addCareOptions(*command, arguments->care);
+  addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { copy(*arguments); });
 
   command = db->add_subcommand("prepare-server", "Writes the roles of a PostgreSQL server, as its owner");
@@ -213,7 +213,7 @@ void addDb(CLI::App& program) {
                     "Asks at the terminal for the password of the server");
   command->add_option("--station-role", arguments->role, "The role that stations work as")
       ->capture_default_str();
-  addCareOptions(*command, arguments->care);
+  addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { prepareServerRoles(*arguments); });
 }
 

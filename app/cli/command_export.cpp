@@ -7,16 +7,16 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/assets.h"
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/terminal.h"
 #include "app/exchange/cohort_exchange.h"
 #include "app/exchange/dataset_import.h"
 #include "app/exchange/foreign_import.h"
-#include "app/maintenance/care_desk.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/report/wording.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -35,15 +35,15 @@ struct ExportArguments {
   std::string keyFile;
   DatasetRequest dataset;
   ExchangeRequest request;
-  CareOptions care;
+  MaintenanceOptions maintenance;
   bool json = false;
 };
 
 /// Somebody who signs in, or the owner of the record's file.
-CareTaker takerOf(const ExportArguments& arguments) {
-  CareOptions care = arguments.care;
-  care.asSystem = care.login.empty();
-  return care.taker();
+Maintainer maintainerOf(const ExportArguments& arguments) {
+  MaintenanceOptions maintenance = arguments.maintenance;
+  maintenance.asSystem = maintenance.login.empty();
+  return maintenance.maintainer();
 }
 
 /// The key in a file, which is made where it is missing.
@@ -84,7 +84,7 @@ using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& dat
                                 const ExportArguments& given);
 
 void run(const ExportArguments& given, Write write) {
-  CareDesk desk(takerOf(given), given.database);
+  MaintenanceDesk desk(maintainerOf(given), given.database);
   ExchangeRequest request = given.request;
   request.pseudonymised = request.pseudonymised || !given.keyFile.empty();
   request.key = keyOf(given.keyFile);
@@ -114,7 +114,7 @@ ExchangeFiles writeSet(SessionContext& session, const ExchangeData& data, const 
 }
 
 void writeGrades(const ExportArguments& given) {
-  CareDesk desk(takerOf(given), given.database);
+  MaintenanceDesk desk(maintainerOf(given), given.database);
   ExchangeRequest request = given.request;
   nameRequest(desk.session(), given.cohort, {}, request);
   TrialDigests digests(assetsFolder());
@@ -127,7 +127,7 @@ struct ImportArguments {
   std::string map;
   std::string folder;
   std::string reason;
-  CareOptions care;
+  MaintenanceOptions maintenance;
   bool json = false;
 };
 
@@ -153,7 +153,7 @@ void runImport(const ImportArguments& given) {
     throw Error(ErrorCode::kUsage, Text::verbatim("a data set of Torsio is a folder, all others need a map"),
                 given.layout, Text::verbatim("Give --from FOLDER with --as torsio, --map FILE otherwise"));
   }
-  CareDesk desk(given.care.taker(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   auto line = std::make_unique<ProgressLine>();
   const ProgressCallback show = [&line](const Progress& progress) { line->show(progress); };
   if (own) {
@@ -175,7 +175,7 @@ void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
   command.add_option("--cohort", arguments.cohort, "Name of the cohort; the oldest one");
   command.add_option("--out", arguments.out, out)->required();
   command.add_option("--reason", arguments.request.reason, "Why, for the audit trail");
-  addSignIn(command, arguments.care, "--login");
+  addSignIn(command, arguments.maintenance, "--login");
   command.add_flag("--json", arguments.json, "Print JSON");
 }
 
@@ -248,7 +248,7 @@ void addDataset(CLI::App& program) {
   in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");
   in->add_option("--map", incoming->map, "Others: what the files do not say of themselves (JSON)");
   in->add_option("--reason", incoming->reason, "Why, for the audit trail");
-  addSignIn(*in, incoming->care, "--login")->required();
+  addSignIn(*in, incoming->maintenance, "--login")->required();
   in->add_flag("--json", incoming->json, "Print JSON");
   in->callback([incoming] { runImport(*incoming); });
 }

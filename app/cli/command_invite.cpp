@@ -9,10 +9,10 @@
 
 #include "app/access/access_service.h"
 #include "app/access/invitations.h"
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
-#include "app/maintenance/care_desk.h"
+#include "app/cli/maintenance_options.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -24,7 +24,7 @@ struct InviteArguments {
   std::string address;
   std::string revoke;
   std::vector<std::string> logins;
-  CareOptions care;
+  MaintenanceOptions maintenance;
 };
 
 std::vector<UserId> idsOf(SessionContext& session, const std::vector<std::string>& logins) {
@@ -43,7 +43,7 @@ std::vector<UserId> idsOf(SessionContext& session, const std::vector<std::string
 }
 
 void inviteUsers(const InviteArguments& arguments) {
-  CareDesk desk(arguments.care.taker(), arguments.database.locator());
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
   const std::vector<UserId> ids = idsOf(desk.session(), arguments.logins);
   if (!arguments.revoke.empty()) {
     std::cout << "Invitations revoked: " << revokeInvitations(desk.session(), ids, arguments.revoke) << "\n";
@@ -69,7 +69,7 @@ void addInvite(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("invite", "Makes links with which users set a password in a browser");
   addDatabaseOption(*command, arguments->database);
-  addSignIn(*command, arguments->care, "--as")->required();
+  addSignIn(*command, arguments->maintenance, "--as")->required();
   command->add_option("--address", arguments->address, "https://... as browsers reach the review desk");
   command->add_option("--revoke", arguments->revoke, "Takes their links back instead: why");
   command->add_option("login", arguments->logins, "Sign-in names")->required();

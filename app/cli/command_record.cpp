@@ -8,9 +8,9 @@
 #include <QUuid>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
 #include "app/maintenance/record_privacy.h"
 #include "app/recording/pipeline.h"

@@ -7,11 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
-#include "app/maintenance/care_desk.h"
+#include "app/cli/maintenance_options.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/people/roster_undo.h"
 #include "assessment/report/number_format.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 struct RosterArguments {
   DatabaseOption database;
-  CareOptions care;
+  MaintenanceOptions maintenance;
   std::vector<std::string> ids;
   std::string reason;
   bool json = false;
@@ -35,7 +35,7 @@ std::string stateOf(const ImportedRoster& one) {
 }
 
 void listImports(const RosterArguments& arguments) {
-  CareDesk desk(arguments.care.taker(), arguments.database.locator());
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const ImportedRoster& one : importedRosters(desk.session())) {
     const char* kind = one.kind == RosterKind::kTrainees ? "trainees" : "raters";
@@ -60,7 +60,7 @@ void listImports(const RosterArguments& arguments) {
 }
 
 void takeBack(const RosterArguments& arguments) {
-  CareDesk desk(arguments.care.taker(), arguments.database.locator());
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
   takeBackRosters(desk.session(), arguments.ids, arguments.reason);
   for (const std::string& id : arguments.ids) {
     std::cout << "Taken back: " << id << "\n";
@@ -75,12 +75,12 @@ void addRoster(CLI::App& program) {
   auto arguments = std::make_shared<RosterArguments>();
   CLI::App* list = roster->add_subcommand("imports", "Every import, and whether it can be taken back");
   addDatabaseOption(*list, arguments->database);
-  addSignIn(*list, arguments->care, "--as")->required();
+  addSignIn(*list, arguments->maintenance, "--as")->required();
   list->add_flag("--json", arguments->json, "JSON");
   list->callback([arguments] { listImports(*arguments); });
   CLI::App* back = roster->add_subcommand("take-back", "Takes imports back whole: all of them, or nothing");
   addDatabaseOption(*back, arguments->database);
-  addSignIn(*back, arguments->care, "--as")->required();
+  addSignIn(*back, arguments->maintenance, "--as")->required();
   back->add_option("imports", arguments->ids, "Ids, as 'torsio roster imports' shows them")->required();
   back->add_option("--reason", arguments->reason, "Why, for the audit trail")->required();
   back->callback([arguments] { takeBack(*arguments); });

@@ -5,12 +5,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/care_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/terminal.h"
-#include "app/maintenance/care_desk.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/xapi/learning_records.h"
 #include "sim/base/error.h"
 
@@ -26,7 +26,7 @@ struct XapiArguments {
   std::string user;
   int secretDescriptor = -1;
   bool drop = false;
-  CareOptions care;
+  MaintenanceOptions maintenance;
   bool json = false;
 };
 
@@ -63,12 +63,12 @@ void printStatus(const LearningRecordsView& view, bool json) {
 }
 
 void status(const XapiArguments& given) {
-  CareDesk desk(given.care.taker(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   printStatus(learningRecords(desk.session()), given.json);
 }
 
 void set(const XapiArguments& given) {
-  CareDesk desk(given.care.taker(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   LrsSettings settings = lrsSettings(desk.session());
   settings.endpoint = given.settings.endpoint.empty() ? settings.endpoint : given.settings.endpoint;
   settings.homePage = given.settings.homePage.empty() ? settings.homePage : given.settings.homePage;
@@ -90,9 +90,9 @@ void setKey(const XapiArguments& given) {
 }
 
 void send(const XapiArguments& given) {
-  CareOptions care = given.care;
-  care.asSystem = care.login.empty();
-  CareDesk desk(care.taker(), given.database);
+  MaintenanceOptions maintenance = given.maintenance;
+  maintenance.asSystem = maintenance.login.empty();
+  MaintenanceDesk desk(maintenance.maintainer(), given.database);
   const LrsDelivery done = sendLearningRecords(desk.session());
   if (given.json) {
     printJson(nlohmann::ordered_json{{"delivered", done.delivered},
@@ -111,7 +111,7 @@ void send(const XapiArguments& given) {
 }
 
 void retry(const XapiArguments& given) {
-  CareDesk desk(given.care.taker(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   const std::int64_t count =
       given.drop ? dropLearningRecords(desk.session()) : retryLearningRecords(desk.session());
   std::cout << count << (given.drop ? " given up\n" : " will be tried again\n");
@@ -128,7 +128,7 @@ void addXapi(CLI::App& program) {
     addDatabaseArgument(*command, "--database", arguments->database,
                         "SQLite file or postgresql://... address")
         ->capture_default_str();
-    CLI::Option* login = addSignIn(*command, arguments->care, "--login");
+    CLI::Option* login = addSignIn(*command, arguments->maintenance, "--login");
     if (signIn) {
       login->required();
     }

@@ -35,7 +35,7 @@ struct DemonstrationPlace {
                                                              std::uint64_t seed, std::int64_t utc_us);
 
 /// Stores a shipped curriculum as one of the demonstration's that runs: its modules, with these arms in place
-/// of its own and without scoring points. Throws Error{kFileMissing} when it is not among the assets.
+/// of its own and without occasions. Throws Error{kFileMissing} when it is not among the assets.
 [[nodiscard]] CurriculumVersion storeDemonstrationTemplate(Connection& connection, IdSource& ids,
                                                            const std::filesystem::path& assets,
                                                            const std::string& templateId,

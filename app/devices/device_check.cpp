@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/devices/servo_words.h"
+#include "app/devices/servo_labels.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"

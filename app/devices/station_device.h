@@ -25,7 +25,7 @@ struct StationDevice {
 /// A device that was not checked yet; an empty name: mouse and keyboard.
 [[nodiscard]] StationDevice uncheckedDevice(const Text& device, bool haptic);
 
-/// Between what is shown and what is stored beside the sign of life. A problem that cannot be read is empty.
+/// Between what is shown and what is stored beside the heartbeat. A problem that cannot be read is empty.
 void storeDevice(const StationDevice& device, StationState& state);
 [[nodiscard]] StationDevice storedDevice(const StationState& state);
 

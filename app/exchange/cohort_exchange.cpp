@@ -148,7 +148,8 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
       Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
       Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
                done.smallestBefore),
-      Text::tr("Left out: level of %1 people, sex of %2, free text of %3 entries, person of %4 deviations.",
+      Text::tr("Left out: level of %1 {person|people}, sex of %2, free text of %3 {entry|entries}, "
+               "person of %4 {deviation|deviations}.",
                done.levelsHidden, done.sexesHidden, done.textsLeftOut, done.deviationsUnlinked)};
 }
 

@@ -113,7 +113,8 @@ class MapPart {
     const bool empty =
         std::any_of(found.begin(), found.end(), [](const std::string& t) { return t.empty(); });
     if (found.size() != count || empty) {
-      refuseAt(key, Text::tr("%1 names of columns belong here", count), Text::tr("Name each of them once"));
+      refuseAt(key, Text::tr("%1 {name of a column belongs|names of columns belong} here", count),
+               Text::tr("Name each of them once"));
     }
     return found;
   }

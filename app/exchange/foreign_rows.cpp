@@ -99,7 +99,7 @@ class JigsawsRows final : public RowReaderBase {
       line = trimmed(line.substr(end));
     }
     if (count != kNumbers) {
-      refuseLine(number, Text::tr("the line has %1 numbers, not 76", count),
+      refuseLine(number, Text::tr("the line has %1 {number|numbers}, not 76", count),
                  Text::tr("Take the kinematics files of JIGSAWS as they are"));
     }
     row.position = {own[0], own[1], own[2]};
@@ -132,7 +132,8 @@ class TableRows : public RowReaderBase {
       return false;
     }
     if (cells_.size() != header_.size()) {
-      refuseLine(number, Text::tr("the line has %1 values and the header %2", cells_.size(), header_.size()),
+      refuseLine(number,
+                 Text::tr("the line has %1 {value|values} and the header %2", cells_.size(), header_.size()),
                  Text::tr("Give every line as many values as there are columns"));
     }
     row.gap = map().leavesGaps && lacksPose();
@@ -316,7 +317,7 @@ class PerkTutorRows final : public RowReaderBase {
       text = trimmed(text.substr(end));
     }
     if (count != numbers.size()) {
-      refuseLine(line, Text::tr("the transform has %1 numbers, not 16", count),
+      refuseLine(line, Text::tr("the transform has %1 {number|numbers}, not 16", count),
                  Text::tr("Take the files of Perk Tutor as they are"));
     }
     return numbers;

@@ -9,7 +9,7 @@
 namespace torsio {
 
 /// Who else works at this record now, one plain sentence each: runs that go on, at this station too, and
-/// other stations that gave a sign of life in the last kStationSilence_us. kDatabaseRestore.
+/// other stations that sent a heartbeat in the last kStationSilence_us. kDatabaseRestore.
 [[nodiscard]] std::vector<Text> othersAtWork(SessionContext& session);
 
 /// Before a record is replaced or moved. kDatabaseRestore. Throws Error (kDatabase) with the first of

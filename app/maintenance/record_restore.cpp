@@ -15,9 +15,9 @@
 
 #include "app/access/two_people.h"
 #include "app/base/build_info.h"
-#include "app/maintenance/care_desk.h"
 #include "app/maintenance/copies.h"
 #include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "app/maintenance/others_at_work.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
@@ -331,7 +331,7 @@ void noteRestore(SessionContext& session, const fs::path& backup) {
   transaction.commit();
 }
 
-Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std::string& locator) {
+Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, const std::string& locator) {
   requireOwnRestore(locator);
   const std::string file = beyondLinks(locator).string();
   sweepLeftovers(file);
@@ -339,10 +339,10 @@ Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std
   if (std::optional<Connection> present = presentRecord(file, restored.unreadable)) {
     std::shared_ptr<PreparedRestore> prepared;
     {
-      CareDesk desk(taker, std::move(*present), file);
+      MaintenanceDesk desk(maintainer, std::move(*present), file);
       present.reset();
       restored.plan = planRestore(desk.session(), backup);
-      desk.handOver(taker, wishOf(backup, restored.plan->backupHash));
+      desk.handOver(maintainer, wishOf(backup, restored.plan->backupHash));
       prepared = prepareRestore(desk.session(), *restored.plan);
     }
     restored.before = prepared->takeOver();
@@ -350,11 +350,11 @@ Restored restoreRecord(const CareTaker& taker, const fs::path& backup, const std
   }
   requireSoundBackup(verifyBackup(backup), backup);
   restored.before = restoreSqlite(backup, file, [&](const fs::path& copy) {
-    CareDesk desk(taker,
-                  openRecord(copy.string(), OpenMode::kReadWrite,
-                             {.softwareVersion = softwareVersion(), .backup = false}),
-                  fs::exists(file) ? file : backup.string());
-    desk.handOver(taker, wishOf(backup, hashOfFile(backup)));
+    MaintenanceDesk desk(maintainer,
+                         openRecord(copy.string(), OpenMode::kReadWrite,
+                                    {.softwareVersion = softwareVersion(), .backup = false}),
+                         fs::exists(file) ? file : backup.string());
+    desk.handOver(maintainer, wishOf(backup, hashOfFile(backup)));
     noteRestore(desk.session(), backup);
   });
   if (!restored.before.empty()) {

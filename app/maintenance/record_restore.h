@@ -9,7 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
-#include "app/maintenance/care_taker.h"
+#include "app/maintenance/maintainer.h"
 #include "db/migrations/backup.h"
 
 namespace torsio {
@@ -93,10 +93,10 @@ struct Restored {
 };
 
 /// Puts a sound backup in the place of the record at `locator`, as planRestore, prepareRestore and takeOver
-/// do. Where no record can be read, `taker` signs in to the backup, and it cannot be known who was erased
-/// since. Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing is
-/// changed then.
-Restored restoreRecord(const CareTaker& taker, const std::filesystem::path& backup,
+/// do. Where no record can be read, `maintainer` signs in to the backup, and it cannot be known who was
+/// erased since. Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing
+/// is changed then.
+Restored restoreRecord(const Maintainer& maintainer, const std::filesystem::path& backup,
                        const std::string& locator);
 
 /// Tells in the restored record that it was restored from `backup`, without a record to compare it with.

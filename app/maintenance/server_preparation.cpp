@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/base/build_info.h"
-#include "app/maintenance/care_desk.h"
+#include "app/maintenance/maintenance_desk.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/dialect.h"
@@ -27,10 +27,10 @@ void requireServer(Engine engine, const std::string& location) {
 
 }  // namespace
 
-void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole) {
+void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole) {
   requireServer(parseLocator(locator).engine, locator);
-  CareDesk desk(taker, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}),
-                locator);
+  MaintenanceDesk desk(
+      maintainer, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}), locator);
   prepareServer(desk.session(), stationRole);
 }
 

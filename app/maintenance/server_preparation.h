@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "app/maintenance/care_taker.h"
+#include "app/maintenance/maintainer.h"
 
 namespace torsio {
 
@@ -12,7 +12,7 @@ namespace torsio {
 /// the owner of its tables. Audited. An empty database becomes a record without a centre; then only the
 /// system can have been named. kDatabaseRestore. Throws Error: kUsage for a file, kPermission when the
 /// account is not the owner; DbError.
-void prepareServer(const CareTaker& taker, const std::string& locator, const std::string& stationRole);
+void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole);
 /// Writes the roles of the server that the session works on. kDatabaseRestore. Throws like the one above.
 void prepareServer(SessionContext& session, const std::string& stationRole);
 

@@ -343,7 +343,7 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
 }
 
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
-                         const CsvLook& look) {
+                         const CsvStyle& look) {
   session.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
   std::string text = kByteOrderMark;
@@ -371,7 +371,7 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
       ++count;
     }
   }
-  text = csvInLook(text, look);
+  text = csvInStyle(text, look);
   Digest digest;
   digest.update(text);
   // First the trail, then the file: names that left the house without a trace would be worse than a trace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "app/base/csv_look.h"
+#include "app/base/csv_style.h"
 #include "assessment/people/person.h"
 #include "sim/base/ids.h"
 
@@ -74,6 +74,6 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session);
 /// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the
 /// hash of the file. Returns the number of people. Throws Error{kFileUnwritable}.
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
-                         const CsvLook& look = {});
+                         const CsvStyle& look = {});
 
 }  // namespace torsio

@@ -10,10 +10,10 @@
 
 namespace torsio {
 
-/// Between two signs of life: three fit into kStationSilence_us.
+/// Between two heartbeats: three fit into kStationSilence_us.
 inline constexpr std::int64_t kHeartbeat_us = 10'000'000;
 
-/// The signs of life of this station (StationRepository): who is signed in, which trial runs, which version,
+/// The heartbeats of this station (StationRepository): who is signed in, which trial runs, which version,
 /// which device.
 /// Belongs to the thread of its session. A database that is away is no error here: the board then shows
 /// that the station is silent.

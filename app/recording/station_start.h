@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-/// A trial of this station with no sign of life for so long was interrupted.
+/// A trial of this station with no heartbeat for so long was interrupted.
 inline constexpr std::int64_t kQuietTrial_us = 10'000'000;
 
 /// A recording that the station put in order.

@@ -17,13 +17,13 @@ namespace torsio {
 /// How patient a StationWriter is. Tests use shorter times.
 struct LinePatience {
   std::chrono::milliseconds again{3'000};      ///< between two tries while the database is away
-  std::chrono::milliseconds heartbeat{1'000};  ///< between two looks whether a sign of life is due
+  std::chrono::milliseconds heartbeat{1'000};  ///< between two looks whether a heartbeat is due
   std::chrono::milliseconds silence{3'000};    ///< an answer that takes longer is none
   std::chrono::milliseconds farewell{2'000};   ///< for what is still to be written when the line ends
 };
 
 /// The line of one station to its database, on a thread and a connection of its own, so that nobody who looks
-/// at a window waits for a server: signs of life (StationHeartbeat), and small writes that need no answer.
+/// at a window waits for a server: heartbeats (StationHeartbeat), and small writes that need no answer.
 /// Writes keep their order and are tried again while the database is away. A server that neither answers nor
 /// refuses holds up this thread and nothing else.
 class StationWriter {

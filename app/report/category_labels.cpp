@@ -3,7 +3,7 @@
 
 #include <QFontMetricsF>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/text_fit.h"
 #include "app/report/typeface.h"
 

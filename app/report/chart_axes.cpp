@@ -86,14 +86,15 @@ QFont chartFont(int pixels) {
   return out;
 }
 
-ChartAxes::ChartAxes(const ReportFigure& figure, const ChartLook& look, const Wording& wording, QChart& chart)
-    : figure_(figure), look_(look), say_(wording), chart_(chart) {}
+ChartAxes::ChartAxes(const ReportFigure& figure, const ChartStyle& look, const Wording& wording,
+                     QChart& chart)
+    : figure_(figure), style_(look), say_(wording), chart_(chart) {}
 
 void ChartAxes::addUprightTitle(const Text& words) const {
   if (words.empty()) {
     return;
   }
-  auto* title = new UprightTitle(say_(words), look_, &chart_);  // the chart owns it
+  auto* title = new UprightTitle(say_(words), style_, &chart_);  // the chart owns it
   QMargins margins = chart_.margins();
   margins.setLeft(margins.left() + static_cast<int>(std::ceil(title->width())));
   chart_.setMargins(margins);
@@ -103,13 +104,13 @@ void ChartAxes::addUprightTitle(const Text& words) const {
 
 template <typename Axis>
 Axis* ChartAxes::styled(Axis* axis, const Text& title) const {
-  axis->setLabelsFont(chartFont(look_.label_px - 1));
-  axis->setTitleFont(chartFont(look_.label_px));
+  axis->setLabelsFont(chartFont(style_.label_px - 1));
+  axis->setTitleFont(chartFont(style_.label_px));
   axis->setTitleText(say_(title).toHtmlEscaped());
-  axis->setLabelsColor(look_.ink);
-  axis->setTitleBrush(look_.ink);
-  axis->setGridLineColor(look_.grid);
-  axis->setLinePenColor(look_.ink);
+  axis->setLabelsColor(style_.ink);
+  axis->setTitleBrush(style_.ink);
+  axis->setGridLineColor(style_.grid);
+  axis->setLinePenColor(style_.ink);
   return axis;
 }
 
@@ -173,7 +174,7 @@ QCategoryAxis* ChartAxes::addCategories() {
   for (const Text& category : figure_.categories) {
     categories << say_(category);
   }
-  const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
+  const auto [names, letters] = categoryLabels(categories, style_.label_px - 1);
   for (qsizetype i = 0; i < names.size(); ++i) {
     appendTo(*axis, names[i], static_cast<double>(i + 1));
   }

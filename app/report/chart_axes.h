@@ -7,7 +7,7 @@
 #include <QFont>
 #include <QtGlobal>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
@@ -36,7 +36,7 @@ struct AxisRange {
 class ChartAxes {
  public:
   /// All four must outlive this.
-  ChartAxes(const ReportFigure& figure, const ChartLook& look, const Wording& wording, QChart& chart);
+  ChartAxes(const ReportFigure& figure, const ChartStyle& look, const Wording& wording, QChart& chart);
 
   /// Adds the axis of values, wide enough for all of them. One at the left has its title upright.
   QValueAxis* addValues(Qt::Alignment side);
@@ -58,7 +58,7 @@ class ChartAxes {
   [[nodiscard]] AxisRange valueRange() const;
 
   const ReportFigure& figure_;
-  const ChartLook& look_;
+  const ChartStyle& style_;
   const Wording& say_;
   QChart& chart_;
   AxisRange across_{0.0, 1.0};

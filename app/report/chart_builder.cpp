@@ -39,9 +39,9 @@ constexpr std::array kMarkers{
 /// Draws one figure into one chart.
 class Builder {
  public:
-  Builder(const ReportFigure& figure, const ChartLook& look, const Wording& wording)
+  Builder(const ReportFigure& figure, const ChartStyle& look, const Wording& wording)
       : figure_(figure),
-        look_(look),
+        style_(look),
         say_(wording),
         chart_(std::make_unique<QChart>()),
         axes_(figure, look, wording, *chart_) {}
@@ -96,8 +96,8 @@ class Builder {
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     QLegend* legend = chart_->legend();
     legend->setAlignment(Qt::AlignTop);
-    legend->setFont(chartFont(look_.label_px));
-    legend->setLabelColor(look_.ink);
+    legend->setFont(chartFont(style_.label_px));
+    legend->setLabelColor(style_.ink);
     // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
     legend->setMarkerShape(figure_.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
                                                                     : QLegend::MarkerShapeFromSeries);
@@ -118,8 +118,8 @@ class Builder {
     points->setName(say_(name));
     points->setMarkerShape(kMarkers[number % kMarkers.size()]);
     points->setMarkerSize(size);
-    points->setColor(seriesColour(number, look_));
-    points->setBorderColor(look_.dark ? look_.ground : seriesColour(number, look_).darker(150));
+    points->setColor(seriesColour(number, style_));
+    points->setBorderColor(style_.dark ? style_.ground : seriesColour(number, style_).darker(150));
     return points;
   }
 
@@ -145,8 +145,8 @@ class Builder {
     all->setBarWidth(0.75);
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       auto* set = new QBarSet(say_(figure_.series[s].name));
-      set->setBrush(seriesFill(lookOf(s), look_));
-      set->setPen(QPen(seriesColour(lookOf(s), look_).darker(look_.dark ? 100 : 130), 1.2));
+      set->setBrush(seriesFill(lookOf(s), style_));
+      set->setPen(QPen(seriesColour(lookOf(s), style_).darker(style_.dark ? 100 : 130), 1.2));
       for (const auto& value : figure_.series[s].y) {
         *set << value.value_or(0.0);
       }
@@ -159,7 +159,7 @@ class Builder {
   /// A line with caps from low to high; across the axis of values when `lying`.
   QLineSeries* whisker(std::size_t number, double at, double low, double high, double cap, bool lying) const {
     auto* line = new QLineSeries;
-    line->setPen(QPen(seriesColour(number, look_), 2.0));
+    line->setPen(QPen(seriesColour(number, style_), 2.0));
     const auto point = [lying](double along, double value) {
       return lying ? QPointF(value, along) : QPointF(along, value);
     };
@@ -214,9 +214,9 @@ class Builder {
       const FigureSeries& series = figure_.series[s];
       const std::size_t number = lookOf(s);
       auto* line = new QLineSeries;
-      QColor colour = seriesColour(number, look_);
+      QColor colour = seriesColour(number, style_);
       if (series.faint) {
-        colour = paled(colour, kFaint, look_);
+        colour = paled(colour, kFaint, style_);
       }
       QPen pen(colour, series.faint ? 1.1 : 2.2);
       pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
@@ -241,7 +241,7 @@ class Builder {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i] && series.low[i] < series.high[i]) {
           QLineSeries* bar = whisker(number, abscissa(series, i), series.low[i], series.high[i], cap, false);
-          bar->setPen(QPen(seriesColour(number, look_), 1.3));
+          bar->setPen(QPen(seriesColour(number, style_), 1.3));
           add(bar, axis, values_, false);
         }
       }
@@ -267,7 +267,7 @@ class Builder {
         continue;
       }
       auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
-      dots->setColor(paled(seriesColour(lookOf(s), look_), kCloud, look_));
+      dots->setColor(paled(seriesColour(lookOf(s), style_), kCloud, style_));
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i]) {
           dots->append(series.x[i], *series.y[i]);
@@ -281,7 +281,7 @@ class Builder {
   void through(const FigureSeries& series, QAbstractAxis* axis) {
     auto* line = new QLineSeries;
     line->setName(say_(series.name));
-    line->setPen(QPen(look_.ink, 1.2, Qt::DashLine));
+    line->setPen(QPen(style_.ink, 1.2, Qt::DashLine));
     for (std::size_t i = 0; i < series.y.size(); ++i) {
       line->append(series.x[i], series.y[i].value_or(0.0));
     }
@@ -311,8 +311,8 @@ class Builder {
     auto* all = new QBoxPlotSeries;
     auto* means = marks(3, Text::tr("mean"), 9.0);
     auto* outliers = marks(0, Text::tr("outside the whiskers"), 6.0);
-    outliers->setColor(look_.ground);
-    outliers->setBorderColor(look_.ink);
+    outliers->setColor(style_.ground);
+    outliers->setBorderColor(style_.ink);
     all->setBoxWidth(0.45);
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
@@ -320,8 +320,8 @@ class Builder {
       const BoxSummary& box = *series.box;
       auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
                               box.upperWhisker, say_(series.name));
-      set->setBrush(paler(seriesColour(lookOf(s), look_)));
-      set->setPen(QPen(look_.ink, 1.4));
+      set->setBrush(paler(seriesColour(lookOf(s), style_)));
+      set->setPen(QPen(style_.ink, 1.4));
       all->append(set);
       means->append(static_cast<double>(s), box.mean);
       for (const double value : box.outliers) {
@@ -341,8 +341,8 @@ class Builder {
 
   /// Half way to the ground: a fill on which the median line stays readable.
   [[nodiscard]] QColor paler(const QColor& colour) const {
-    return QColor((colour.red() + look_.ground.red()) / 2, (colour.green() + look_.ground.green()) / 2,
-                  (colour.blue() + look_.ground.blue()) / 2);
+    return QColor((colour.red() + style_.ground.red()) / 2, (colour.green() + style_.ground.green()) / 2,
+                  (colour.blue() + style_.ground.blue()) / 2);
   }
 
   void references() {
@@ -352,7 +352,7 @@ class Builder {
       const FigureReference& reference = figure_.references[i];
       auto* line = new QLineSeries;
       line->setName(say_(reference.label));
-      line->setPen(QPen(look_.ink, 1.2, kStyles[i % kStyles.size()]));
+      line->setPen(QPen(style_.ink, 1.2, kStyles[i % kStyles.size()]));
       if (lying) {
         line->append({{reference.value, axes_.across().low}, {reference.value, axes_.across().high}});
         add(line, values_, rows_, true);
@@ -364,7 +364,7 @@ class Builder {
   }
 
   const ReportFigure& figure_;
-  const ChartLook& look_;
+  const ChartStyle& style_;
   const Wording& say_;
   std::unique_ptr<QChart> chart_;
   ChartAxes axes_;
@@ -375,12 +375,12 @@ class Builder {
 
 }  // namespace
 
-std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look,
+std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartStyle& look,
                                    const Wording& wording) {
   return Builder(figure, look, wording).take();
 }
 
-std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartLook& look,
+std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartStyle& look,
                                              const Wording& wording) {
   if (figure.kind == FigureKind::kHeatMap) {
     return std::make_unique<HeatMapItem>(figure, look, wording);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
@@ -16,11 +16,11 @@ namespace torsio {
 /// Says its words as `wording` does; title and notes are left to whoever shows it. Needs a QApplication; GUI
 /// thread.
 [[nodiscard]] std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure,
-                                                           const ChartLook& look = {},
+                                                           const ChartStyle& look = {},
                                                            const Wording& wording = englishWording);
 
 /// The figure as a Qt chart: no animation, no shadow (both spoil vector output). Every kind but kHeatMap.
-[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look = {},
+[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartStyle& look = {},
                                                  const Wording& wording = englishWording);
 
 }  // namespace torsio

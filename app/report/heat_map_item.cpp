@@ -22,8 +22,8 @@ constexpr double kWidestName = 96.0;  // of a row; longer ones take two lines
 
 }  // namespace
 
-HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look, const Wording& wording)
-    : figure_(figure), look_(look), say_(wording) {
+HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartStyle& look, const Wording& wording)
+    : figure_(figure), style_(look), say_(wording) {
   low_ = std::numeric_limits<double>::infinity();
   high_ = -low_;
   for (const FigureSeries& row : figure_.series) {
@@ -52,7 +52,7 @@ QFont HeatMapItem::font(int pixels) const {
 }
 
 void HeatMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const QFontMetricsF metrics(font(look_.label_px - 2));
+  const QFontMetricsF metrics(font(style_.label_px - 2));
   const double rows = std::max(1.0, static_cast<double>(figure_.series.size()));
   // Long names take two lines where the rows are high enough.
   const bool wrap = 2.0 * metrics.height() <= (rect().height() - 5.0 * metrics.height()) / rows;
@@ -90,7 +90,7 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
   const double wide = plot.width() / columns;
   const double high = plot.height() / rows;
   const double ofWidth = decimals_ == 0 ? 0.6 : 0.42;
-  const int pixels = static_cast<int>(std::min({high * 0.62, wide * ofWidth, look_.label_px * 0.85}));
+  const int pixels = static_cast<int>(std::min({high * 0.62, wide * ofWidth, style_.label_px * 0.85}));
   painter.setFont(font(pixels));
   for (std::size_t r = 0; r < figure_.series.size(); ++r) {
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
@@ -98,16 +98,16 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
                         plot.top() + high * static_cast<double>(r), wide, high);
       const std::vector<std::optional<double>>& values = figure_.series[r].y;
       const bool known = c < values.size() && values[c].has_value();
-      painter.setPen(QPen(look_.ground, 0.8));
+      painter.setPen(QPen(style_.ground, 0.8));
       if (!known) {
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(look_.grid, 0.8));
+        painter.setPen(QPen(style_.grid, 0.8));
         painter.drawRect(cell);
         painter.drawLine(cell.topLeft(), cell.bottomRight());
         continue;
       }
       const double value = *values[c];
-      const QColor fill = shade((value - low_) / (high_ - low_), look_);
+      const QColor fill = shade((value - low_) / (high_ - low_), style_);
       painter.setBrush(fill);
       painter.drawRect(cell);
       if (pixels < 6) {
@@ -121,8 +121,8 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
 
 void HeatMapItem::paintRowNames(QPainter& painter, const QRectF& plot, const QStringList& names) const {
   const double high = plot.height() / static_cast<double>(figure_.series.size());
-  painter.setPen(look_.ink);
-  painter.setFont(font(std::min(look_.label_px - 2, static_cast<int>(high * 0.9))));
+  painter.setPen(style_.ink);
+  painter.setFont(font(std::min(style_.label_px - 2, static_cast<int>(high * 0.9))));
   for (qsizetype r = 0; r < names.size(); ++r) {
     painter.drawText(
         QRectF(rect().left(), plot.top() + high * static_cast<double>(r), plot.left() - kGap, high),
@@ -150,7 +150,7 @@ HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
     }
     return most;
   };
-  out.pixels = look_.label_px - 2;
+  out.pixels = style_.label_px - 2;
   while (out.pixels > kSmallest_px && needed(QFontMetricsF(font(out.pixels))) > wide) {
     --out.pixels;
   }
@@ -175,7 +175,7 @@ void HeatMapItem::paintColumnNames(QPainter& painter, const QRectF& plot, const 
     painter.drawText(QRectF(middle - half, plot.bottom() + 2, 2 * half, high + 2),
                      Qt::AlignHCenter | Qt::AlignTop, set.names[c]);
   }
-  painter.setFont(font(look_.label_px - 2));
+  painter.setFont(font(style_.label_px - 2));
   const QFontMetricsF title(painter.font());
   painter.drawText(
       QRectF(plot.left(), rect().bottom() - title.height() - 1, plot.width(), title.height() + 1),
@@ -185,13 +185,13 @@ void HeatMapItem::paintColumnNames(QPainter& painter, const QRectF& plot, const 
 void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
   for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    gradient.setColorAt(at, shade(at, look_));
+    gradient.setColorAt(at, shade(at, style_));
   }
-  painter.setPen(QPen(look_.ink, 0.6));
+  painter.setPen(QPen(style_.ink, 0.6));
   painter.setBrush(gradient);
   painter.drawRect(bar);
-  painter.setPen(look_.ink);
-  painter.setFont(font(look_.label_px - 3));
+  painter.setPen(style_.ink);
+  painter.setFont(font(style_.label_px - 3));
   const QFontMetricsF metrics(painter.font());
   for (const double at : {0.0, 0.5, 1.0}) {
     const double y = bar.bottom() - at * bar.height();

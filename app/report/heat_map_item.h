@@ -4,7 +4,7 @@
 #include <QGraphicsWidget>
 #include <QStringList>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
@@ -14,7 +14,7 @@ namespace torsio {
 /// scale beside it. Missing values are crossed out. Vector on paper.
 class HeatMapItem : public QGraphicsWidget {
  public:
-  HeatMapItem(const ReportFigure& figure, const ChartLook& look, const Wording& wording);
+  HeatMapItem(const ReportFigure& figure, const ChartStyle& look, const Wording& wording);
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -34,7 +34,7 @@ class HeatMapItem : public QGraphicsWidget {
   [[nodiscard]] QFont font(int pixels) const;
 
   ReportFigure figure_;
-  ChartLook look_;
+  ChartStyle style_;
   Wording say_;
   double low_ = 0.0;
   double high_ = 1.0;

@@ -9,7 +9,7 @@
 #include <QPageSize>
 #include <QPdfWriter>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/typeface.h"
 
 namespace torsio {

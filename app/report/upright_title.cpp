@@ -19,7 +19,7 @@ constexpr double kTitleAir_px = 2.0;
 
 }  // namespace
 
-UprightTitle::UprightTitle(QString words, const ChartLook& look, QGraphicsItem* parent)
+UprightTitle::UprightTitle(QString words, const ChartStyle& look, QGraphicsItem* parent)
     : QGraphicsItem(parent),
       words_(std::move(words)),
       ink_(look.ink),

@@ -5,7 +5,7 @@
 #include <QGraphicsItem>
 #include <QStringList>
 
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 
 namespace torsio {
 
@@ -13,7 +13,7 @@ namespace torsio {
 /// lines that fit, anew for every size of the plot.
 class UprightTitle : public QGraphicsItem {
  public:
-  UprightTitle(QString words, const ChartLook& look, QGraphicsItem* parent);
+  UprightTitle(QString words, const ChartStyle& look, QGraphicsItem* parent);
 
   /// What it takes of the width, whatever the height.
   [[nodiscard]] double width() const { return width_; }

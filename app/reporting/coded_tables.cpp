@@ -42,7 +42,7 @@ constexpr std::int64_t kAllEntries = INT64_MAX;
 /// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
 /// better than data that left without a trace. The last column is the head of the audit trail as it was.
 std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Cells> lines,
-                  const std::filesystem::path& file, const CsvLook& look) {
+                  const std::filesystem::path& file, const CsvStyle& look) {
   const std::string told = plainHead(session.connection(), session.now_us());
   for (Cells& cells : lines) {
     cells.push_back(&cells == &lines.front() ? "trail_head" : told);
@@ -51,7 +51,7 @@ std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Ce
   for (const Cells& cells : lines) {
     text += csvLine(cells);
   }
-  text = csvInLook(text, look);
+  text = csvInStyle(text, look);
   Digest digest;
   digest.update(text);
   const std::size_t rows = lines.size() - 1;
@@ -144,7 +144,7 @@ void addSignature(Cells& line, const std::map<std::string, Signature>& signature
 }  // namespace
 
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
-                             const std::filesystem::path& file, const CsvLook& look) {
+                             const std::filesystem::path& file, const CsvStyle& look) {
   session.require(Operation::kTrialViewCoded);
   std::vector<Cells> lines{{"trial", "trainee", "scene", "pattern", "phase", "mode", "station", "started_utc",
                             "duration_s", "end", "model"}};
@@ -166,7 +166,7 @@ std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
 }
 
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
-                        const CsvLook& look) {
+                        const CsvStyle& look) {
   session.require(Operation::kMarkViewCoded);
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
                             "submitted_utc", "moved_after_panel", "signature", "signed_by", "signed_utc",
@@ -189,7 +189,7 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
 }
 
 std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
-                           const std::filesystem::path& file, const CsvLook& look) {
+                           const std::filesystem::path& file, const CsvStyle& look) {
   session.require(Operation::kMarkViewCoded);
   SheetsOfCohort sheets(session.connection(), cohortId);
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "rubric", "revision", "criterion",
@@ -218,7 +218,7 @@ std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
 }
 
 std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
-                          const std::filesystem::path& file, const CsvLook& look) {
+                          const std::filesystem::path& file, const CsvStyle& look) {
   session.require(Operation::kMarkViewCoded);
   SheetsOfCohort sheets(session.connection(), cohortId);
   std::vector<Cells> lines{{"rubric", "revision", "criterion", "label", "weight", "lowest", "highest",
@@ -245,7 +245,7 @@ std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
 }
 
 std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
-                             const CsvLook& look) {
+                             const CsvStyle& look) {
   session.require(Operation::kAuditView);
   filter.limit = kAllEntries;
   const std::vector<AuditEntry> entries = auditEntries(session, filter);

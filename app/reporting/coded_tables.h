@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "app/base/csv_look.h"
+#include "app/base/csv_style.h"
 #include "assessment/people/audit_entry.h"
 #include "sim/base/ids.h"
 
@@ -16,26 +16,26 @@ namespace torsio {
 /// order mark, comma-separated), and keeps in the audit trail that it was taken out. Returns how many there
 /// are. kTrialViewCoded. Throws Error{kFileUnwritable}.
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
-                             const std::filesystem::path& file, const CsvLook& look = {});
+                             const std::filesystem::path& file, const CsvStyle& look = {});
 
 /// Writes every newest mark of a cohort under the codes of trainee and rater, without comments, in the same
 /// form. Returns how many there are. kMarkViewCoded. Throws Error{kFileUnwritable}.
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
-                        const CsvLook& look = {});
+                        const CsvStyle& look = {});
 
 /// The sheets behind the marks: one line a mark and criterion, with the scoring sheet, its revision and the
 /// hash of the program. kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
 std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
-                           const std::filesystem::path& file, const CsvLook& look = {});
+                           const std::filesystem::path& file, const CsvStyle& look = {});
 /// The scoring sheets that were used in a cohort: one line an anchor (a criterion without one has a line,
 /// too). kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
 std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
-                          const std::filesystem::path& file, const CsvLook& look = {});
+                          const std::filesystem::path& file, const CsvStyle& look = {});
 
 /// Writes the entries of the audit trail that pass a filter, all of them, newest first, with the codes of
 /// whom they are about, in the same form. Returns how many there are. kAuditView. Throws
 /// Error{kFileUnwritable}.
 std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
-                             const CsvLook& look = {});
+                             const CsvStyle& look = {});
 
 }  // namespace torsio

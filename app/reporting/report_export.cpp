@@ -33,7 +33,7 @@ std::string_view identityCode(ReportIdentity identity) noexcept {
 
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file, const std::string& language,
-                          const ReportPages& pages, const CsvLook& look) {
+                          const ReportPages& pages, const CsvStyle& look) {
   const bool named = request.identity == ReportIdentity::kNamed;
   session.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   TORSIO_EXPECTS(inputs.identity == request.identity);
@@ -41,7 +41,7 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages, language);
   } else {
     writeFileAtomically(file,
-                        csvInLook(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
+                        csvInStyle(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
   }
   const std::string content = readFile(file);
   Digest digest;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "app/base/csv_look.h"
+#include "app/base/csv_style.h"
 #include "app/reporting/report_data.h"
 
 namespace torsio {
@@ -31,7 +31,7 @@ using ReportPages = std::function<void(std::size_t page, std::size_t pages)>;
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file,
                           const std::string& language = "en", const ReportPages& pages = {},
-                          const CsvLook& look = {});
+                          const CsvStyle& look = {});
 
 /// "coded", "named", "aggregated".
 [[nodiscard]] std::string_view identityCode(ReportIdentity identity) noexcept;

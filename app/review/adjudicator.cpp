@@ -43,7 +43,7 @@ struct CaseSheets {
   std::vector<DiscrepancyDecision> asked;  // oldest first
 };
 
-/// Cases of a cohort on which a third rater was asked for and none has been found yet.
+/// Cases of a cohort on which an adjudicator was asked for and none has been found yet.
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const CohortId& cohortId) {
   std::map<std::string, DiscrepancyDecision> asked;
   for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
@@ -126,10 +126,10 @@ std::vector<Adjudicator> freeFor(const CaseSheets& sheets, const std::map<std::s
 
 }  // namespace
 
-std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId& cohortId) {
+std::vector<AdjudicatorRequest> adjudicatorRequests(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
   Connection& connection = session.connection();
-  std::vector<ThirdRequest> requests;
+  std::vector<AdjudicatorRequest> requests;
   const std::map<CaseKey, CaseSheets> cases = openCases(connection, cohortId);
   if (cases.empty()) {
     return requests;
@@ -146,7 +146,7 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId&
   const std::map<std::string, Adjudicator> raters = activeRaters(connection);
   for (const auto& [key, sheets] : cases) {
     const Assignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
-    ThirdRequest request;
+    AdjudicatorRequest request;
     request.assignmentId = first.id;
     request.traineeCode = trainees[key.first];
     request.occasion = occasions.named(key.second);
@@ -162,14 +162,14 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId&
     request.free = freeFor(sheets, raters);
     requests.push_back(std::move(request));
   }
-  std::stable_sort(requests.begin(), requests.end(), [](const ThirdRequest& a, const ThirdRequest& b) {
-    return a.askedUtc_us < b.askedUtc_us;
-  });
+  std::stable_sort(
+      requests.begin(), requests.end(),
+      [](const AdjudicatorRequest& a, const AdjudicatorRequest& b) { return a.askedUtc_us < b.askedUtc_us; });
   return requests;
 }
 
-std::string assignThird(SessionContext& session, const CohortId& cohortId, const AssignmentId& assignmentId,
-                        const RaterId& raterId) {
+std::string assignAdjudicator(SessionContext& session, const CohortId& cohortId,
+                              const AssignmentId& assignmentId, const RaterId& raterId) {
   session.require(Operation::kStudySetup);
   Transaction transaction(session.connection());
   SheetRepository sheets(session.connection());

@@ -20,8 +20,8 @@ struct Adjudicator {
 };
 
 /// Physicians could not agree about a case and asked for one more. No mark is in it.
-struct ThirdRequest {
-  AssignmentId assignmentId{};  ///< of the first who asked; handle for assignThird()
+struct AdjudicatorRequest {
+  AssignmentId assignmentId{};  ///< of the first who asked; handle for assignAdjudicator()
   std::string traineeCode{};
   Occasion occasion{};
   bool live = false;  ///< on the real arm: the trainee has to be there again
@@ -35,12 +35,13 @@ struct ThirdRequest {
 
 /// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
 /// has been asked since. kStudySetup.
-[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& session, const CohortId& cohortId);
+[[nodiscard]] std::vector<AdjudicatorRequest> adjudicatorRequests(SessionContext& session,
+                                                                  const CohortId& cohortId);
 
 /// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
 /// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
 /// this case before or is none.
-std::string assignThird(SessionContext& session, const CohortId& cohortId, const AssignmentId& assignmentId,
-                        const RaterId& raterId);
+std::string assignAdjudicator(SessionContext& session, const CohortId& cohortId,
+                              const AssignmentId& assignmentId, const RaterId& raterId);
 
 }  // namespace torsio

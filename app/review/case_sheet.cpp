@@ -56,13 +56,14 @@ void requireSheetWords(const Sheet& sheet, const std::string& label) {
   }
 }
 
-/// Somebody's sheet opens when the office calls the case: nobody scores a trainee who is not at the arm.
+/// Somebody's sheet opens when an administrator calls the case: nobody scores a trainee who is not
+/// at the arm.
 void requireCalled(SessionContext& session, const Assignment& assignment) {
   if (assignment.trialId.empty() &&
       !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {
     throw Error(ErrorCode::kBadData, Text::tr("this case has not been called to the real arm yet"),
                 Text::tr("case %1", assignment.caseLabel),
-                Text::tr("Its sheet opens by itself when the office calls it"));
+                Text::tr("Its sheet opens by itself when an administrator calls it"));
   }
 }
 

@@ -27,14 +27,14 @@ namespace {
 constexpr double kRounding = 1e-9;  // marks are decimal steps
 
 double threshold_points(Connection& connection) {
-  const auto text = SettingRepository(connection).value("review.alignment_points");
-  double points = kAlignmentThreshold_points;
+  const auto text = SettingRepository(connection).value("review.discrepancy_points");
+  double points = kDiscrepancyThreshold_points;
   if (!text) {
     return points;
   }
   const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
   const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
-  return sound ? points : kAlignmentThreshold_points;
+  return sound ? points : kDiscrepancyThreshold_points;
 }
 
 std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
@@ -109,7 +109,7 @@ void requireReason(const std::string& reason, const std::string& label) {
 
 }  // namespace
 
-std::vector<DiscrepancyCase> alignmentCases(SessionContext& session) {
+std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   DeskRepository desk(session.connection());
   SheetRepository sheets(session.connection());
@@ -173,7 +173,7 @@ void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, 
   }
 }
 
-void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
+void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
   decide(session, assignmentId, DiscrepancyChoice::kThird, reason);

@@ -35,12 +35,12 @@ struct DiscrepancyCase {
   std::string reason{};
 };
 
-/// How far own mark and mean of the others must lie apart: setting "review.alignment_points".
-inline constexpr double kAlignmentThreshold_points = 2.0;
+/// How far own mark and mean of the others must lie apart: setting "review.discrepancy_points".
+inline constexpr double kDiscrepancyThreshold_points = 2.0;
 
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
 /// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
-[[nodiscard]] std::vector<DiscrepancyCase> alignmentCases(SessionContext& session);
+[[nodiscard]] std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session);
 
 /// The mark stays. kMarkSubmit, own committed case; audited.
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
@@ -54,6 +54,6 @@ void moveMark(SessionContext& session, const AssignmentId& assignmentId, const S
 void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                      const std::string& reason);
 /// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
-void askForThird(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
+void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 
 }  // namespace torsio

@@ -91,12 +91,12 @@ std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
   return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
 }
 
-RaterCalibration warmUp(SessionContext& session) {
+RaterCalibration raterCalibration(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   DeskRepository desk(session.connection());
   SheetRepository sheets(session.connection());
   const std::vector<CalibrationScore> tries =
-      RemarkRepository(session.connection()).warmups(session.actor().personId);
+      RemarkRepository(session.connection()).calibrationScores(session.actor().personId);
   RaterCalibration out;
   for (const ReferenceRun& run : desk.referenceRuns()) {
     const RubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
@@ -135,20 +135,20 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
     throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
                 Text::tr("reference %1", number), Text::tr("Correct the mark"));
   }
-  CalibrationScore warmup;
-  warmup.id = session.ids().newUuid();
-  warmup.raterId = session.actor().personId;
-  warmup.referenceTrialId = run.trialId;
-  warmup.rubricRevisionId = run.rubricRevisionId;
-  warmup.score_steps = score_steps;
-  warmup.scale = rubric.overall;
-  warmup.panelOffset_steps = static_cast<double>(score_steps) - run.panel_steps;
-  warmup.createdUtc_us = session.now_us();
-  warmup.demonstration = run.demonstration;
+  CalibrationScore score;
+  score.id = session.ids().newUuid();
+  score.raterId = session.actor().personId;
+  score.referenceTrialId = run.trialId;
+  score.rubricRevisionId = run.rubricRevisionId;
+  score.score_steps = score_steps;
+  score.scale = rubric.overall;
+  score.panelOffset_steps = static_cast<double>(score_steps) - run.panel_steps;
+  score.createdUtc_us = session.now_us();
+  score.demonstration = run.demonstration;
   Transaction transaction(session.connection());
-  RemarkRepository(session.connection()).addWarmup(warmup);
+  RemarkRepository(session.connection()).addCalibrationScore(score);
   session.note(
-      {.action = AuditAction::kWarmupScore, .objectKind = AuditObject::kRaterWarmup, .objectId = warmup.id});
+      {.action = AuditAction::kWarmupScore, .objectKind = AuditObject::kRaterWarmup, .objectId = score.id});
   transaction.commit();
 }
 

@@ -34,7 +34,7 @@ struct RaterCalibration {
 };
 
 /// kMarkSubmit.
-[[nodiscard]] RaterCalibration warmUp(SessionContext& session);
+[[nodiscard]] RaterCalibration raterCalibration(SessionContext& session);
 /// The recording of run `number`, blinded like a case. kTrialViewAssigned: reference runs are for every
 /// rater. Throws Error{kBadData}: no such run.
 [[nodiscard]] BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number);
@@ -69,10 +69,10 @@ struct ReferenceRow {
   std::int64_t setUtc_us = 0;
   std::string withdrawnBecause{};  ///< empty: raters are given it
 };
-/// In the order of the warm-up, those that were withdrawn last. kStudySetup.
+/// In the order of rater calibration, those that were withdrawn last. kStudySetup.
 [[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& session);
 
-/// A run for the warm-up, chosen by the administrator.
+/// A run for rater calibration, chosen by the administrator.
 struct ReferenceChoice {
   TrialId trialId{};
   RubricRevisionId rubricRevisionId{};

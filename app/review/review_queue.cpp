@@ -125,9 +125,9 @@ ReviewQueue reviewQueue(SessionContext& session) {
     queue.next = found->shown.assignmentId;
     break;
   }
-  const RaterCalibration warmUp = torsio::warmUp(session);
-  queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
-  for (const DiscrepancyCase& open : alignmentCases(session)) {
+  const RaterCalibration calibration = raterCalibration(session);
+  queue.calibrationWaiting = !calibration.runs.empty() && !calibration.complete();
+  for (const DiscrepancyCase& open : discrepancyCases(session)) {
     if (!open.decision) {
       ++queue.disagreements;
     }

@@ -32,13 +32,13 @@ struct ReviewQueue {
   std::size_t liveSubmitted = 0;
   std::size_t overdue = 0;
   std::optional<std::int64_t> nextDueUtc_us{};
-  double minutes = 0.0;           ///< for all recorded cases that are left
-  std::size_t inTenMinutes = 0;   ///< how many of the next recorded cases fit into ten minutes
-  std::int64_t worked_us = 0;     ///< given to all submitted recorded cases so far
-  bool fromOwnPace = false;       ///< true: median of own last cases; false: length of the recordings
-  bool warmUpWaiting = false;     ///< reference runs that this rater has not scored
-  std::size_t disagreements = 0;  ///< committed cases that wait in the alignment view
-  std::size_t models = 0;         ///< of evaluations that ask the actor, not submitted yet
+  double minutes = 0.0;             ///< for all recorded cases that are left
+  std::size_t inTenMinutes = 0;     ///< how many of the next recorded cases fit into ten minutes
+  std::int64_t worked_us = 0;       ///< given to all submitted recorded cases so far
+  bool fromOwnPace = false;         ///< true: median of own last cases; false: length of the recordings
+  bool calibrationWaiting = false;  ///< reference runs that this rater has not scored
+  std::size_t disagreements = 0;    ///< committed cases that wait in the discrepancy review
+  std::size_t models = 0;           ///< of evaluations that ask the actor, not submitted yet
   std::optional<std::string>
       next{};  ///< assignment id of "continue": the first draft, else the first waiting
 };

@@ -47,8 +47,10 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
       continue;
     }
     if (const std::size_t waiting = readDrawField(session, cohort.id).waiting().size(); waiting > 0) {
-      refuse(Text::tr("%1 people still wait for a group: the seed would tell them theirs", waiting),
-             cohort.name, Text::tr("Allocate them first, or give a reason"));
+      refuse(
+          Text::tr("%1 {person still waits|people still wait} for a group: the seed would tell them theirs",
+                   waiting),
+          cohort.name, Text::tr("Allocate them first, or give a reason"));
     }
   }
   if (!isSimulated(study, designId)) {

@@ -78,7 +78,7 @@ struct SealedCard {
 /// were taken out is audited. kAllocationRun. Throws Error{kBadData} when nobody is allocated yet.
 [[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId);
 
-/// Who was put where, in order, overrides too. kAllocationView.
+/// Allocations in order, overrides too. kAllocationView.
 [[nodiscard]] std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId& designId);
 
 /// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.

@@ -41,7 +41,7 @@ struct CurriculumSpot {
 };
 
 struct CurriculumProblem {
-  Text where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"
+  Text where{};  ///< "module V2", "arm G1, phase 2", "occasion mid"
   Text what{};
   Text remedy{};
   CurriculumSpot spot{};

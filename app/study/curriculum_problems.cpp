@@ -59,7 +59,7 @@ class Examination {
       goTo(CurriculumSpot::Part::kArm, row);
       checkArm(content_.arms[row]);
     }
-    checkScoringPoints();
+    checkOccasions();
     return std::move(problems_);
   }
 
@@ -276,7 +276,7 @@ class Examination {
     }
   }
 
-  void checkScoringPoints() {
+  void checkOccasions() {
     std::set<std::string> seen;
     std::int64_t longest_us = 0;
     for (const StudyArm& arm : content_.arms) {

@@ -11,7 +11,7 @@
 
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "assessment/rating/assignment.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -43,7 +43,7 @@ std::int64_t minutesOf(std::int64_t span_us) {
 }
 
 /// Why the curriculum says another time; empty: it is due now.
-std::optional<Text> objectionTo(const Occasion& wanted, const RunDayRow& row) {
+std::optional<Text> objectionTo(const Occasion& wanted, const DayBoardRow& row) {
   if (!wanted.afterExposure_us) {
     return std::nullopt;
   }
@@ -90,9 +90,9 @@ SheetsOfCases liveSheets(SessionContext& session, const CohortId& cohortId) {
   return all;
 }
 
-RunDayRow rowOf(SessionContext& session, const CallRequest& request) {
-  RunDayBoard board = runDayBoard(session, request.cohortId);
-  const auto found = std::find_if(board.rows.begin(), board.rows.end(), [&](const RunDayRow& row) {
+DayBoardRow rowOf(SessionContext& session, const CallRequest& request) {
+  DayBoard board = dayBoard(session, request.cohortId);
+  const auto found = std::find_if(board.rows.begin(), board.rows.end(), [&](const DayBoardRow& row) {
     return row.enrolmentId == request.enrolmentId;
   });
   if (found == board.rows.end()) {
@@ -143,7 +143,7 @@ std::optional<LiveCallId> alreadyCalled(SessionContext& session, const CallReque
 CallCheck checkCall(SessionContext& session, const CallRequest& request) {
   session.require(Operation::kStudySetup);
   refuseWhenClosed(StudyRepository(session.connection()).cohort(request.cohortId));
-  const RunDayRow row = rowOf(session, request);
+  const DayBoardRow row = rowOf(session, request);
   CallCheck check;
   if (request.occasionCode.empty()) {
     check.occasion = row.occasionDue;

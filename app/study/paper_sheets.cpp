@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/live_call.h"
@@ -177,7 +177,7 @@ std::vector<PaperSheet> paperSheets(SessionContext& session, const CohortId& coh
                                     const EnrolmentId& enrolmentId, const std::string& occasionCode) {
   session.require(Operation::kStudySetup);
   std::map<EnrolmentId, std::string> wanted;
-  for (const RunDayRow& row : runDayBoard(session, cohortId).rows) {
+  for (const DayBoardRow& row : dayBoard(session, cohortId).rows) {
     if (row.state != EnrolmentState::kWithdrawn && (enrolmentId.empty() || row.enrolmentId == enrolmentId)) {
       wanted[row.enrolmentId] = occasionCode.empty() ? row.occasionDue.code : occasionCode;
     }

@@ -28,7 +28,7 @@ struct Attempt {
   bool ended = true;                       ///< false: running, or interrupted and not closed yet
   bool interrupted = false;                ///< the program or the machine went down: kept, not counted
   std::int64_t twists = 0;                 ///< completed
-  std::int64_t onTarget = 0;               ///< of them, let go on target
+  std::int64_t onTarget = 0;               ///< of them, released on target
   std::int64_t unfinished = 0;             ///< not completed, counted apart
   std::int64_t forceCuts = 0;              ///< ServoHealth
   std::map<std::string, double> values{};  ///< AttemptMeasures::values

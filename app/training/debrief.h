@@ -33,7 +33,7 @@ struct TwistResult {
   double target_rad = 0.0;
   double released_rad = 0.0;
   double held_s = 0.0;  ///< on target until let go
-  bool passed = false;  ///< let go on target
+  bool passed = false;  ///< released on target
 };
 
 /// Something that was done well or badly, and where.
@@ -80,7 +80,7 @@ struct Debrief {
   bool interrupted = false;
   bool demonstration = false;
   bool forceFelt = true;           ///< false: computed and shown; its measures are marked
-  Text servoTrouble{};             ///< app/devices/servo_words.h; empty: none
+  Text servoTrouble{};             ///< app/devices/servo_labels.h; empty: none
   Text servoRemedy{};              ///< what to do about it
   bool passed = false;             ///< every check
   CompetenceVerdict competence{};  ///< of all runs at the module; no attempts in its errors: there is none

@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "app/devices/servo_words.h"
+#include "app/devices/servo_labels.h"
 #include "app/recording/competence.h"
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/expert_run.h"

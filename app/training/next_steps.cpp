@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/recording/competence.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
 #include "assessment/study/cohort.h"

@@ -39,7 +39,7 @@ struct TrialRemarks {
 };
 
 /// Own trials with remarks, newest first. A remark on a trial that raters were asked to score appears when
-/// the marks of that scoring point were released. kTrialViewOwn.
+/// the marks of that occasion were released. kTrialViewOwn.
 [[nodiscard]] std::vector<TrialRemarks> ownRemarks(SessionContext& session);
 /// Remarks that may be seen and were not read yet. kTrialViewOwn.
 [[nodiscard]] std::size_t unreadRemarks(SessionContext& session);

@@ -41,7 +41,7 @@ class RunSession {
   /// for the training record, {kDevice} when a graded run meets a device that is not green (or any run a red
   /// one), {kBadParameter} when the module is locked, used up or unknown, all phases are over, or sheets that
   /// should be in are missing and no reason is given (with one it becomes a deviation when the run starts).
-  /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
+  /// `line`: writes what comes up in the course of the run, and sends the heartbeats; it outlives the
   /// session. Null: the session writes at once.
   RunSession(SessionContext& session, const RunRequest& request, const Clock& clock,
              StationWriter* line = nullptr);
@@ -55,7 +55,7 @@ class RunSession {
   [[nodiscard]] const TrainingModule& module() const;
 
   void start();
-  /// Moves the clock, logs exposure and gives the station's sign of life. Call it often.
+  /// Moves the clock, logs exposure and sends the station's heartbeat. Call it often.
   std::vector<RunEvent> advance();
   /// In place of advance() while the machine is not ready: the trainee's time stands still.
   void hold();

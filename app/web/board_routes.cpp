@@ -5,9 +5,9 @@
 
 #include <QDateTime>
 
-#include "app/study/alert_words.h"
+#include "app/study/alert_labels.h"
 #include "app/study/cohort_service.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "app/study/scoring_plan.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
@@ -59,10 +59,10 @@ json stationJson(const StationState& station, std::int64_t asOfUtc_us) {
 }
 
 HttpResponse answerBoard(Call& call) {
-  const RunDayBoard board = runDayBoard(call.context, cohortOf(call));
+  const DayBoard board = dayBoard(call.context, cohortOf(call));
   const auto said = [&call](const std::string& text) { return call.wording(Text(text)).toStdString(); };
   json rows = json::array();
-  for (const RunDayRow& row : board.rows) {
+  for (const DayBoardRow& row : board.rows) {
     rows.push_back({{"trainee", row.traineeCode},
                     {"group", row.groupCode},
                     {"phase", said(row.phaseLabel)},
@@ -81,7 +81,7 @@ HttpResponse answerBoard(Call& call) {
     stations.push_back(stationJson(station, board.asOfUtc_us));
   }
   json alerts = json::array();
-  for (const RunDayAlert& alert : runDayAlerts(board)) {
+  for (const DayAlert& alert : dayAlerts(board)) {
     alerts.push_back(
         call.wording(alertText(alert, hourOf(alert.sinceUtc_us), Text(alert.occasion.label))).toStdString());
   }

@@ -217,7 +217,7 @@ struct HttpServer::Daemon {
   MHD_Result hand(MHD_Connection* connection, Exchange& exchange);
   void mark(MHD_Connection* connection, bool waits);
   void complete(MHD_Connection* connection, const Exchange* exchange);
-  void giveUpWaiting();
+  void cancelWaiting();
   void notice(MHD_Connection* connection, bool opened);
   void reap();
 };
@@ -311,7 +311,7 @@ void HttpServer::Daemon::complete(MHD_Connection* connection, const Exchange* ex
 }
 
 /// The library ends only when nothing is suspended any more.
-void HttpServer::Daemon::giveUpWaiting() {
+void HttpServer::Daemon::cancelWaiting() {
   std::set<std::shared_ptr<Pending>> left;
   {
     const std::lock_guard lock(mutex);
@@ -428,7 +428,7 @@ HttpServer::~HttpServer() {
   daemon_->ending.notify_all();
   daemon_->reaper.join();
   const MHD_socket listening = MHD_quiesce_daemon(daemon_->daemon);
-  daemon_->giveUpWaiting();
+  daemon_->cancelWaiting();
   MHD_stop_daemon(daemon_->daemon);
   if (listening != MHD_INVALID_SOCKET) {
     ::close(listening);

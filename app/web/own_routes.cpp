@@ -10,7 +10,7 @@
 #include "app/recording/competence_text.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
-#include "app/training/debrief_words.h"
+#include "app/training/debrief_labels.h"
 #include "app/training/next_steps.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"

@@ -60,7 +60,7 @@ std::size_t numberOf(const Call& call) {
 }
 
 HttpResponse answerCalibration(Call& call) {
-  return jsonAnswer(calibrationJson(call, warmUp(call.context)));
+  return jsonAnswer(calibrationJson(call, raterCalibration(call.context)));
 }
 
 HttpResponse answerReferenceScore(Call& call) {
@@ -125,7 +125,7 @@ json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
 
 HttpResponse answerDiscrepancies(Call& call) {
   json cases = json::array();
-  for (const DiscrepancyCase& one : alignmentCases(call.context)) {
+  for (const DiscrepancyCase& one : discrepancyCases(call.context)) {
     cases.push_back(discrepancyJson(call, one));
   }
   return jsonAnswer({{"cases", std::move(cases)}});
@@ -145,8 +145,9 @@ HttpResponse answerKeep(Call& call) {
   return answerDiscrepancies(call);
 }
 
-HttpResponse answerThird(Call& call) {
-  askForThird(call.context, discrepancyOf(call), call.body.text("reason", kLongestReason * kBytesOfASign));
+HttpResponse answerAdjudicator(Call& call) {
+  askForAdjudicator(call.context, discrepancyOf(call),
+                    call.body.text("reason", kLongestReason * kBytesOfASign));
   return answerDiscrepancies(call);
 }
 
@@ -161,7 +162,7 @@ std::vector<Route> raterRoutes() {
           {"GET", "/api/severity", kIn, answerSeverity},
           {"GET", "/api/discrepancies", kIn, answerDiscrepancies},
           {"POST", "/api/discrepancies/*/keep", kIn, answerKeep},
-          {"POST", "/api/discrepancies/*/third", kIn, answerThird}};
+          {"POST", "/api/discrepancies/*/third", kIn, answerAdjudicator}};
 }
 
 }  // namespace torsio::web

@@ -19,7 +19,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("%1 of %2"),
     Text::tr("%1 of %2 on target"),
     Text::tr("%1 of %2 submitted"),
-    Text::tr("%1 over %2 tries: first %3, last %4"),
+    Text::tr("%1 over %2 {try|tries}: first %3, last %4"),
     Text::tr("%1 overdue"),
     Text::tr("%1 recording now, %2 of %3 done, sheets missing: %4"),
     Text::tr("%1 s"),

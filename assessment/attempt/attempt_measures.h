@@ -36,7 +36,7 @@ struct AttemptMeasures {
   /// an untwisting its own metrics, and loads over its grips in the same way. What is not defined is missing.
   std::map<std::string, double> values{};
 
-  /// Number of completed twists that were let go on target.
+  /// Number of completed twists that were released on target.
   [[nodiscard]] std::int64_t twistsOnTarget() const noexcept;
   friend bool operator==(const AttemptMeasures&, const AttemptMeasures&) = default;
 };

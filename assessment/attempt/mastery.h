@@ -34,15 +34,15 @@ struct MasteryProgress {
 [[nodiscard]] MasteryProgress masteryProgress(const MasteryRule& rule,
                                               std::span<const std::optional<double>> values);
 
-/// Returns how many of `twists` completed twists must be let go on target for a run to pass: four in five of
-/// them, or of the `least` number that the exercise asks for, and one at least.
+/// Returns how many of `twists` completed twists must be released on target for a run to pass: four in five
+/// of them, or of the `least` number that the exercise asks for, and one at least.
 [[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least = 1) noexcept;
 
-/// Whether enough completed twists were let go on target.
+/// Whether enough completed twists were released on target.
 [[nodiscard]] bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept;
 
 /// Whether one attempt satisfies all mastery rules of its exercise, by the `values` of its measures; without
-/// rules, whether enough of its completed twists were let go on target, or the organ of an untwisting was
+/// rules, whether enough of its completed twists were released on target, or the organ of an untwisting was
 /// undone.
 [[nodiscard]] bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
                              std::int64_t onTarget, std::int64_t twists);

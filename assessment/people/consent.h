@@ -18,7 +18,7 @@ inline constexpr const char* kTrainingRecord = "training_record";
 enum class ConsentForm : std::uint8_t { kScreen, kPaper };
 inline constexpr std::array<Term<ConsentForm>, 2> kConsentForms{{
     {ConsentForm::kScreen, "screen", Text::tr("on the screen"), "decided by the person at a station"},
-    {ConsentForm::kPaper, "paper", Text::tr("on paper"), "signed, and entered by the office"},
+    {ConsentForm::kPaper, "paper", Text::tr("on paper"), "signed, and entered by an administrator"},
 }};
 [[nodiscard]] constexpr const auto& termsOf(ConsentForm) noexcept {
   return kConsentForms;

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// One rater is asked for one sheet about one trainee at one scoring point.
+/// One rater is asked for one sheet about one trainee at one occasion.
 struct Assignment {
   AssignmentId id{};
   RaterId raterId{};

@@ -22,7 +22,7 @@ struct MarkRow {
   friend bool operator==(const MarkRow&, const MarkRow&) = default;
 };
 
-/// One submitted mark of the training study: one rater, one trainee, one scoring point. Sealed by the
+/// One submitted mark of the training study: one rater, one trainee, one occasion. Sealed by the
 /// database: a correction is a new version with a reason.
 struct SubmittedMark {
   MarkId id{};

@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-/// A run with the mark of a panel, for the warm-up.
+/// A run with the mark of a panel, for rater calibration.
 struct ReferenceRun {
   TrialId trialId{};
   std::int64_t position = 0;

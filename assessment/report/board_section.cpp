@@ -146,10 +146,11 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
         "Not every trainee was marked by the same raters at the end, so the answer is that of the linear "
         "mixed model, which allows for it; the planned analysis stands beside it."));
   } else if (study.mixed) {
-    out.push_back(Text::tr(
-        "%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark "
-        "that was given; the planned analysis stands beside it.",
-        study.endMissing, study.endMarks + study.endMissing));
+    out.push_back(
+        Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
+                 "takes every mark "
+                 "that was given; the planned analysis stands beside it.",
+                 study.endMissing, study.endMarks + study.endMissing));
   }
   const auto open = std::count_if(study.bounds.begin(), study.bounds.end(), [](const MissingBounds& pair) {
     return !pair.worst || !pair.best ||

@@ -326,12 +326,12 @@ ReportSection evaluationSection(const CohortInputs& in) {
   const std::string hi = formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0);
   const std::int64_t missing = missingEvaluationMarks(in);
   section.paragraphs.push_back(
-      missing == 0
-          ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
-                     in.instrument.indices.size(), lo, hi, listed(classes))
-          : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 marks are missing. "
-                     "Raters: %5.",
-                     in.instrument.indices.size(), lo, hi, missing, listed(classes)));
+      missing == 0 ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+                              in.instrument.indices.size(), lo, hi, listed(classes))
+                   : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 {mark "
+                              "is|marks are} missing. "
+                              "Raters: %5.",
+                              in.instrument.indices.size(), lo, hi, missing, listed(classes)));
   std::vector<Text> ranking;
   for (const ModelEvaluation& model : in.evaluations) {
     ranking.push_back(Text::verbatim("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));

@@ -21,7 +21,7 @@ Item individualItem(const CohortInputs& in, const std::string& id, const Text& t
   return item;
 }
 
-/// Mean over the scoring points of what each rater gave each trainee.
+/// Mean over the occasions of what each rater gave each trainee.
 ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure =
       individualItem<ReportFigure>(in, "figure-marks", Text::tr("Marks by trainee and rater, last occasion"),
@@ -85,7 +85,7 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   return figure;
 }
 
-/// Every mark of the last scoring point against the mean of the other raters.
+/// Every mark of the last occasion against the mean of the other raters.
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure = individualItem<ReportFigure>(
       in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),

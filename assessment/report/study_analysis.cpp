@@ -72,7 +72,7 @@ void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& gr
   }
 }
 
-/// Differences from the mean of the other raters, averaged over a trainee's scoring points first: the trainee
+/// Differences from the mean of the other raters, averaged over a trainee's occasions first: the trainee
 /// is the unit.
 std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
   std::vector<RaterSeverity> out;

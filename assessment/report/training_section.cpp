@@ -32,7 +32,7 @@ Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t 
 }
 
 void fixScale(const CohortInputs& in, ReportFigure& figure) {
-  // One axis for the three scoring points, so that they can be compared by eye; bars start at zero.
+  // One axis for the three occasions, so that they can be compared by eye; bars start at zero.
   figure.yMin = 0.0;
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
 }

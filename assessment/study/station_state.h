@@ -16,7 +16,7 @@ struct StationState {
   TrialId trialId{};  ///< that runs there; empty: none
   UserId userId{};    ///< signed in there; empty: nobody
   std::string softwareVersion{};
-  std::int64_t heartbeatUtc_us = 0;  ///< last sign of life
+  std::int64_t heartbeatUtc_us = 0;  ///< last heartbeat
   std::string deviceJson{};          ///< app/devices/station_device.h; empty: no training station
   bool deviceHaptic = false;
   std::string deviceLight{};             ///< of the last check: "green", "amber", "red"; empty: not checked
@@ -33,12 +33,12 @@ struct StationState {
 };
 
 /// Whether trainees train there: it has said which device it has, or a run in real time was recorded there.
-/// The desks of raters and of the office are none.
+/// The desks of raters and administrators are none.
 [[nodiscard]] inline bool isTrainingStation(const StationState& station) noexcept {
   return !station.deviceJson.empty() || station.lastEndedUtc_us > 0;
 }
 
-/// A station that gave no sign of life for so long is shown as not answering.
+/// A station that sent no heartbeat for so long is shown as not answering.
 inline constexpr std::int64_t kStationSilence_us = 30'000'000;
 
 }  // namespace torsio

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>CopiesText</name>
+    <message numerus="yes">
+        <source>and %n older one(s); torsio db copies lists all</source>
+        <translation>
+            <numerusform>and %n older one; torsio db copies lists all</numerusform>
+            <numerusform>and %n older ones; torsio db copies lists all</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Reassignment</name>
     <message numerus="yes">
         <source>The sheets of %n row(s) of the matrix.</source>
@@ -290,6 +300,16 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::HeadNotice</name>
+    <message numerus="yes">
+        <source>%n entry(s), %1 UTC, %2</source>
+        <translation>
+            <numerusform>%n entry, %1 UTC, %2</numerusform>
+            <numerusform>%n entries, %1 UTC, %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::HeadsPage</name>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
@@ -567,7 +587,7 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::RunDayPage</name>
+    <name>torsio::gui::TodaysSessionsPage</name>
     <message numerus="yes">
         <source>Written: %n trainee(s) to call</source>
         <translation>

@@ -84,9 +84,11 @@
         <source>%1 at %2: %3, to be deleted by %4</source>
         <translation>%1，位于 %2：%3，应于 %4 前删除</translation>
     </message>
-    <message>
-        <source>and %1 older ones; torsio db copies lists all</source>
-        <translation>另有 %1 个更早的副本；用 torsio db copies 可列出全部</translation>
+    <message numerus="yes">
+        <source>and %n older one(s); torsio db copies lists all</source>
+        <translation>
+            <numerusform>另有 %n 个更早的副本；用 torsio db copies 可列出全部</numerusform>
+        </translation>
     </message>
     <message>
         <source>These copies still hold these people; Torsio deletes none of them:</source>
@@ -741,8 +743,8 @@
         <translation>呼叫名单：%1</translation>
     </message>
     <message>
-        <source>Room: %1. For the office only: raters are told the case, not this list.</source>
-        <translation>房间：%1。仅供办公室使用：评分者只知道案例编号，看不到本名单。</translation>
+        <source>Room: %1. For administrators only: raters are told the case, not this list.</source>
+        <translation>房间：%1。仅供管理员使用：评分者只知道案例编号，看不到本名单。</translation>
     </message>
     <message>
         <source>No.</source>
@@ -1067,7 +1069,7 @@
     </message>
 </context>
 <context>
-    <name>RunDay</name>
+    <name>DayBoard</name>
     <message>
         <source>Trainee</source>
         <translation>学员</translation>
@@ -2056,7 +2058,7 @@
         <translation>%1必须大于 0 秒且不超过 %2 秒，实际为 %3</translation>
     </message>
     <message>
-        <source>%1 people still wait for a group: the seed would tell them theirs</source>
+        <source>%1 {person still waits|people still wait} for a group: the seed would tell them theirs</source>
         <translation>还有 %1 人等待分组：公布种子会泄露其组别</translation>
     </message>
     <message>
@@ -3316,7 +3318,7 @@
         <translation>请将 TORSIO_ASSETS 指向资源文件夹，或取消设置</translation>
     </message>
     <message>
-        <source>Practice on forearm, intestine and stomach, from an easy pronation to the combined gastric twist. Each step opens when the one before is mastered: enough twists let go on the target, several times in a row.</source>
+        <source>Practice on forearm, intestine and stomach, from an easy pronation to the combined gastric twist. Each step opens when the one before is mastered: enough twists released on target, several times in a row.</source>
         <translation>在前臂、肠和胃上练习，从简单的旋前到胃的复合扭转。掌握前一步后才开放下一步：连续多次在目标处松开足够数量的扭转。</translation>
     </message>
     <message>
@@ -3680,7 +3682,7 @@
         <translation>设备拒绝以当前位置为参考</translation>
     </message>
     <message>
-        <source>The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along three axes, with cautious limits</source>
+        <source>The device says that it renders %1 {axis|axes}; an Omni or Touch renders 3. Forces are rendered along three axes, with cautious limits</source>
         <translation>设备声称可输出 %1 个轴；Omni 或 Touch 为 3 个轴。将以保守限值沿三个轴输出力</translation>
     </message>
     <message>
@@ -4357,7 +4359,7 @@
     </message>
     <message>
         <source>is neither on the virtual nor on the real arm</source>
-        <translation>既非虚拟也非实物</translation>
+        <translation>既非虚拟也非实物手臂</translation>
     </message>
     <message>
         <source>is neither practice nor graded</source>
@@ -5820,7 +5822,7 @@
         <translation>该课程版本未在进行中</translation>
     </message>
     <message>
-        <source>tick period %1 us, latency %2 ticks, damping %3 N s/m</source>
+        <source>tick period %1 us, latency %2 {tick|ticks}, damping %3 N s/m</source>
         <translation>周期 %1 us，延迟 %2 个周期，阻尼 %3 N s/m</translation>
     </message>
     <message>
@@ -6953,7 +6955,7 @@
     </message>
     <message>
         <source>Recorded runs</source>
-        <translation>操作记录</translation>
+        <translation>已录制的操作</translation>
     </message>
     <message>
         <source>Twist training: cohort report</source>
@@ -9813,7 +9815,7 @@
     </message>
     <message>
         <source>blood did not come back for 5 s before the recording ended</source>
-        <translation>直到记录结束，血流都未恢复满 5 秒</translation>
+        <translation>直到录制结束，血流都未恢复满 5 秒</translation>
     </message>
     <message>
         <source>the hand never held the organ</source>
@@ -9829,11 +9831,11 @@
     </message>
     <message>
         <source>the organ was still held when the recording ended</source>
-        <translation>记录结束时器官仍被夹住</translation>
+        <translation>录制结束时器官仍被夹住</translation>
     </message>
     <message>
         <source>the recording ended too soon after the organ was let go</source>
-        <translation>松开器官后记录结束得太早</translation>
+        <translation>松开器官后录制结束得太早</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -10360,7 +10362,7 @@
         <translation>该案例尚未被呼叫到实物手臂</translation>
     </message>
     <message>
-        <source>Its sheet opens by itself when the office calls it</source>
+        <source>Its sheet opens by itself when an administrator calls it</source>
         <translation>管理员呼叫后，其评分表会自动打开</translation>
     </message>
     <message>
@@ -10856,7 +10858,7 @@
         <translation>胜任</translation>
     </message>
     <message>
-        <source>Raters scored the models on %1 indices from %2 to %3 points; %4 marks are missing. Raters: %5.</source>
+        <source>Raters scored the models on %1 indices from %2 to %3 points; %4 {mark is|marks are} missing. Raters: %5.</source>
         <translation>评分者按 %1 项指标以 %2 到 %3 分评价模型；缺少 %4 个评分。评分者：%5。</translation>
     </message>
     <message>
@@ -11557,7 +11559,7 @@
     </message>
     <message>
         <source>Close other programs at this station</source>
-        <translation>请关闭本站点上的其他程序</translation>
+        <translation>请关闭本工作站上的其他程序</translation>
     </message>
     <message>
         <source>the device process ended before it answered</source>
@@ -11877,7 +11879,7 @@
     </message>
     <message>
         <source>Names of people and recordings are opaque; times of each person are moved by whole days.</source>
-        <translation>人员和记录使用不可识别的名称；每个人的时间均按整天平移。</translation>
+        <translation>人员和录制使用不可识别的名称；每个人的时间均按整天平移。</translation>
     </message>
     <message>
         <source>Group, sex and level are shared by at least %1 people (%2 before).</source>
@@ -12001,11 +12003,11 @@
     </message>
     <message>
         <source>Recording</source>
-        <translation>记录</translation>
+        <translation>录制</translation>
     </message>
     <message>
         <source>Hash of the recording</source>
-        <translation>记录的哈希值</translation>
+        <translation>录制的哈希值</translation>
     </message>
     <message>
         <source>Metrics of each recorded run, measured again from its samples</source>
@@ -12315,10 +12317,10 @@ audit trail %3</source>
     </message>
     <message>
         <source>Wait for the end of the run, or close what was cut off at its station</source>
-        <translation>请等待训练结束，或在其工位关闭中断的训练</translation>
+        <translation>请等待操作结束，或在其工作站结束中断的录制</translation>
     </message>
     <message>
-        <source>%1 sheets are still open</source>
+        <source>%1 {sheet is|sheets are} still open</source>
         <translation>仍有 %1 份评分表未完成</translation>
     </message>
     <message>
@@ -12699,7 +12701,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>a recorded run</source>
-        <translation>一次已记录的操作</translation>
+        <translation>一次已录制的操作</translation>
     </message>
     <message>
         <source>M12 %1 {edge|edges} shared by more than two faces, first at %2</source>
@@ -13118,7 +13120,7 @@ audit trail %3</source>
         <translation>答案：未显示任何两组之间有差异。最大的差异（已按训练前得分校正，区间为该配对自身的 95 % 区间）：%1，%2。%3</translation>
     </message>
     <message>
-        <source>%1 of %2 marks are missing, so the answer is that of the linear mixed model, which takes every mark that was given; the planned analysis stands beside it.</source>
+        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which takes every mark that was given; the planned analysis stands beside it.</source>
         <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；计划的分析并列给出。</translation>
     </message>
     <message>
@@ -13303,7 +13305,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>recorded by program version</source>
-        <translation>记录时的程序版本</translation>
+        <translation>录制时的程序版本</translation>
     </message>
     <message>
         <source>started</source>
@@ -13639,7 +13641,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Beginning, end of the recording</source>
-        <translation>记录的开头、结尾</translation>
+        <translation>录制的开头、结尾</translation>
     </message>
     <message>
         <source>begun and saved with every key</source>
@@ -14426,7 +14428,7 @@ audit trail %3</source>
         <translation>请不加引号书写</translation>
     </message>
     <message>
-        <source>%1 names of columns belong here</source>
+        <source>%1 {name of a column belongs|names of columns belong} here</source>
         <translation>此处应有 %1 个列名</translation>
     </message>
     <message>
@@ -14670,7 +14672,7 @@ audit trail %3</source>
         <translation>请写明形式：matrix rows 或 matrix columns</translation>
     </message>
     <message>
-        <source>the line has %1 numbers, not 76</source>
+        <source>the line has %1 {number|numbers}, not 76</source>
         <translation>该行有 %1 个数值，而非 76 个</translation>
     </message>
     <message>
@@ -14678,7 +14680,7 @@ audit trail %3</source>
         <translation>请直接使用 JIGSAWS 的运动学文件</translation>
     </message>
     <message>
-        <source>the line has %1 values and the header %2</source>
+        <source>the line has %1 {value|values} and the header %2</source>
         <translation>该行有 %1 个值，表头有 %2 个</translation>
     </message>
     <message>
@@ -14722,7 +14724,7 @@ audit trail %3</source>
         <translation>请在 Perk Tutor 中把变换存为 XML</translation>
     </message>
     <message>
-        <source>the transform has %1 numbers, not 16</source>
+        <source>the transform has %1 {number|numbers}, not 16</source>
         <translation>变换有 %1 个数值，而非 16 个</translation>
     </message>
     <message>
@@ -15038,7 +15040,7 @@ audit trail %3</source>
         <translation>无人在每个评分时点都有得分</translation>
     </message>
     <message>
-        <source>all %1 rows</source>
+        <source>all %1 {row|rows}</source>
         <translation>全部 %1 行</translation>
     </message>
     <message>
@@ -15282,7 +15284,7 @@ audit trail %3</source>
         <translation>请改为给出壁厚</translation>
     </message>
     <message>
-        <source>left out: %1 {texture|textures}, %2 bones, %3 animations</source>
+        <source>left out: %1 {texture|textures}, %2 {bone|bones}, %3 {animation|animations}</source>
         <translation>已略去：%1 个纹理、%2 个骨骼、%3 个动画</translation>
     </message>
     <message>
@@ -15454,7 +15456,7 @@ audit trail %3</source>
         <translation>请从 DICOM 文件重新转换为 NIfTI-1</translation>
     </message>
     <message>
-        <source>N02 the file has %1 dimensions, a volume has 3</source>
+        <source>N02 the file has %1 {dimension|dimensions}, a volume has 3</source>
         <translation>N02 文件有 %1 个维度，体数据应有 3 个</translation>
     </message>
     <message>
@@ -15591,7 +15593,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>A single trainee has a score at both occasions in: %1. Its differences rest on one person; how much trainees of a group vary is taken from the other groups.</source>
-        <translation>以下各组只有一名学员在两次评分时都有得分：%1。其差异仅取决于一个人；组内学员的变异取自其他组。</translation>
+        <translation>以下各组只有一名学员在两个评分时点都有得分：%1。其差异仅取决于一个人；组内学员的变异取自其他组。</translation>
     </message>
     <message>
         <source>False alarm</source>
@@ -15842,7 +15844,7 @@ audit trail %3</source>
         <translation>%1/%2 达标</translation>
     </message>
     <message>
-        <source>%1 over %2 tries: first %3, last %4</source>
+        <source>%1 over %2 {try|tries}: first %3, last %4</source>
         <translation>%1，共 %2 次：首次 %3，最近 %4</translation>
     </message>
     <message>
@@ -16227,7 +16229,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Virtual %1 min, real arm %2 min, rest %3 min</source>
-        <translation>虚拟 %1 分钟，实臂 %2 分钟，休息 %3 分钟</translation>
+        <translation>虚拟 %1 分钟，实物手臂 %2 分钟，休息 %3 分钟</translation>
     </message>
     <message>
         <source>wanted: %1</source>
@@ -16426,7 +16428,7 @@ audit trail %3</source>
         <translation>请给出包含 CT 层面的文件夹</translation>
     </message>
     <message>
-        <source>series %1: %2 slices of %3 x %4</source>
+        <source>series %1: %2 {slice|slices} of %3 x %4</source>
         <translation>序列 %1：%2 层，%3 x %4</translation>
     </message>
     <message>
@@ -17043,7 +17045,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>By all runs</source>
-        <translation>按全部运行</translation>
+        <translation>按全部操作</translation>
     </message>
     <message>
         <source>%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.</source>
@@ -17199,7 +17201,7 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
     </message>
     <message>
         <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
-        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
+        <translation>%1 正在 %2 录制，该工作站自 %3 起无响应。请前往查看。</translation>
     </message>
     <message>
         <source>%1 does not answer since %2.</source>
@@ -17666,7 +17668,7 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>质点弹簧</translation>
     </message>
     <message>
-        <source>Left out: level of %1 people, sex of %2, free text of %3 entries, person of %4 deviations.</source>
+        <source>Left out: level of %1 {person|people}, sex of %2, free text of %3 {entry|entries}, person of %4 {deviation|deviations}.</source>
         <translation>已略去：%1 人的培训阶段、%2 人的性别、%3 条自由文本、%4 条方案偏离所涉人员。</translation>
     </message>
     <message>
@@ -19863,8 +19865,8 @@ MSM = 质点弹簧</translation>
         <translation>练习(&amp;X)</translation>
     </message>
     <message>
-        <source>Counts now</source>
-        <translation>目前有效</translation>
+        <source>Current design</source>
+        <translation>现行标准</translation>
     </message>
     <message>
         <source>Tolerance &amp;comes</source>
@@ -22513,9 +22515,11 @@ MSM = 质点弹簧</translation>
         <source>Head of the audit trail</source>
         <translation>审计记录的链头</translation>
     </message>
-    <message>
-        <source>%1 entries, %2 UTC, %3</source>
-        <translation>共 %1 条记录，%2 UTC，%3</translation>
+    <message numerus="yes">
+        <source>%n entry(s), %1 UTC, %2</source>
+        <translation>
+            <numerusform>共 %n 条记录，%1 UTC，%2</numerusform>
+        </translation>
     </message>
     <message>
         <source>signed</source>
@@ -23229,7 +23233,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>尚未呼叫任何人</translation>
     </message>
     <message>
-        <source>The sheet opens by itself when the office calls a case.</source>
+        <source>The sheet opens by itself when an administrator calls a case.</source>
         <translation>管理员呼叫案例后，评分表会自动打开。</translation>
     </message>
     <message>
@@ -23312,7 +23316,7 @@ Its public part, to be kept where heads are checked: %2</source>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
         <translation>
-            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
+            <numerusform>本工作站有 %n 份录制未能存入数据库</numerusform>
         </translation>
     </message>
     <message>
@@ -24177,7 +24181,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Your run of %1 was interrupted. The %2 that were recorded count as training time; no attempt was used.</source>
-        <translation>您在 %1 的操作被中断。已记录的 %2 计入训练时间；未占用尝试次数。</translation>
+        <translation>您在 %1 的操作被中断。已录制的 %2 计入训练时间；未占用尝试次数。</translation>
     </message>
 </context>
 <context>
@@ -24577,7 +24581,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Saves the organ first, so that recordings made on it can be replayed</source>
-        <translation>先保存器官，以便在其上所作的记录能够重放</translation>
+        <translation>先保存器官，以便在其上所作的录制能够重放</translation>
     </message>
     <message>
         <source>&amp;Series, where a folder holds several</source>
@@ -25325,7 +25329,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recording of</source>
-        <translation>记录对象</translation>
+        <translation>录制对象</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -25353,7 +25357,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>None yet: physicians begin without rater calibration.</source>
-        <translation>尚无：医师将不经校准直接开始。</translation>
+        <translation>尚无：医师将不经评分校准直接开始。</translation>
     </message>
     <message>
         <source>Phase</source>
@@ -25361,11 +25365,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Recorded</source>
-        <translation>记录时间</translation>
+        <translation>录制时间</translation>
     </message>
     <message>
         <source>Recordings to choose from</source>
-        <translation>可选的记录</translation>
+        <translation>可选的录制</translation>
     </message>
     <message>
         <source>&amp;Rubric</source>
@@ -25532,7 +25536,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
-        <translation>在正式评分之前先评参考操作，了解您与专家组的差距。其他人看不到。</translation>
+        <translation>评正式案例之前先评参考操作，了解您与专家组的差距。其他人看不到。</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
@@ -26772,7 +26776,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Beginning, end of the recording</source>
-        <translation>记录的开头、结尾</translation>
+        <translation>录制的开头、结尾</translation>
     </message>
 </context>
 <context>
@@ -27045,7 +27049,7 @@ Leave it empty to remove it.</source>
         <translation>已离开(&amp;L)…</translation>
     </message>
     <message>
-        <source>%1 people added, %2 changed</source>
+        <source>People added: %1, changed: %2</source>
         <translation>已添加 %1 人，修改 %2 人</translation>
     </message>
     <message>
@@ -27077,7 +27081,7 @@ Leave it empty to remove it.</source>
         <translation>正在导出人员</translation>
     </message>
     <message>
-        <source>%1 people written to %2</source>
+        <source>People written to %2: %1</source>
         <translation>已将 %1 人写入 %2</translation>
     </message>
     <message>
@@ -27366,7 +27370,7 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
-    <name>torsio::gui::RunDayPage</name>
+    <name>torsio::gui::TodaysSessionsPage</name>
     <message>
         <source>withdrew</source>
         <translation>已退出</translation>
@@ -27385,7 +27389,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
-        <translation>尚无可运行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
+        <translation>今天尚无可进行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
     </message>
     <message>
         <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
@@ -27660,7 +27664,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>What was recorded is kept as interrupted, and no attempt was used. Check the device, then begin again</source>
-        <translation>已记录的内容作为中断保留，未消耗次数。请检查设备后重新开始</translation>
+        <translation>已录制的内容作为中断保留，未消耗次数。请检查设备后重新开始</translation>
     </message>
     <message>
         <source>The computer stood still. That time does not count.</source>
@@ -27680,11 +27684,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>What was recorded is kept, and the attempt counts.</source>
-        <translation>已记录的内容会保存，并计入一次尝试。</translation>
+        <translation>已录制的内容会保存，并计入一次尝试。</translation>
     </message>
     <message>
         <source>What was recorded is kept.</source>
-        <translation>已记录的内容会保存。</translation>
+        <translation>已录制的内容会保存。</translation>
     </message>
     <message>
         <source>&amp;End the run</source>
@@ -28085,6 +28089,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>This display cannot show the organ: it has no OpenGL.</source>
         <translation>此显示环境没有 OpenGL，无法显示器官。</translation>
+    </message>
+    <message>
+        <source>Loading the organ…</source>
+        <translation>正在加载器官…</translation>
     </message>
     <message>
         <source>Organ and instrument</source>
@@ -28565,7 +28573,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The recording could not go to its usual place and was kept as a file</source>
-        <translation>记录无法保存到通常位置，已存为文件</translation>
+        <translation>录制无法保存到通常位置，已存为文件</translation>
     </message>
     <message>
         <source>Free some space or check the database, then import the file.</source>
@@ -28589,7 +28597,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The haptic device was lost. The recording until then is kept; you go on with the mouse</source>
-        <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
+        <translation>力反馈设备已断开。此前的录制已保留；您可用鼠标继续</translation>
     </message>
     <message>
         <source>You practise with %1. The force is shown, not felt</source>
@@ -28605,7 +28613,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>This organ was accepted with a warning, which stays with every recording: %1</source>
-        <translation>该器官是带警告接受的，警告将随每次记录保存：%1</translation>
+        <translation>该器官是带警告接受的，警告将随每次录制保存：%1</translation>
     </message>
 </context>
 <context>
@@ -28828,7 +28836,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
-        <translation>把 0、30、60……度时的扭转，或正在回放的记录，保存为一张图片</translation>
+        <translation>把 0、30、60……度时的扭转，或正在回放的录制，保存为一张图片</translation>
     </message>
     <message>
         <source>Start the exercise anew and record it</source>
@@ -29044,7 +29052,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Stop the recording before you save a film strip.</source>
-        <translation>请先停止记录，再保存连续画面。</translation>
+        <translation>请先停止录制，再保存连续画面。</translation>
     </message>
     <message>
         <source>Save film strip</source>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Warm-up on reference runs: score first, then see what the panel has said.
+// Rater calibration on reference runs: score first, then see what the panel has said.
 import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say } from './dom.js';

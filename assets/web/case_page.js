@@ -2,7 +2,7 @@
 // One case: the recording at the left, the sheet at the right, each keystroke on its way to the server.
 import { api, NoConnection, Refusal } from './api.js';
 import { pressKey } from './case_keys.js';
-import { stepName, versionsText } from './case_words.js';
+import { stepName, versionsText } from './case_labels.js';
 import { rememberAdvancing, remembersAdvancing } from './habits.js';
 import { askConflict } from './dialogs.js';
 import { DraftKeeper } from './draft_keeper.js';

@@ -32,7 +32,7 @@ export function trendChart(module) {
   const x = (attempt) => kEdge + ((attempt - 1) / (last - 1)) * (kWidth - 2 * kEdge);
   const y = (value) => kHeight - kEdge - ((value - low) / (high - low || 1)) * (kHeight - 2 * kEdge);
   const chart = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}`, class: 'trend', role: 'img',
-    'aria-label': t('%1 over %2 tries: first %3, last %4', module.metric, figure(defined.length),
+    'aria-label': t('%1 over %2 {try|tries}: first %3, last %4', module.metric, figure(defined.length),
       withUnit(defined[0].value, module.unit), withUnit(defined.at(-1).value, module.unit)) });
   if (module.threshold !== null) {
     chart.append(svg('line', { x1: kEdge, x2: kWidth - kEdge, y1: y(module.threshold), y2: y(module.threshold), class: 'threshold' }));

@@ -88,9 +88,10 @@ void addIgnored(const MeshExtras& ignored, std::vector<OrganFinding>& findings) 
   if (all == 0) {
     return;
   }
-  OrganFinding finding = note("M21", Text::tr("left out: %1 {texture|textures}, %2 bones, %3 animations",
-                                              std::to_string(ignored.textures), std::to_string(ignored.bones),
-                                              std::to_string(ignored.animations)));
+  OrganFinding finding =
+      note("M21", Text::tr("left out: %1 {texture|textures}, %2 {bone|bones}, %3 {animation|animations}",
+                           std::to_string(ignored.textures), std::to_string(ignored.bones),
+                           std::to_string(ignored.animations)));
   finding.value = static_cast<double>(all);
   findings.push_back(std::move(finding));
 }

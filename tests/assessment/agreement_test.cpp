@@ -86,7 +86,7 @@ TEST(IntraclassCorrelation, AgreesOnTheAnxietyRatings) {
   expectIcc(*got, c.expected, c.tolerance);
 }
 
-TEST(IntraclassCorrelation, AgreesOnEveryScoringPointOfTheSyntheticStudy) {
+TEST(IntraclassCorrelation, AgreesOnEveryOccasionOfTheSyntheticStudy) {
   const ReferenceCase c = referenceCase("training_study", "training_study_synthetic");
   for (std::size_t t = 0; t < 3; ++t) {
     std::vector<std::vector<double>> rows;

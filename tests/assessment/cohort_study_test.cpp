@@ -168,7 +168,7 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
   EXPECT_EQ(board.figures[0].series[0].y, figureNamed(report, "figure-differences")->series[0].y);
   EXPECT_THAT(board.figures[0].provenance.formula.str(), ::testing::HasSubstr("mixed model"));
   EXPECT_EQ(board.figures[0].provenance.missing, 1);
-  EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("1 of 600 marks are missing, so the answer"));
+  EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("Of 600 marks 1 is missing, so the answer"));
 }
 
 TEST(CohortReport, ARaterWhoIsMissingAsAWholeIsSaidAndTakesNoAgreementOut) {

@@ -155,7 +155,7 @@ TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadOnTrialsOf("p", "r"); }));
   expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadReplies("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)remarks.selfScores("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.warmups("r"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.calibrationScores("r"); }));
 }
 
 TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
@@ -169,9 +169,9 @@ TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)desk.draftViewing("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.workingTimes_us("r", 20); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.evaluationDraft("c", "r"); }));
-  DiscrepancyRepository alignment(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)alignment.history("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)alignment.latest("a"); }));
+  DiscrepancyRepository discrepancies(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)discrepancies.history("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)discrepancies.latest("a"); }));
 }
 
 TEST_F(QueryPlanTest, WhatTheAdministratorOpensIsFoundByIndex) {

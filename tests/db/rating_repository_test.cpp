@@ -26,7 +26,7 @@ class RatingRepositoryTest : public DatabaseTest {
   }
 };
 
-TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByScoringPoint) {
+TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByOccasion) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   RatingRepository ratings(connection);

@@ -208,22 +208,22 @@ TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
   EXPECT_EQ(faultFrom([&] { desk.remarks.addSelfScore(second); }), DbFault::kUnique);
 }
 
-TEST_F(RemarkRepositoryTest, KeepsTheWarmUpsOfARater) {
+TEST_F(RemarkRepositoryTest, KeepsTheCalibrationScoresOfARater) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  CalibrationScore warmup{
+  CalibrationScore score{
       .id = desk.sample.ids.newUuid(), .raterId = desk.chief, .referenceTrialId = desk.trialId};
-  warmup.score_steps = 80;
-  warmup.panelOffset_steps = 80.0 - 71.5;
-  warmup.createdUtc_us = kSampleTime_us;
-  desk.remarks.addWarmup(warmup);
+  score.score_steps = 80;
+  score.panelOffset_steps = 80.0 - 71.5;
+  score.createdUtc_us = kSampleTime_us;
+  desk.remarks.addCalibrationScore(score);
 
-  const std::vector<CalibrationScore> found = desk.remarks.warmups(desk.chief);
+  const std::vector<CalibrationScore> found = desk.remarks.calibrationScores(desk.chief);
 
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].referenceTrialId, desk.trialId);
   EXPECT_EQ(found[0].panelOffset_steps, 8.5);
-  EXPECT_TRUE(desk.remarks.warmups(desk.trainee).empty());
+  EXPECT_TRUE(desk.remarks.calibrationScores(desk.trainee).empty());
 }
 
 }  // namespace

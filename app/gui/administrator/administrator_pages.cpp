@@ -24,7 +24,7 @@
 #include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -46,7 +46,7 @@ ScreenEntry screen(const char* name, PageId page, std::function<void(Page&)> pre
 }  // namespace
 
 std::vector<PageEntry> administratorPages() {
-  return {entry<RunDayPage>(PageId::kRunDay),
+  return {entry<TodaysSessionsPage>(PageId::kTodaysSessions),
           entry<RosterPage>(PageId::kRoster),
           entry<CurriculaPage>(PageId::kCurricula),
           entry<CohortsPage>(PageId::kCohorts),
@@ -58,7 +58,7 @@ std::vector<PageEntry> administratorPages() {
           entry<UsersPage>(PageId::kUsers),
           entry<AuditPage>(PageId::kAudit),
           entry<HeadsPage>(PageId::kHeads),
-          entry<MaintenancePage>(PageId::kCare),
+          entry<MaintenancePage>(PageId::kMaintenance),
           entry<RestorePage>(PageId::kRestore),
           entry<MovePage>(PageId::kMove),
           entry<DevicesPage>(PageId::kDevices)};
@@ -82,7 +82,7 @@ std::vector<ScreenEntry> administratorScreens() {
   };
   const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
   return {
-      screen("administrator-run-day", PageId::kRunDay),
+      screen("administrator-todays-sessions", PageId::kTodaysSessions),
       screen("administrator-roster", PageId::kRoster),
       screen("administrator-curricula", PageId::kCurricula, fromTemplate),
       screen("administrator-cohorts", PageId::kCohorts),
@@ -97,7 +97,7 @@ std::vector<ScreenEntry> administratorScreens() {
       screen("administrator-reports", PageId::kReports, report),
       screen("administrator-users", PageId::kUsers),
       screen("administrator-audit", PageId::kAudit),
-      screen("administrator-maintenance", PageId::kCare),
+      screen("administrator-maintenance", PageId::kMaintenance),
       screen("administrator-heads", PageId::kHeads),
       screen("administrator-restore", PageId::kRestore),
       screen("administrator-move", PageId::kMove,

@@ -37,8 +37,8 @@ double hatchFor(int width) {
   return width <= kPlainUpTo ? 1.0 : 2.0;
 }
 
-ChartLook chartLook(const Theme& theme) {
-  ChartLook look;
+ChartStyle chartStyle(const Theme& theme) {
+  ChartStyle look;
   look.ground = theme.surface;
   look.ink = theme.text;
   look.grid = theme.line;
@@ -64,15 +64,15 @@ QString tabbed(const ReportTable& table) {
 }
 
 FigureCanvas::FigureCanvas(QWidget* parent)
-    : QGraphicsView(parent), look_(chartLook(theme(ThemeKind::kLight))) {
+    : QGraphicsView(parent), style_(chartStyle(theme(ThemeKind::kLight))) {
   setScene(new QGraphicsScene(this));
   setFrameShape(QFrame::NoFrame);
-  setRenderHint(QPainter::Antialiasing);
+  setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);  // else hatches never grow
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setBackgroundBrush(look_.ground);
+  setBackgroundBrush(style_.ground);
 }
 
 void FigureCanvas::setFigure(const ReportFigure& figure) {
@@ -83,8 +83,8 @@ void FigureCanvas::setFigure(const ReportFigure& figure) {
 }
 
 void FigureCanvas::setTheme(const Theme& theme) {
-  look_ = chartLook(theme);
-  setBackgroundBrush(look_.ground);
+  style_ = chartStyle(theme);
+  setBackgroundBrush(style_.ground);
   rebuild();
 }
 
@@ -104,8 +104,8 @@ void FigureCanvas::rebuild() {
   if (!figure_) {
     return;
   }
-  look_.hatch = hatchFor(viewport()->width());
-  item_ = buildFigure(*figure_, look_, kTranslated).release();
+  style_.hatch = hatchFor(viewport()->width());
+  item_ = buildFigure(*figure_, style_, kTranslated).release();
   scene()->addItem(item_);
   fit();
 }
@@ -121,7 +121,7 @@ void FigureCanvas::fit() {
 
 void FigureCanvas::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  if (look_.hatch != hatchFor(viewport()->width())) {
+  if (style_.hatch != hatchFor(viewport()->width())) {
     rebuild();
   } else {
     fit();
@@ -140,7 +140,7 @@ QImage FigureCanvas::picture(const QSize& size) const {
   item->resize(QSizeF(size) / kCopiedScale);
   paper.setSceneRect(item->geometry());
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);
   paper.render(&painter, QRectF(image.rect()), paper.sceneRect());
   return image;
 }

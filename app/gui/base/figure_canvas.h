@@ -7,7 +7,7 @@
 #include <QImage>
 
 #include "app/gui/widgets/theme.h"
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "assessment/report/report_model.h"
 
 class QGraphicsWidget;
@@ -15,7 +15,7 @@ class QGraphicsWidget;
 namespace torsio::gui {
 
 /// The look of charts in a theme of the window.
-[[nodiscard]] ChartLook chartLook(const Theme& theme);
+[[nodiscard]] ChartStyle chartStyle(const Theme& theme);
 
 /// A figure of a report drawn into a widget, with the same builder as on paper. Ctrl+C copies it as a picture
 /// on white and as the table of its values. Says its values in the accessible description. In the language of
@@ -46,7 +46,7 @@ class FigureCanvas : public QGraphicsView {
   void describe();
 
   std::optional<ReportFigure> figure_;
-  ChartLook look_;
+  ChartStyle style_;
   QGraphicsWidget* item_ = nullptr;  // the scene's
 };
 

@@ -61,7 +61,7 @@ class ShellContext : public QObject {
   /// DbError.
   void readRights();
 
-  /// For what nobody waits for (signs of life, training time); null: the session writes at once. It
+  /// For what nobody waits for (heartbeats, training time); null: the session writes at once. It
   /// outlives the context.
   [[nodiscard]] StationWriter* line() const noexcept { return line_; }
   void setLine(StationWriter* line) noexcept { line_ = line; }

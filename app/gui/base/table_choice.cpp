@@ -17,7 +17,7 @@ namespace {
 
 struct TableKind {
   const char* id;  // in the settings
-  CsvLook look;
+  CsvStyle look;
   const char* name;
 };
 constexpr std::array kKinds{
@@ -47,7 +47,7 @@ QString nameOf(const TableKind& kind) {
 
 }  // namespace
 
-CsvLook usualTableLook() {
+CsvStyle usualTableLook() {
   return usualKind().look;
 }
 

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "app/base/csv_look.h"
+#include "app/base/csv_style.h"
 
 class QWidget;
 
@@ -12,12 +12,12 @@ namespace torsio::gui {
 /// Where to save a table and for which spreadsheet.
 struct TableChoice {
   QString file{};  ///< empty: given up
-  CsvLook look{};
+  CsvStyle look{};
 };
 /// Asks where to save; the kinds of file say for whom the table is written. The kind that was chosen last is
 /// offered first; at first that of the language of the computer. `name` without its ending.
 [[nodiscard]] TableChoice askTableToSave(QWidget* parent, const QString& title, const QString& name);
 /// The kind that was chosen last, for tables that are saved several at once.
-[[nodiscard]] CsvLook usualTableLook();
+[[nodiscard]] CsvStyle usualTableLook();
 
 }  // namespace torsio::gui

@@ -30,7 +30,7 @@ namespace torsio::gui {
 DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
-      table_(new DataTable(QStringLiteral("review.alignment"), this)),
+      table_(new DataTable(QStringLiteral("review.discrepancies"), this)),
       right_(new QWidget(this)),
       case_(new QLabel(this)),
       state_(sentence(this)),
@@ -40,7 +40,7 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
       reason_(new QLineEdit(this)),
       keep_(new QPushButton(this)),
       move_(new QPushButton(this)),
-      third_(new QPushButton(this)),
+      adjudicator_(new QPushButton(this)),
       replay_(linkButton(this)),
       empty_(sentence(this)) {
   auto* column = new QVBoxLayout(this);
@@ -70,7 +70,7 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
   right->addStretch(0);
   right->addWidget(reason_);
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {keep_, move_, third_}) {
+  for (QPushButton* button : {keep_, move_, adjudicator_}) {
     buttons->addWidget(button);
   }
   buttons->addStretch(1);
@@ -104,8 +104,9 @@ void DiscrepancyReviewPage::connectAll() {
   });
   connect(move_, &QPushButton::clicked, this, &DiscrepancyReviewPage::startMoving);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &DiscrepancyReviewPage::startMoving);  // seals
-  connect(third_, &QPushButton::clicked, this, [this] {
-    decide([](SessionContext& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
+  connect(adjudicator_, &QPushButton::clicked, this, [this] {
+    decide([](SessionContext& w, const std::string& id,
+              const std::string& why) { askForAdjudicator(w, id, why); },
            tr("An adjudicator has been requested"));
   });
 }
@@ -127,7 +128,7 @@ void DiscrepancyReviewPage::enter(const QVariant&) {
 }
 
 void DiscrepancyReviewPage::read() {
-  cases_ = alignmentCases(shell().session());
+  cases_ = discrepancyCases(shell().session());
   showList();
 }
 
@@ -181,7 +182,7 @@ void DiscrepancyReviewPage::showCase() {
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
   move_->setText(moving ? tr("Seal the moved mark") : tr("&Move with a reason\u2026"));
-  third_->setVisible(!moving);
+  adjudicator_->setVisible(!moving);
 }
 
 void DiscrepancyReviewPage::startMoving() {
@@ -238,7 +239,7 @@ void DiscrepancyReviewPage::retranslate() {
   table_->setColumns({{tr("Case")}, {tr("Apart by"), true}, {tr("Decision")}});
   reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for an adjudicator)"));
   reason_->setAccessibleName(tr("Reason"));
-  third_->setText(tr("Ask for an adjudica&tor"));
+  adjudicator_->setText(tr("Ask for an adjudica&tor"));
   replay_->setText(tr("Look at it again"));
   legend_->setText(tr("Diamond: you. Band: lowest to highest of the others. Line: their mean."));
   bars_->retranslate();

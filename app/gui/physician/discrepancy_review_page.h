@@ -58,7 +58,7 @@ class DiscrepancyReviewPage : public Page {
   QLineEdit* reason_;
   QPushButton* keep_;
   QPushButton* move_;
-  QPushButton* third_;
+  QPushButton* adjudicator_;
   QPushButton* replay_;
   QLabel* empty_;
   std::vector<DiscrepancyCase> cases_;

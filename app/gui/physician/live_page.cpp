@@ -389,7 +389,7 @@ void LivePage::showAll() {
   }
   if (sheet_->editor() == nullptr) {
     setLook(said_, "caution", false);
-    said_->setText(tr("The sheet opens by itself when the office calls a case."));
+    said_->setText(tr("The sheet opens by itself when an administrator calls a case."));
   }
   showClock();
 }

@@ -25,8 +25,8 @@ class Background;
 class PageHeading;
 class SheetEditorPanel;
 
-/// The sheet for the real arm: it opens by itself when the office calls a case; a timer, and targets for
-/// fingers. A sheet that is begun is never taken away: the next call waits beside it.
+/// The sheet for the real arm: it opens by itself when an administrator calls a case; a timer, and targets
+/// for fingers. A sheet that is begun is never taken away: the next call waits beside it.
 class LivePage : public Page {
   Q_OBJECT
 

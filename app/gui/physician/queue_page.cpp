@@ -100,9 +100,9 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
     connect(door.button, &QPushButton::clicked, this, [this, page] { this->shell().open(page); });
     return door;
   };
-  warmUp_ = add(PageId::kWarmUp);
+  calibration_ = add(PageId::kRaterCalibration);
   live_ = add(PageId::kLiveSheet);
-  alignment_ = add(PageId::kAlignment);
+  discrepancies_ = add(PageId::kDiscrepancyReview);
   evaluation_ = add(PageId::kEvaluation);
 }
 
@@ -123,9 +123,9 @@ void QueuePage::retranslate() {
   time_.card->setTitle(tr("Time needed"));
   due_.card->setTitle(tr("Next deadline"));
   doors_->setTitle(tr("Also waiting"));
-  warmUp_.button->setText(tr("Rater cali&bration"));
+  calibration_.button->setText(tr("Rater cali&bration"));
   live_.button->setText(tr("&Live sheet"));
-  alignment_.button->setText(tr("Discrep&ancy review"));
+  discrepancies_.button->setText(tr("Discrep&ancy review"));
   evaluation_.button->setText(tr("&Evaluation"));
   table_->view().setAccessibleName(tr("Your cases"));
   table_->setColumns(
@@ -159,7 +159,7 @@ void QueuePage::showFigures() {
 }
 
 void QueuePage::showDoors() {
-  warmUp_.text->setText(
+  calibration_.text->setText(
       tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(queue_.liveCalled > 0
                           ? tr("Called to the real arm, your sheet is not in: %1. To be called: %2.")
@@ -168,12 +168,12 @@ void QueuePage::showDoors() {
                           : tr("Cases that will be called to the real arm: %1. The sheet follows the call.")
                                 .arg(queue_.liveWaiting));
   setLook(live_.text, "caution", queue_.liveCalled > 0);
-  alignment_.text->setText(
+  discrepancies_.text->setText(
       tr("All have submitted. Your marks that differ from the others: %1.").arg(queue_.disagreements));
   evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
-  const std::pair<Door*, bool> all[] = {{&warmUp_, queue_.warmUpWaiting},
+  const std::pair<Door*, bool> all[] = {{&calibration_, queue_.calibrationWaiting},
                                         {&live_, queue_.liveCalled + queue_.liveWaiting > 0},
-                                        {&alignment_, queue_.disagreements > 0},
+                                        {&discrepancies_, queue_.disagreements > 0},
                                         {&evaluation_, queue_.models > 0}};
   int place = 0;
   for (const auto& [door, waits] : all) {

@@ -59,9 +59,9 @@ class QueuePage : public Page {
   QGridLayout* doorPlaces_;
   QuestionsCard* questions_;
   RepliesCard* replies_;
-  Door warmUp_;
+  Door calibration_;
   Door live_;
-  Door alignment_;
+  Door discrepancies_;
   Door evaluation_;
   DataTable* table_;
   ReviewQueue queue_;

@@ -96,9 +96,9 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
 RaterCalibrationPage::~RaterCalibrationPage() = default;
 
 void RaterCalibrationPage::enter(const QVariant&) {
-  warmUp_ = warmUp(shell().session());
-  std::size_t first = warmUp_.runs.empty() ? 0 : 1;
-  for (const CalibrationRun& run : warmUp_.runs) {
+  calibration_ = raterCalibration(shell().session());
+  std::size_t first = calibration_.runs.empty() ? 0 : 1;
+  for (const CalibrationRun& run : calibration_.runs) {
     if (run.own_steps) {
       continue;
     }
@@ -126,8 +126,8 @@ void RaterCalibrationPage::openRun(std::size_t number) {
     return;
   }
   Sheet last;
-  last.overall_steps = warmUp_.runs[number_ - 1].own_steps;
-  sheet_->beginSheet(overallOnly(warmUp_.rubric), last);
+  last.overall_steps = calibration_.runs[number_ - 1].own_steps;
+  sheet_->beginSheet(overallOnly(calibration_.rubric), last);
   sheet_->takeFocus();
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
@@ -148,7 +148,7 @@ void RaterCalibrationPage::openRun(std::size_t number) {
 
 void RaterCalibrationPage::showRuns() {
   std::vector<QString> texts;
-  for (const CalibrationRun& run : warmUp_.runs) {
+  for (const CalibrationRun& run : calibration_.runs) {
     const int number = static_cast<int>(run.number);
     texts.push_back(run.own_steps ? tr("Reference %1, scored").arg(number) : tr("Reference %1").arg(number));
   }
@@ -167,7 +167,7 @@ void RaterCalibrationPage::showResult() {
                                 : tr("On to the queue"));
   anchors_->setText(anchorText());
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
-  const CalibrationRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
+  const CalibrationRun* run = any ? &calibration_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
   if (run == nullptr) {
     return;
@@ -180,15 +180,15 @@ void RaterCalibrationPage::showResult() {
   const double off = *run->offset_points;
   const QString figures =
       tr("You: %1. Panel of %2: %3.")
-          .arg(scoreText(*run->own_steps, warmUp_.rubric.overall), QString::number(run->panelRaters),
+          .arg(scoreText(*run->own_steps, calibration_.rubric.overall), QString::number(run->panelRaters),
                pointsText(std::round(*run->panel_points * 10.0) / 10.0));
   const QString reading = std::abs(off) < kNear_points ? tr("That is as the panel sees it.")
                           : off < 0.0
                               ? tr("You are stricter by %1.").arg(pointsText(std::round(-off * 10.0) / 10.0))
                               : tr("You are milder by %1.").arg(pointsText(std::round(off * 10.0) / 10.0));
   result_->setText(tr("%1 %2").arg(figures, reading));
-  const auto mean = warmUp_.meanOffset_points();
-  sum_->setText(warmUp_.complete() && mean
+  const auto mean = calibration_.meanOffset_points();
+  sum_->setText(calibration_.complete() && mean
                     ? tr("Over all reference runs: %1 points from the panel. You may score a run "
                          "again; every try is kept.")
                           .arg(signedText(*mean))
@@ -208,21 +208,21 @@ void RaterCalibrationPage::compare() {
   }
   attempt(shell(), [&] {
     scoreReferenceRun(shell().session(), number_, *score);
-    warmUp_ = warmUp(shell().session());
+    calibration_ = raterCalibration(shell().session());
   });
   showRuns();
   showResult();
 }
 
 bool RaterCalibrationPage::compared() const {
-  return number_ > 0 && sheet_->editor() != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
-         sheet_->editor()->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
+  return number_ > 0 && sheet_->editor() != nullptr && calibration_.runs[number_ - 1].own_steps.has_value() &&
+         sheet_->editor()->answer(kOverallRow).score_steps == calibration_.runs[number_ - 1].own_steps;
 }
 
 std::size_t RaterCalibrationPage::nextNumber() const {
-  const auto open = std::find_if(warmUp_.runs.begin(), warmUp_.runs.end(),
+  const auto open = std::find_if(calibration_.runs.begin(), calibration_.runs.end(),
                                  [](const CalibrationRun& run) { return !run.own_steps.has_value(); });
-  return open == warmUp_.runs.end() ? 0 : open->number;
+  return open == calibration_.runs.end() ? 0 : open->number;
 }
 
 void RaterCalibrationPage::goNext() {
@@ -235,7 +235,7 @@ void RaterCalibrationPage::goNext() {
 
 QString RaterCalibrationPage::anchorText() const {
   QStringList lines;
-  for (const RubricLine& row : warmUp_.rubric.rows) {
+  for (const RubricLine& row : calibration_.rubric.rows) {
     QStringList points;
     for (const RubricAnchor& anchor : row.anchors) {
       points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));

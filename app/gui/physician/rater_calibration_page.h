@@ -60,7 +60,7 @@ class RaterCalibrationPage : public Page {
   Card* rubricCard_;
   QScrollArea* anchorsArea_;
   QLabel* anchors_;
-  RaterCalibration warmUp_;
+  RaterCalibration calibration_;
   std::size_t number_ = 0;
   std::uint64_t loads_ = 0;
 };

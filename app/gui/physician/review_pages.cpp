@@ -43,9 +43,12 @@ void showMoment(ReplayPanel& replay) {
 }  // namespace
 
 std::vector<PageEntry> reviewPages() {
-  return {{PageId::kQueue, maker<QueuePage>()},       {PageId::kWarmUp, maker<RaterCalibrationPage>()},
-          {PageId::kLiveSheet, maker<LivePage>()},    {PageId::kAlignment, maker<DiscrepancyReviewPage>()},
-          {PageId::kSeverity, maker<SeverityPage>()}, {PageId::kEvaluation, maker<EvaluationPage>()},
+  return {{PageId::kQueue, maker<QueuePage>()},
+          {PageId::kRaterCalibration, maker<RaterCalibrationPage>()},
+          {PageId::kLiveSheet, maker<LivePage>()},
+          {PageId::kDiscrepancyReview, maker<DiscrepancyReviewPage>()},
+          {PageId::kSeverity, maker<SeverityPage>()},
+          {PageId::kEvaluation, maker<EvaluationPage>()},
           {PageId::kCase, maker<CasePage>()}};
 }
 
@@ -54,15 +57,15 @@ std::vector<ScreenEntry> reviewScreens() {
       {"review-queue", "rater", PageId::kQueue, {}, {}},
       {"review-case", "rater", PageId::kCase, nextCase,
        [](Page& page) { showMoment(child<ReplayPanel>(static_cast<CasePage&>(page), "replay")); }},
-      {"review-warmup",
+      {"review-calibration",
        "rater",
-       PageId::kWarmUp,
+       PageId::kRaterCalibration,
        {},
        [](Page& page) {
          showMoment(child<ReplayPanel>(static_cast<RaterCalibrationPage&>(page), "replay"));
        }},
       {"review-live", "rater", PageId::kLiveSheet, {}, {}},
-      {"review-alignment", "rater", PageId::kAlignment, {}, {}},
+      {"review-discrepancies", "rater", PageId::kDiscrepancyReview, {}, {}},
       {"review-severity", "rater", PageId::kSeverity, {}, {}},
       {"review-evaluation", "rater", PageId::kEvaluation, {}, {}},
   };

@@ -26,10 +26,11 @@ constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
 constexpr float kMarkerRadius = 0.021F;
 
-/// Stands where the organ would be on a display without OpenGL.
-class NoSceneSentence : public QLabel {
+/// Stands where the organ would be: until it is loaded, or always on a display without OpenGL.
+class InPlaceOfScene : public QLabel {
  public:
-  explicit NoSceneSentence(QWidget* parent) : QLabel(parent) {
+  /// `words`: of the context SceneView.
+  InPlaceOfScene(const char* words, QWidget* parent) : QLabel(parent), words_(words) {
     setAlignment(Qt::AlignCenter);
     setWordWrap(true);
     retranslate();
@@ -44,7 +45,9 @@ class NoSceneSentence : public QLabel {
   }
 
  private:
-  void retranslate() { setText(SceneView::tr("This display cannot show the organ: it has no OpenGL.")); }
+  void retranslate() { setText(SceneView::tr(words_)); }
+
+  const char* words_;
 };
 
 }  // namespace
@@ -55,6 +58,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(320, 240);
   canvas_ = new SceneCanvas(*this);
   connect(canvas_, &SceneCanvas::frameDrawn, this, &SceneView::frameDrawn);
+  connect(canvas_, &SceneCanvas::frameDrawn, this, &SceneView::endWaiting, Qt::QueuedConnection);
   legend_ = new StressLegend(this);
   legend_->hide();
   auto* layout = new QVBoxLayout(this);
@@ -62,8 +66,13 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   if (canvas_->drawn()) {
     layout->addWidget(canvas_->widget());
   } else {
-    layout->addWidget(new NoSceneSentence(this));
+    layout->addWidget(
+        new InPlaceOfScene(QT_TR_NOOP("This display cannot show the organ: it has no OpenGL."), this));
   }
+  waiting_ = new InPlaceOfScene(QT_TR_NOOP("Loading the organ\u2026"), this);
+  waiting_->setObjectName(QStringLiteral("waiting"));
+  waiting_->setAutoFillBackground(true);
+  showWaiting();
   legend_->raise();
 }
 
@@ -90,6 +99,22 @@ void SceneView::prepareWindow(QWidget& window) {
   surface->setFocusPolicy(Qt::NoFocus);
   surface->resize(1, 1);
   surface->hide();
+}
+
+/// In the colours of the theme: the scene graph draws black where it has no pictures yet.
+void SceneView::showWaiting() {
+  const Theme& colours = theme(themeKind_);
+  QPalette calm = waiting_->palette();
+  calm.setColor(QPalette::Window, colours.backdrop);
+  calm.setColor(QPalette::WindowText, colours.text);
+  waiting_->setPalette(calm);
+  waiting_->setGeometry(rect());
+}
+
+void SceneView::endWaiting() {
+  if (!view_.surface.vertices().empty() || !canvas_->drawn()) {
+    waiting_->hide();
+  }
 }
 
 void SceneView::setScene(const ViewScene& view) {
@@ -130,6 +155,9 @@ void SceneView::setScene(const ViewScene& view) {
   setShearVisible(shearVisible_);
   setMarkersVisible(markersVisible_);
   frameOrgan();
+  if (!canvas_->drawn()) {
+    endWaiting();
+  }
 }
 
 void SceneView::showSurroundings() {
@@ -319,6 +347,7 @@ void SceneView::setTheme(const Theme& theme) {
   legend_->setTheme(theme);
   if (std::exchange(themeKind_, theme.kind) != theme.kind) {
     showSurroundings();
+    showWaiting();
   }
 }
 
@@ -352,6 +381,7 @@ QImage SceneView::picture() {
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeLegend();
+  showWaiting();
   applyCamera();
 }
 

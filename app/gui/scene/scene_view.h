@@ -108,9 +108,12 @@ class SceneView : public QWidget {
   void showSurroundings();
   void placeMarkers();
   void placeLegend();
+  void showWaiting();
+  void endWaiting();
 
   SceneCanvas* canvas_ = nullptr;
   StressLegend* legend_ = nullptr;
+  QWidget* waiting_ = nullptr;  // until the first scene is drawn
   ThemeKind themeKind_ = ThemeKind::kLight;
 
   ViewScene view_;

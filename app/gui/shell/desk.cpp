@@ -276,8 +276,8 @@ bool Desk::open(PageId id, const QVariant& argument) {
 void Desk::openHome(const QString& lastPage) {
   const auto last =
       std::find_if(order_.begin(), order_.end(), [&lastPage](PageId id) { return pageText(id) == lastPage; });
-  const bool office = homeOf(context_.session().actor()) == Home::kAdministrator;
-  if (office && last != order_.end() && open(*last)) {
+  const bool administrator = homeOf(context_.session().actor()) == Home::kAdministrator;
+  if (administrator && last != order_.end() && open(*last)) {
     return;
   }
   if (!home_ || open(*home_)) {

@@ -61,8 +61,8 @@ class Desk : public QWidget {
   /// False: the present page is busy or not finished (the user has been told), or the page is not the
   /// actor's.
   bool open(PageId id, const QVariant& argument = {});
-  /// Opens the first page of one's own work; in the office the page with this text, where it is among those
-  /// to choose from.
+  /// Opens the first page of one's own work; for an administrator the page with this text, where it is among
+  /// those to choose from.
   void openHome(const QString& lastPage = {});
   /// A scored run goes on: no lock, no sign-out, no closing.
   [[nodiscard]] bool busy() const;

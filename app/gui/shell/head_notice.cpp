@@ -69,9 +69,8 @@ void HeadNotice::retranslate() {
   const AnchoredHead head = readHead(head_.line);
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(head.utc_us / 1000, Qt::UTC);
   heading_->setText(tr("Head of the audit trail"));
-  facts_->setText(tr("%1 entries, %2 UTC, %3")
-                      .arg(QLocale().toString(static_cast<qlonglong>(head.length)),
-                           time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+  facts_->setText(tr("%n entry(s), %1 UTC, %2", nullptr, static_cast<int>(head.length))
+                      .arg(time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                            head.isSigned() ? tr("signed") : tr("not signed")));
   const QString hash = toQString(head.hash);
   hash_->setText(hash.left(hash.size() / 2) + QLatin1Char('\n') + hash.mid(hash.size() / 2));

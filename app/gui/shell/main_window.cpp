@@ -288,7 +288,7 @@ std::optional<LeftHead> MainWindow::forgetActor() {
     session_->setActor({});
     return std::nullopt;
   }
-  const bool office = session_->actor().hasRole("administrator");
+  const bool administrator = session_->actor().hasRole("administrator");
   try {
     if (line_ && !line_->answers()) {
       line_->write([](SessionContext& own) { torsio::signOut(own); });
@@ -300,7 +300,7 @@ std::optional<LeftHead> MainWindow::forgetActor() {
     session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
     return std::nullopt;
   }
-  if (!office) {
+  if (!administrator) {
     return std::nullopt;
   }
   if (line_ && !line_->answers()) {

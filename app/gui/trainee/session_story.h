@@ -36,7 +36,7 @@ class SessionStory {
   [[nodiscard]] std::size_t runs() const noexcept { return seen_.size(); }
   [[nodiscard]] std::size_t twists() const noexcept { return twists_; }  ///< completed
   [[nodiscard]] std::size_t onTarget() const noexcept { return onTarget_; }
-  /// Empty until a twist was let go on target.
+  /// Empty until a twist was released on target.
   [[nodiscard]] const std::optional<BestTwist>& best() const noexcept { return best_; }
 
  private:

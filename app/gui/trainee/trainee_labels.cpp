@@ -10,7 +10,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/recording/competence_text.h"
-#include "app/training/debrief_words.h"
+#include "app/training/debrief_labels.h"
 
 namespace torsio::gui {
 

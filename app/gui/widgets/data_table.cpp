@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMetaMethod>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -199,6 +200,15 @@ void DataTable::fitColumns(bool first) {
   // Sizing to contents shrinks the last column too: it takes the rest again.
   header->setStretchLastSection(false);
   letLastFill(*header, model_->columns());
+}
+
+int DataTable::wholeWidth() const {
+  const QHeaderView& header = *view_->horizontalHeader();
+  int width = 2 * view_->frameWidth() + view_->verticalScrollBar()->sizeHint().width();
+  for (std::size_t column = 0; column < wanted_.size(); ++column) {
+    width += header.isSectionHidden(static_cast<int>(column)) ? 0 : wanted_[column];
+  }
+  return width;
 }
 
 /// Where the columns are wider than the list, the widest give way, so that nothing is scrolled sideways while

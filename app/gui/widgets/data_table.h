@@ -74,6 +74,8 @@ class DataTable : public QWidget {
   /// Rows as they are shown, with a header line, tab-separated: the selection, or everything.
   [[nodiscard]] QString asText() const;
 
+  /// Width at which no cell of the columns that are shown is cut.
+  [[nodiscard]] int wholeWidth() const;
   [[nodiscard]] QTableView& view() const noexcept { return *view_; }
   [[nodiscard]] QLineEdit& filter() const noexcept { return *filter_; }
   /// What is added up, in words; empty: nothing is.

@@ -8,8 +8,11 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFont>
+#include <QListWidget>
+#include <QPainter>
 #include <QPalette>
 #include <QScreen>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QStyledItemDelegate>
 
@@ -265,8 +268,37 @@ const Theme& theme(ThemeKind kind) {
 
 namespace {
 
+/// Draws entries of a list as far from its edges as cells of a table. The style sheet's padding would widen
+/// an entry without moving what is in it.
+class PaddedEntries final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem ground = option;
+    initStyleOption(&ground, index);
+    const QStyle* style = ground.widget != nullptr ? ground.widget->style() : QApplication::style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &ground, painter, ground.widget);
+    QStyledItemDelegate::paint(painter, inside(option), index);
+  }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(inside(option), index) + QSize(2 * kBeside, 0);
+  }
+
+ private:
+  static constexpr int kBeside = kSpace - 3;  // the style leaves three pixels itself
+
+  static QStyleOptionViewItem inside(const QStyleOptionViewItem& option) {
+    QStyleOptionViewItem narrower = option;
+    if (option.rect.width() > 2 * kBeside) {
+      narrower.rect.adjust(kBeside, 0, -kBeside, 0);
+    }
+    return narrower;
+  }
+};
+
 /// Makes the lists of choices what the style sheet says: the usual delegate of a combo box paints the text of
-/// the current entry, but not its ground. No entry is cut off.
+/// the current entry, but not its ground. No entry is cut off. Entries of other lists keep off the edges.
 class ChoiceLists final : public QObject {
  public:
   using QObject::QObject;
@@ -277,6 +309,11 @@ class ChoiceLists final : public QObject {
       if (auto* box = qobject_cast<QComboBox*>(watched);
           box != nullptr && box->itemDelegate()->metaObject() != &QStyledItemDelegate::staticMetaObject) {
         box->setItemDelegate(new QStyledItemDelegate(box));
+      } else if (auto* list = qobject_cast<QListWidget*>(watched);
+                 list != nullptr &&
+                 list->itemDelegate()->metaObject() == &QStyledItemDelegate::staticMetaObject &&
+                 dynamic_cast<PaddedEntries*>(list->itemDelegate()) == nullptr) {
+        list->setItemDelegate(new PaddedEntries(list));
       }
     } else if (event->type() == QEvent::Show) {
       if (auto* list = qobject_cast<QAbstractItemView*>(watched); list != nullptr && belongsToChoice(*list)) {

@@ -61,7 +61,7 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
     const std::string id = mark.text();
     digest.add(id).add(mark.text());  // enrolment
     digest.add(mark.text());          // rater
-    digest.add(mark.text());          // scoring point
+    digest.add(mark.text());          // occasion
     digest.add(mark.int64());         // version
     digest.add(mark.text());          // trial
     addMaybe(digest, mark.maybeInt64());

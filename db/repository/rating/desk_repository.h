@@ -25,7 +25,7 @@ class DeskRepository {
 
   [[nodiscard]] std::optional<Assignment> assignment(const AssignmentId& assignmentId) const;
   [[nodiscard]] bool isWithdrawn(const AssignmentId& assignmentId) const;
-  /// Everybody's newest mark about one trainee at one scoring point, ordered by rater.
+  /// Everybody's newest mark about one trainee at one occasion, ordered by rater.
   [[nodiscard]] std::vector<CaseMark> marksOfCase(const EnrolmentId& enrolmentId,
                                                   const std::string& occasionCode) const;
   /// The rater's assignments about cases on which everybody has committed and more than one was asked, in the

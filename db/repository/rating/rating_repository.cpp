@@ -51,7 +51,7 @@ SubmittedMark markWithCodes(RowReader& row) {
   return mark;
 }
 
-/// Names the people of marks and orders these by scoring point, group, number, trainee, rater. The lists are
+/// Names the people of marks and orders these by occasion, group, number, trainee, rater. The lists are
 /// short and asked for once: a join would look each up for every mark.
 class MarkedPeople {
  public:

@@ -17,7 +17,7 @@
 
 namespace torsio {
 
-/// A trainee's score at one scoring point: mean over the raters.
+/// A trainee's score at one occasion: mean over the raters.
 struct TrainingResultRow {
   EnrolmentId enrolmentId{};
   std::string occasionCode{};
@@ -28,7 +28,7 @@ struct TrainingResultRow {
   std::vector<std::string> flags{};
 };
 
-/// A group at one scoring point (paper Fig. 23), with both divisors.
+/// A group at one occasion (paper Fig. 23), with both divisors.
 struct GroupResultRow {
   GroupId groupId{};
   std::string occasionCode{};
@@ -57,7 +57,7 @@ class RatingRepository {
   /// kUnique when this version exists (another station was faster: nothing is overwritten) or the id with
   /// other content, kCheck for a score outside its scale.
   void submit(std::span<const SubmittedMark> marks);
-  /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
+  /// The newest version of every mark of a cohort, ordered by occasion, group, number, rater code.
   [[nodiscard]] std::vector<SubmittedMark> marks(const CohortId& cohortId) const;
   /// What the sheets behind the marks of a cohort answered for each criterion, by mark, all versions.
   [[nodiscard]] std::map<MarkId, std::vector<MarkRow>> criteria(const CohortId& cohortId) const;

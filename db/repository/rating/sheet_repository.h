@@ -33,7 +33,7 @@ class SheetRepository {
   [[nodiscard]] std::vector<RubricRevisionId> revisionIds(const RubricId& rubricId) const;
 
   void assign(std::span<const Assignment> assignments);
-  /// Of a cohort, withdrawn ones too, by scoring point, trainee, rater.
+  /// Of a cohort, withdrawn ones too, by occasion, trainee, rater.
   [[nodiscard]] std::vector<AssignmentStatus> assignments(const CohortId& cohortId) const;
   /// Of one rater in any cohort, withdrawn ones too.
   [[nodiscard]] std::vector<Assignment> assignmentsOf(const RaterId& raterId) const;
@@ -55,7 +55,7 @@ class SheetRepository {
 
   /// Seals the first version, or with `amendReason` the next one, as mark `markId` with its rows, and removes
   /// the draft. Throws Error (kBadData) when a row of the rubric is missing or unknown, or a score lies
-  /// outside its scale; DbError (kUnique) when another station sealed it first. The same again is no error.
+  /// outside its scale; DbError (kUnique) when another station sealed it first. A repetition is no error.
   void submit(const AssignmentId& assignmentId, const MarkId& markId, const Sheet& sheet,
               const std::string& amendReason, std::int64_t submittedUtc_us);
   /// The newest sealed version; empty: not submitted.

@@ -199,24 +199,24 @@ std::vector<SelfScore> RemarkRepository::selfScores(const TrialId& trialId) cons
   return scores;
 }
 
-void RemarkRepository::addWarmup(const CalibrationScore& warmup) {
+void RemarkRepository::addCalibrationScore(const CalibrationScore& score) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 11> columns{{{"id", warmup.id, Kind::kKey},
-                                                  {"rater_id", warmup.raterId},
-                                                  {"reference_trial_id", warmup.referenceTrialId},
-                                                  {"rubric_revision_id", textOrNull(warmup.rubricRevisionId)},
-                                                  {"score_steps", warmup.score_steps},
-                                                  {"scale_lo_steps", warmup.scale.lo},
-                                                  {"scale_hi_steps", warmup.scale.hi},
-                                                  {"steps_per_point", warmup.scale.stepsPerPoint},
-                                                  {"panel_offset_steps", warmup.panelOffset_steps},
-                                                  {"created_utc_us", warmup.createdUtc_us, Kind::kIgnored},
-                                                  {"demonstration", warmup.demonstration}}};
+  const std::array<IdempotentColumn, 11> columns{{{"id", score.id, Kind::kKey},
+                                                  {"rater_id", score.raterId},
+                                                  {"reference_trial_id", score.referenceTrialId},
+                                                  {"rubric_revision_id", textOrNull(score.rubricRevisionId)},
+                                                  {"score_steps", score.score_steps},
+                                                  {"scale_lo_steps", score.scale.lo},
+                                                  {"scale_hi_steps", score.scale.hi},
+                                                  {"steps_per_point", score.scale.stepsPerPoint},
+                                                  {"panel_offset_steps", score.panelOffset_steps},
+                                                  {"created_utc_us", score.createdUtc_us, Kind::kIgnored},
+                                                  {"demonstration", score.demonstration}}};
   insertIdempotent(connection_, "rater_warmup", columns, Text::tr("this rater calibration"));
   transaction.commit();
 }
 
-std::vector<CalibrationScore> RemarkRepository::warmups(const RaterId& raterId) const {
+std::vector<CalibrationScore> RemarkRepository::calibrationScores(const RaterId& raterId) const {
   return selectAll(
       connection_,
       "SELECT id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps,"

@@ -16,9 +16,9 @@
 
 namespace torsio {
 
-/// Bookmarks, remarks and replies at times of a trial, who has read them; self-scores and warm-ups. One call,
-/// one transaction. Whatever is added twice with the same content is stored once; the same id with other
-/// content is refused with DbError (kUnique).
+/// Bookmarks, remarks and replies at times of a trial, who has read them; self-scores and calibration scores.
+/// One call, one transaction. Whatever is added twice with the same content is stored once; the same id with
+/// other content is refused with DbError (kUnique).
 class RemarkRepository {
  public:
   explicit RemarkRepository(Connection& connection) : connection_(connection) {}
@@ -47,9 +47,9 @@ class RemarkRepository {
   /// All versions for a trial, oldest first.
   [[nodiscard]] std::vector<SelfScore> selfScores(const TrialId& trialId) const;
 
-  void addWarmup(const CalibrationScore& warmup);
+  void addCalibrationScore(const CalibrationScore& score);
   /// Of one rater, oldest first.
-  [[nodiscard]] std::vector<CalibrationScore> warmups(const RaterId& raterId) const;
+  [[nodiscard]] std::vector<CalibrationScore> calibrationScores(const RaterId& raterId) const;
 
  private:
   Connection& connection_;

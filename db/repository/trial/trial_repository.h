@@ -56,7 +56,7 @@ class TrialRepository final : public TrialSink {
 
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
   [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station) const;
-  /// Closes those of `station` that have shown no sign of life after `quietSinceUtc_us` (another window of
+  /// Closes those of `station` that have sent no heartbeat after `quietSinceUtc_us` (another window of
   /// the same machine may be recording), with the content hash of what is there. Returns them with their
   /// summaries.
   std::vector<TrialListing> closeInterrupted(const std::string& station, std::int64_t quietSinceUtc_us);

@@ -216,10 +216,11 @@ void HdapiSession::readIdentity() {
   (void)drainHdapiErrors(api_);
   if (identity_.outputDof != 3) {
     identity_.assumed.emplace_back(Text::tr("three force axes"));
-    identity_.notes.push_back(Text::tr(
-        "The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along "
-        "three axes, with cautious limits",
-        identity_.outputDof));
+    identity_.notes.push_back(
+        Text::tr("The device says that it renders %1 {axis|axes}; an Omni or Touch renders 3. Forces are "
+                 "rendered along "
+                 "three axes, with cautious limits",
+                 identity_.outputDof));
   }
   const bool known =
       identity_.model.find("Omni") != std::string::npos || identity_.model.find("Touch") != std::string::npos;

@@ -15,7 +15,7 @@ PassivityController::PassivityController(const PassivityOptions& options) : opti
       options.largestDamping_Ns_per_m > 0.0 && std::isfinite(options.largestDamping_Ns_per_m);
   if (options.tickPeriod_us <= 0 || !latencyFits || !dampingFits) {
     throw Error(ErrorCode::kBadParameter,
-                Text::tr("tick period %1 us, latency %2 ticks, damping %3 N s/m",
+                Text::tr("tick period %1 us, latency %2 {tick|ticks}, damping %3 N s/m",
                          std::to_string(options.tickPeriod_us), std::to_string(options.latency_ticks),
                          std::to_string(options.largestDamping_Ns_per_m)),
                 Text::tr("passivity controller"),

@@ -129,8 +129,8 @@ SeriesMap seriesOf(DicomFiles& found, const std::string& where) {
 
 Text seriesText(std::size_t number, const std::vector<DicomSlice>& slices) {
   const DicomSlice& first = slices.front();
-  return Text::tr("series %1: %2 slices of %3 x %4", std::to_string(number), std::to_string(slices.size()),
-                  std::to_string(first.columns), std::to_string(first.rows));
+  return Text::tr("series %1: %2 {slice|slices} of %3 x %4", std::to_string(number),
+                  std::to_string(slices.size()), std::to_string(first.columns), std::to_string(first.rows));
 }
 
 std::vector<DicomSlice> chosenSeries(SeriesMap& all, int wanted, const std::string& where,

@@ -98,8 +98,9 @@ bool hasTwoFiles(const HeaderBytes& bytes, const std::string& where) {
 void readDimensions(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
   const auto dimensions = bytes.at<std::int16_t>(kDim);
   if (dimensions < 3 || dimensions > 7) {
-    refuseHeader(Text::tr("N02 the file has %1 dimensions, a volume has 3", std::to_string(dimensions)),
-                 where, Text::tr("Give one volume"));
+    refuseHeader(
+        Text::tr("N02 the file has %1 {dimension|dimensions}, a volume has 3", std::to_string(dimensions)),
+        where, Text::tr("Give one volume"));
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto side = bytes.at<std::int16_t>(kDim + 2 * (axis + 1));

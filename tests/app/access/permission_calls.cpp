@@ -56,6 +56,7 @@
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "app/study/day_board.h"
 #include "app/study/day_plan.h"
 #include "app/study/frozen_data.h"
 #include "app/study/live_call.h"
@@ -64,7 +65,6 @@
 #include "app/study/reassignment.h"
 #include "app/study/reminders.h"
 #include "app/study/rubric_service.h"
-#include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
@@ -316,7 +316,7 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "paperSheets",
        [](SessionContext& w, Path) { (void)paperSheets(w, kNoSuch, kNoSuch, ""); }},
       {O::kStudySetup, "reminders", [](SessionContext& w, Path) { (void)reminders(w, kNoSuch); }},
-      {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
+      {O::kStudySetup, "dayBoard", [](SessionContext& w, Path) { (void)dayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",
        [](SessionContext& w, Path) {
@@ -466,7 +466,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "openSheet", [](SessionContext& w, Path) { (void)openSheet(w, kNoSuch); }},
       {O::kMarkSubmit, "submitSheet", [](SessionContext& w, Path) { submitSheet(w, kNoSuch, {}, {}); }},
       {O::kMarkSubmit, "amendSheet", [](SessionContext& w, Path) { amendSheet(w, kNoSuch, {}, "because"); }},
-      {O::kMarkSubmit, "alignmentCases", [](SessionContext& w, Path) { (void)alignmentCases(w); }},
+      {O::kMarkSubmit, "discrepancyCases", [](SessionContext& w, Path) { (void)discrepancyCases(w); }},
       {O::kEvaluationSubmit, "evaluationForms", [](SessionContext& w, Path) { (void)evaluationForms(w); }},
       {O::kEvaluationSubmit, "loadEvaluationRecording",
        [](SessionContext& w, Path) { (void)loadEvaluationRecording(w, kNoSuch, "X"); }},
@@ -474,7 +474,8 @@ std::vector<ServiceCall> reviewCalls() {
        [](SessionContext& w, Path) { submitEvaluation(w, kNoSuch, "X"); }},
       {O::kMarkSubmit, "keepMark", [](SessionContext& w, Path) { keepMark(w, kNoSuch, ""); }},
       {O::kMarkSubmit, "moveMark", [](SessionContext& w, Path) { moveMark(w, kNoSuch, {}, "why"); }},
-      {O::kMarkSubmit, "askForThird", [](SessionContext& w, Path) { askForThird(w, kNoSuch, "why"); }},
+      {O::kMarkSubmit, "askForAdjudicator",
+       [](SessionContext& w, Path) { askForAdjudicator(w, kNoSuch, "why"); }},
       {O::kMarkSubmit, "addCaseRemark", [](SessionContext& w, Path) { addCaseRemark(w, kNoSuch, {}); }},
       {O::kMarkSubmit, "editCaseRemark",
        [](SessionContext& w, Path) { editCaseRemark(w, kNoSuch, kNoSuch, "yes"); }},
@@ -488,7 +489,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "viewingRules", [](SessionContext& w, Path) { (void)viewingRules(w); }},
       {O::kMarkSubmit, "ownSeverity", [](SessionContext& w, Path) { (void)ownSeverity(w); }},
       {O::kMarkSubmit, "liveLines", [](SessionContext& w, Path) { (void)liveLines(w); }},
-      {O::kMarkSubmit, "warmUp", [](SessionContext& w, Path) { (void)warmUp(w); }},
+      {O::kMarkSubmit, "raterCalibration", [](SessionContext& w, Path) { (void)raterCalibration(w); }},
       {O::kMarkSubmit, "scoreReferenceRun", [](SessionContext& w, Path) { scoreReferenceRun(w, 1, 50); }},
       {O::kTrialViewAssigned, "loadReferenceRun",
        [](SessionContext& w, Path) { (void)loadReferenceRun(w, 1); }},
@@ -497,9 +498,10 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kStudySetup, "withdrawReferenceRun",
        [](SessionContext& w, Path) { withdrawReferenceRun(w, kNoSuch, "why"); }},
       {O::kStudySetup, "referenceRows", [](SessionContext& w, Path) { (void)referenceRows(w); }},
-      {O::kStudySetup, "thirdRequests", [](SessionContext& w, Path) { (void)thirdRequests(w, kNoSuch); }},
-      {O::kStudySetup, "assignThird",
-       [](SessionContext& w, Path) { (void)assignThird(w, kNoSuch, kNoSuch, kNoSuch); }},
+      {O::kStudySetup, "adjudicatorRequests",
+       [](SessionContext& w, Path) { (void)adjudicatorRequests(w, kNoSuch); }},
+      {O::kStudySetup, "assignAdjudicator",
+       [](SessionContext& w, Path) { (void)assignAdjudicator(w, kNoSuch, kNoSuch, kNoSuch); }},
       {O::kEvaluationSubmit, "saveEvaluationScore",
        [](SessionContext& w, Path) { saveEvaluationScore(w, kNoSuch, "X", 0, 50); }},
   };

@@ -25,7 +25,7 @@ struct ServiceCall {
 /// Id of nothing.
 inline constexpr const char* kNoSuch = "none";
 
-[[nodiscard]] std::vector<ServiceCall> administratorCalls();  ///< access, people, care
+[[nodiscard]] std::vector<ServiceCall> administratorCalls();  ///< access, people, maintenance
 [[nodiscard]] std::vector<ServiceCall> studyCalls();          ///< study
 [[nodiscard]] std::vector<ServiceCall> reportingCalls();      ///< reporting
 [[nodiscard]] std::vector<ServiceCall> reviewCalls();         ///< review

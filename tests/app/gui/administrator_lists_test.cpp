@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of the office that may be long: what is shown, what the search finds, what is kept for later.
+// Lists of administrators that may be long: what is shown, what the search finds, what is kept for later.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateEdit>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Single pages of the office, and the figures of its reports.
+// Single pages of administrators, and the figures of reports.
 #include "app/gui/administrator/administrator_pages.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <QApplication>
@@ -12,6 +13,10 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QTextTable>
 #include <QTimer>
 #include <QToolButton>
 #include <gtest/gtest.h>
@@ -113,6 +118,68 @@ TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
   EXPECT_TRUE(chinese.contains(QStringLiteral("\u65b9\u6cd5\u4e0e\u5c40\u9650")));  // methods and limits
   EXPECT_FALSE(chinese.contains(QStringLiteral("Methods and limits")));
   EXPECT_TRUE(english.contains(QStringLiteral("Methods and limits")));
+}
+
+/// A page as wide as a window of 4K: tables use it, running text keeps lines that the eye finds its way back
+/// from.
+TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePageIs) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+  preview.show();
+  preview.setReport(report, wordingIn("en"));
+  const int longest = 90 * preview.fontMetrics().averageCharWidth();
+  for (const int width : {900, 3000, 1400}) {
+    preview.resize(width, 800);
+    QApplication::processEvents();
+
+    int lines = 0;
+    for (QTextBlock block = preview.document()->begin(); block.isValid(); block = block.next()) {
+      if (QTextCursor(block).currentTable() != nullptr || block.text().size() < 200) {
+        continue;
+      }
+      for (int line = 0; line < block.layout()->lineCount(); ++line) {
+        ++lines;
+        EXPECT_LE(block.layout()->lineAt(line).naturalTextWidth(), longest) << block.text().toStdString();
+      }
+    }
+    EXPECT_GT(lines, 10);
+  }
+}
+
+/// Longest stretch of one colour within the hatched bar in the middle of a canvas `width` wide, px.
+int widestStripe(int width) {
+  ReportFigure figure;
+  figure.categories = {Text::verbatim("a")};
+  for (const char* name : {"1", "2", "3"}) {
+    FigureSeries series;
+    series.name = Text::verbatim("%1", std::string(name));
+    series.y = {10.0};
+    figure.series.push_back(series);
+  }
+  FigureCanvas canvas;
+  canvas.resize(width, width / 2);
+  canvas.setFigure(figure);
+  canvas.show();
+  QApplication::processEvents();
+
+  const QImage seen = canvas.grab().toImage();
+  const int y = seen.height() / 2;
+  int widest = 0;
+  int run = 0;
+  for (int x = seen.width() * 48 / 100; x < seen.width() * 52 / 100; ++x) {
+    run = seen.pixelColor(x, y) == seen.pixelColor(x - 1, y) ? run + 1 : 1;
+    widest = std::max(widest, run);
+  }
+  return widest;
+}
+
+TEST(FigureCanvas, HatchesOfAChartAcrossA4kScreenAreTwiceAsWide) {
+  const int usual = widestStripe(900);
+  const int wide = widestStripe(3600);
+
+  EXPECT_GE(usual, 2);
+  EXPECT_GE(wide, 2 * usual);
+  EXPECT_LE(wide, 40) << "the bar is not hatched";
 }
 
 TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {

@@ -28,7 +28,7 @@
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/language.h"
@@ -316,7 +316,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   askAllRaters(office, cohortId);
   submitSimulatedMarks(office.centre, cohortId);
 
-  auto board = office.open<RunDayPage>("administrator");
+  auto board = office.open<TodaysSessionsPage>("administrator");
   EXPECT_EQ(child<DataTable>(*board, "table").visibleRows(), 30);
   EXPECT_TRUE(board->leave());
   auto results = office.open<ResultsPage>("administrator");

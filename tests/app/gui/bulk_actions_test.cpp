@@ -22,7 +22,7 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -192,7 +192,7 @@ TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterScoresAlreadyStay) {
 
 TEST_F(SeveralAtOnce, EveryAlertIsThereToBeReadWithTheirNumber) {
   StudyCentre& centre = office_.centre;
-  auto page = office_.open<RunDayPage>("administrator");
+  auto page = office_.open<TodaysSessionsPage>("administrator");
   std::vector<TraineeId> more;
   for (int i = 1; i <= 9; ++i) {
     more.push_back(addPerson(centre.as("administrator"), {.fullName = "Li Na", .trainee = true}));
@@ -253,7 +253,7 @@ TEST_F(SeveralAtOnce, AWrongRosterIsTakenBackWhole) {
 }
 
 TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {
-  auto page = office_.open<RunDayPage>("administrator");
+  auto page = office_.open<TodaysSessionsPage>("administrator");
   auto& table = child<DataTable>(*page, "table");
   table.view().selectAll();
   answer([](QDialog& dialog) {

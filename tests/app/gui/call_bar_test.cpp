@@ -23,7 +23,7 @@
 
 #include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -72,7 +72,7 @@ class CallsFromTheBoard : public ::testing::Test {
                                          .raterIds = chiefs_,
                                          .rubricRevisionId = rubric,
                                          .seed = 3});
-    page_ = office_.open<RunDayPage>("administrator", toQString(cohort_));
+    page_ = office_.open<TodaysSessionsPage>("administrator", toQString(cohort_));
   }
   void typeCode(const QString& code, const QString& room = QStringLiteral("Skills lab")) {
     child<QLineEdit>(*page_, "callRoom").setText(room);
@@ -94,7 +94,7 @@ class CallsFromTheBoard : public ::testing::Test {
   AdministratorDesk office_;
   std::vector<RaterId> chiefs_;
   CohortId cohort_;
-  std::unique_ptr<RunDayPage> page_;
+  std::unique_ptr<TodaysSessionsPage> page_;
 };
 
 TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {

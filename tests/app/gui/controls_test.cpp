@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <gtest/gtest.h>
@@ -12,7 +13,10 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/simulator/pointer_controls.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
+#include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {
 namespace {
@@ -67,6 +71,22 @@ class Controls : public ::testing::Test {
     return 2.0 * std::atan2(dot({q.x, q.y, q.z}, axis), q.w);
   }
 };
+
+TEST_F(Controls, AViewWithoutItsOrganIsCalmAndSaysThatItLoads) {
+  auto& waiting = child<QLabel>(view_, "waiting");
+  for (const ThemeKind kind : {ThemeKind::kDark, ThemeKind::kLight}) {
+    view_.setTheme(theme(kind));
+    EXPECT_FALSE(waiting.isHidden());
+    EXPECT_FALSE(waiting.text().isEmpty());
+    EXPECT_EQ(waiting.geometry(), view_.rect());
+    EXPECT_EQ(view_.grab().toImage().pixelColor(5, 5), theme(kind).backdrop);
+  }
+
+  const LoadedScene bar = testing::loadBar(testing::requestFor("bar"));
+  view_.setScene(bar.view);
+
+  EXPECT_TRUE(waiting.isHidden());
+}
 
 TEST_F(Controls, TheTipStaysUnderTheMouse) {
   move({500, 300});

@@ -15,6 +15,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTableWidget>
 #include <QTest>
 
@@ -26,6 +27,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/theme.h"
 #include "app/recording/competence_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
@@ -143,6 +145,23 @@ TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
       EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << "tab " << tab;
       EXPECT_EQ(area->verticalScrollBar()->maximum(), 0) << "tab " << tab;
     }
+  }
+}
+
+TEST(CurriculaPage, ShowsTheNamesOfItsListWholeWhereThereIsRoom) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  ASSERT_TRUE(page->add("Twisting of the small intestine, second year", ""));
+  page->resize(1700, 1000);  // beside the navigation of a 1920 x 1080 screen
+  page->show();
+  QApplication::processEvents();
+
+  const QTableView& list = child<DataTable>(*page, "curricula").view();
+  for (int row = 0; row < list.model()->rowCount(); ++row) {
+    const QString name = list.model()->index(row, 0).data().toString();
+    EXPECT_LE(list.fontMetrics().horizontalAdvance(name), list.columnWidth(0) - 2 * kSpace)
+        << name.toStdString();
   }
 }
 
@@ -279,7 +298,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
-TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
+TEST(CurriculumEditor, SetsGroupsPhasesRestAndOccasions) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the office on the first day, when nothing is in the record: the demonstration never shows them
-// so.
+// The pages of administrators on the first day, when nothing is in the record: the demonstration never shows
+// them so.
 #include <QStringList>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/language.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/app/gui/clipped_texts.h"
@@ -37,13 +37,13 @@ void lookAtPage(testing::AdministratorDesk& office, QStringList& clipped) {
   }
 }
 
-TEST(EmptyCentre, EveryPageOfTheOfficeIsReadWholeInBothLanguages) {
+TEST(EmptyCentre, EveryPageOfAdministratorsIsReadWholeInBothLanguages) {
   testing::AdministratorDesk office;
   LanguageSwitch language;
   for (const Language chosen : {Language::kEnglish, Language::kSimplifiedChinese}) {
     language.choose(chosen);
     QStringList clipped;
-    lookAtPage<RunDayPage>(office, clipped);
+    lookAtPage<TodaysSessionsPage>(office, clipped);
     lookAtPage<RosterPage>(office, clipped);
     lookAtPage<CurriculaPage>(office, clipped);
     lookAtPage<CohortsPage>(office, clipped);

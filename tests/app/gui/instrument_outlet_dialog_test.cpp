@@ -21,12 +21,12 @@
 namespace torsio::gui {
 namespace {
 
-class OutletPages : public CarePages {
+class OutletPages : public MaintenancePages {
  protected:
   void SetUp() override {
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                        folder_.path() + QStringLiteral("/settings"));
-    CarePages::SetUp();
+    MaintenancePages::SetUp();
     window_->desk()->open(PageId::kDevices);
   }
   static bool says(QDialog& dialog, const QString& words) {

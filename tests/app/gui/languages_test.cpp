@@ -16,7 +16,6 @@
 #include <QFontMetricsF>
 #include <QGroupBox>
 #include <QHeaderView>
-#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -32,14 +31,17 @@
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
+#include "app/gui/shell/desk.h"
 #include "app/report/typeface.h"
 #include "tests/app/gui/clipped_texts.h"
+#include "tests/app/gui/screen_faults.h"
 
 namespace torsio::gui {
 namespace {
 
 constexpr double kWiderFace_percent = 115.0;
-constexpr QSize kSmallest(1366, 768);  // issue: "1366x768 to 4K"
+constexpr QSize kSmallest(1366, 768);
+constexpr QSize kWide[] = {{1920, 1080}, {3840, 2160}};
 
 /// What stays as it is in every language: names of the demonstration, codes, units, names of programs.
 bool staysAsItIs(const QString& text) {
@@ -161,87 +163,6 @@ class PseudoTranslator : public QTranslator {
   }
 };
 
-/// Labels and buttons that show less than they say.
-QStringList cutTexts(QWidget& window) {
-  QStringList cut;
-  const auto report = [&](const QWidget& widget, const QString& text, int wanted, int given) {
-    cut << QStringLiteral("%1 \"%2\": %3 wanted, %4 given")
-               .arg(QLatin1String(widget.metaObject()->className()), text)
-               .arg(wanted)
-               .arg(given);
-  };
-  for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window)) {
-      continue;
-    }
-    const auto* label = qobject_cast<QLabel*>(widget);
-    const auto* button = qobject_cast<QAbstractButton*>(widget);
-    if (label != nullptr && !label->text().isEmpty()) {
-      const int wide = label->wordWrap() ? 0 : label->minimumSizeHint().width();
-      if (wide > label->width() + 1) {
-        report(*label, label->text(), wide, label->width());
-      }
-      const int high =
-          label->wordWrap() ? label->heightForWidth(label->width()) : label->minimumSizeHint().height();
-      if (high > label->height() + 1) {
-        report(*label, label->text(), high, label->height());
-      }
-    }
-    if (button != nullptr && !button->text().isEmpty()) {
-      const int wide = button->minimumSizeHint().width();
-      if (wide > button->width() + 1) {
-        report(*button, button->text(), wide, button->width());
-      }
-    }
-  }
-  return cut;
-}
-
-/// Alt with a letter that two things of one screen want: neither gets it at the first press.
-QStringList doubledKeys(QWidget& window) {
-  std::map<QString, QStringList> wanted;
-  for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window)) {
-      continue;  // what is disabled is enabled at another moment
-    }
-    const auto* label = qobject_cast<QLabel*>(widget);
-    const auto* button = qobject_cast<QAbstractButton*>(widget);
-    const QString text = label != nullptr && label->buddy() != nullptr ? label->text()
-                         : button != nullptr                           ? button->text()
-                                                                       : QString();
-    if (const QKeySequence key = QKeySequence::mnemonic(text); !key.isEmpty()) {
-      wanted[key.toString()] << text;
-    }
-  }
-  QStringList doubled;
-  for (const auto& [key, texts] : wanted) {
-    if (texts.size() > 1) {
-      doubled << key + QStringLiteral(": ") + texts.join(QStringLiteral(", "));
-    }
-  }
-  return doubled;
-}
-
-/// A title of the header that the page tells again.
-QStringList doubledTitles(QWidget& window) {
-  QStringList titles;
-  for (const QLabel* label : window.findChildren<QLabel*>()) {
-    if (label->isVisibleTo(&window) && label->property("heading").toBool() && !label->text().isEmpty()) {
-      titles << label->text();
-    }
-  }
-  const auto* header = window.findChild<QWidget*>(QStringLiteral("header"));
-  const QList<QLabel*> inHeader = header != nullptr ? header->findChildren<QLabel*>() : QList<QLabel*>();
-  const bool above = std::any_of(inHeader.begin(), inHeader.end(), [&](const QLabel* label) {
-    return label->property("heading").toBool() && label->isVisibleTo(&window);
-  });
-  QStringList doubled;
-  if ((above && titles.size() > 1) || titles.removeDuplicates() > 0) {
-    doubled << titles.join(QStringLiteral(", "));
-  }
-  return doubled;
-}
-
 /// Times and sizes go on while a screen stands.
 QStringList withoutNumbers(QStringList texts) {
   static const QRegularExpression kNumber(QStringLiteral("[0-9]+([.,][0-9]+)*"));
@@ -292,6 +213,7 @@ class Walk {
   Findings doubled;   // keys that two things of one screen want, and titles that are told twice
   Findings clipped;   // English and Chinese
   Findings spans;     // times that the clock of every other screen would say otherwise
+  Findings crowding;  // pages in a corner of a wide screen
   int screens = 0;
 
   Walk() {
@@ -306,7 +228,7 @@ class Walk {
 
  private:
   void findDoubled(const QString& name, QWidget& window) {
-    for (const QString& text : doubledKeys(window) + doubledTitles(window)) {
+    for (const QString& text : testing::doubledKeys(window) + testing::doubledTitles(window)) {
       doubled[name].insert(text);
     }
   }
@@ -369,13 +291,33 @@ class Walk {
       for (int round = 0; round < 6; ++round) {
         retranslated();
       }
-      for (const QString& text : cutTexts(window)) {
+      for (const QString& text : testing::cutTexts(window)) {
         cut[QStringLiteral("%1 (%2)").arg(name, face.name)].insert(text);
       }
     }
     QApplication::setFont(usual);
     QCoreApplication::removeTranslator(&pseudo);
     retranslated();
+    lookAtWide(name, window);
+  }
+
+  void lookAtWide(const QString& name, QWidget& window) {
+    const auto* desk = qobject_cast<const Desk*>(&window);
+    const QWidget& page = desk != nullptr && desk->page() != nullptr ? *desk->page() : window;
+    for (const QSize& size : kWide) {
+      window.resize(size);
+      for (int round = 0; round < 3; ++round) {
+        retranslated();
+      }
+      const QString width = QStringLiteral("%1 (%2)").arg(name).arg(size.width());
+      if (const QString found = testing::crowded(page); !found.isEmpty()) {
+        crowding[width].insert(found);
+      }
+      for (const QString& text : testing::clippedTexts(window)) {
+        clipped[width].insert(text);
+      }
+    }
+    window.resize(kSmallest);
   }
 };
 
@@ -409,9 +351,10 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.doubled.empty()) << told(walk.doubled);
   EXPECT_TRUE(walk.clipped.empty()) << told(walk.clipped);
   EXPECT_TRUE(walk.spans.empty()) << told(walk.spans);
+  EXPECT_TRUE(walk.crowding.empty()) << told(walk.crowding);
 }
 
-TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {
+TEST(TranslatedErrors, PutsArgumentsIntoTheChineseSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 
@@ -424,7 +367,7 @@ TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {
   EXPECT_NE(said.remedy, QStringLiteral("Fill it in"));
 }
 
-TEST(Spoken, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
+TEST(TranslatedErrors, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 

@@ -20,12 +20,12 @@ namespace {
 
 using torsio::testing::TestLrs;
 
-class LearningPages : public CarePages {
+class LearningPages : public MaintenancePages {
  protected:
   void SetUp() override {
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                        folder_.path() + QStringLiteral("/settings"));
-    CarePages::SetUp();
+    MaintenancePages::SetUp();
   }
   /// Somebody who agrees is enrolled.
   void enrolSomebody() {

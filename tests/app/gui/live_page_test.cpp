@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live sheet follows the call of the office.
+// The live sheet follows the call of an administrator.
 #include "app/gui/physician/live_page.h"
 
 #include <algorithm>

@@ -28,8 +28,8 @@ namespace {
 
 using testing::hintBelow;
 
-TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
-  carePage().backUp(in("backup.sqlite"));
+TEST_F(MaintenancePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
+  maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   addPerson(*window_->session(), person());
   auto& page = openBy<RestorePage>("Restore");
@@ -74,12 +74,12 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
 }
 
 /// The settings of this account, in which a station keeps its key and its witness, in a folder of their own.
-class HeadsPages : public CarePages {
+class HeadsPages : public MaintenancePages {
  protected:
   void SetUp() override {
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
                        folder_.path() + QStringLiteral("/settings"));
-    CarePages::SetUp();
+    MaintenancePages::SetUp();
   }
   HeadsPage& page() {
     window_->desk()->open(PageId::kAudit);
@@ -213,8 +213,8 @@ TEST_F(HeadsPages, WhatIsNoHeadOrNoKeyIsSaidBelowItsField) {
   EXPECT_TRUE(verify.isEnabled());
 }
 
-TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
-  carePage().backUp(in("backup.sqlite"));
+TEST_F(MaintenancePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
+  maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   {
     Connection other = openRecord(in("backup.sqlite").string(), OpenMode::kReadWrite);
@@ -237,8 +237,8 @@ TEST_F(CarePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
   EXPECT_TRUE(child<QPushButton>(page, "restoreButton").isEnabled());
 }
 
-TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
-  carePage().backUp(in("backup.sqlite"));
+TEST_F(MaintenancePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
+  maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   showsOtherStation();
   auto& page = openBy<RestorePage>("Restore");
@@ -251,8 +251,8 @@ TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
 }
 
-TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
-  carePage().backUp(in("backup.sqlite"));
+TEST_F(MaintenancePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
+  maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   const int before = filesBeside();
   auto& page = openBy<RestorePage>("Restore");
@@ -267,7 +267,7 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   EXPECT_EQ(people(record()), 2);
 }
 
-TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
+TEST_F(MaintenancePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
   std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
   auto& page = openBy<RestorePage>("Restore");
   auto& file = child<QLineEdit>(page, "file");
@@ -286,7 +286,7 @@ TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
   EXPECT_TRUE(failures_.isEmpty());
 }
 
-TEST_F(CarePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
+TEST_F(MaintenancePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   window_->desk()->open(PageId::kDevices);
   auto& driver = child<QComboBox>(*window_->desk()->page(), "driver");
@@ -299,13 +299,13 @@ TEST_F(CarePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
 
   EXPECT_EQ(rememberedDevice().driver, "spacemouse");
   EXPECT_TRUE(says(QStringLiteral("holds at this station")));
-  window_->desk()->open(PageId::kCare);
+  window_->desk()->open(PageId::kMaintenance);
   driver.setCurrentIndex(0);
   window_->desk()->open(PageId::kDevices);
   EXPECT_EQ(driver.currentIndex(), puck) << "it is read whenever the page is opened";
 }
 
-TEST_F(CarePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
+TEST_F(MaintenancePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   EXPECT_FALSE(child<QPushButton>(page, "testButton").isEnabled());
 

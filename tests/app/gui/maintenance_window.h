@@ -33,8 +33,9 @@ namespace torsio::gui {
 
 namespace fs = std::filesystem;
 
-/// The program's window with the pages of the office, an administrator at work, and a record of two people.
-class CarePages : public ::testing::Test {
+/// The program's window with the pages of administrators, an administrator at work, and a record of two
+/// people.
+class MaintenancePages : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
   ManualClock clock_;
@@ -98,16 +99,16 @@ class CarePages : public ::testing::Test {
 
   ShellContext& context() { return window_->desk()->context(); }
 
-  /// Goes there by the button of the care page.
+  /// Goes there by the button of the maintenance page.
   template <typename Made>
   Made& openBy(const char* button) {
-    window_->desk()->open(PageId::kCare);
+    window_->desk()->open(PageId::kMaintenance);
     press(*window_->desk()->page(), button);
     return dynamic_cast<Made&>(*window_->desk()->page());
   }
 
-  MaintenancePage& carePage() {
-    window_->desk()->open(PageId::kCare);
+  MaintenancePage& maintenancePage() {
+    window_->desk()->open(PageId::kMaintenance);
     return dynamic_cast<MaintenancePage&>(*window_->desk()->page());
   }
 

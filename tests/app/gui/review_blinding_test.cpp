@@ -102,11 +102,11 @@ void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
 
 void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   gathering.look(desk.open<QueuePage>());
-  auto& warmUpPage = desk.open<RaterCalibrationPage>();
-  gathering.look(warmUpPage);
+  auto& calibrationPage = desk.open<RaterCalibrationPage>();
+  gathering.look(calibrationPage);
   desk.press(Qt::Key_8);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
-  gathering.look(warmUpPage);
+  gathering.look(calibrationPage);
   auto& live = desk.open<LivePage>();
   gathering.look(live);
   for (int i = 0; i < 3; ++i) {
@@ -116,14 +116,14 @@ void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   gathering.look(live);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   gathering.look(live);
-  auto& alignment = desk.open<DiscrepancyReviewPage>();
-  gathering.look(alignment);
-  for (QPushButton* button : alignment.findChildren<QPushButton*>()) {
-    if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&alignment)) {
+  auto& discrepancies = desk.open<DiscrepancyReviewPage>();
+  gathering.look(discrepancies);
+  for (QPushButton* button : discrepancies.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&discrepancies)) {
       button->click();
     }
   }
-  gathering.look(alignment);
+  gathering.look(discrepancies);
   gathering.look(desk.open<SeverityPage>());
   auto& evaluation = desk.open<EvaluationPage>();
   gathering.look(evaluation);
@@ -152,7 +152,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   }
   Gathering gathering;
   DeskOf desk(centre, 0);
-  ASSERT_FALSE(alignmentCases(desk.session()).empty());
+  ASSERT_FALSE(discrepancyCases(desk.session()).empty());
 
   for (const PageEntry& entry : reviewPages()) {
     gathering.add({pageTitle(entry.id), pageText(entry.id)});

@@ -35,10 +35,11 @@ using torsio::testing::ReviewCentre;
 /// Alignment and severity, as physician `index` sees them: no mark of anybody else.
 void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
-  EXPECT_TRUE(alignmentCases(desk.session()).empty());
-  auto& alignment = desk.open<DiscrepancyReviewPage>();
-  EXPECT_TRUE(paintedWordsOf(alignment).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
-  for (const DataTable* table : alignment.findChildren<DataTable*>()) {
+  EXPECT_TRUE(discrepancyCases(desk.session()).empty());
+  auto& discrepancies = desk.open<DiscrepancyReviewPage>();
+  EXPECT_TRUE(
+      paintedWordsOf(discrepancies).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
+  for (const DataTable* table : discrepancies.findChildren<DataTable*>()) {
     EXPECT_EQ(table->visibleRows(), 0);
   }
   auto& severity = desk.open<SeverityPage>();
@@ -81,7 +82,7 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
                 10 * static_cast<std::int64_t>(2 + rater % 8));
     }
   }
-  EXPECT_FALSE(alignmentCases(*centre.physician(0)).empty());
+  EXPECT_FALSE(discrepancyCases(*centre.physician(0)).empty());
 }
 
 TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
@@ -165,7 +166,7 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   desk.press(Qt::Key_Return, Qt::ControlModifier);
 
   EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
-  EXPECT_DOUBLE_EQ(*warmUp(desk.session()).runs[0].offset_points, 2.0);
+  EXPECT_DOUBLE_EQ(*raterCalibration(desk.session()).runs[0].offset_points, 2.0);
 }
 
 TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
@@ -196,7 +197,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
               3 + 5 * static_cast<int>(rater));
   }
   DeskOf desk(centre, 0);
-  ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);
+  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);
   auto& page = desk.open<DiscrepancyReviewPage>();
   const auto button = [&page](const char* part) {
     for (QPushButton* one : page.findChildren<QPushButton*>()) {
@@ -222,8 +223,8 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   button("Seal")->click();
 
   EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
-  ASSERT_EQ(alignmentCases(desk.session()).size(), 1U);  // two rows still lie apart
-  EXPECT_EQ(alignmentCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
+  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);  // two rows still lie apart
+  EXPECT_EQ(discrepancyCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
 }
 
 TEST(EvaluationPage, FitsASmallScreenBesideARecording) {

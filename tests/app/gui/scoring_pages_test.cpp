@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office's part of scoring through its real widgets: a third rater in two clicks, the runs of the
-// warm-up.
+// Scoring as administrators see it, through its real widgets: an adjudicator in two clicks, the runs of
+// rater calibration.
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -85,7 +85,7 @@ class ScoringPages : public ::testing::Test {
   }
 };
 
-TEST_F(ScoringPages, FindsAThirdRaterInTwoClicks) {
+TEST_F(ScoringPages, FindsAnAdjudicatorInTwoClicks) {
   Rater rater;
   rater.person = {.id = "rater-900", .code = "CH-900", .createdUtc_us = torsio::testing::kReviewTime_us};
   rater.classCode = "chief";
@@ -97,7 +97,7 @@ TEST_F(ScoringPages, FindsAThirdRaterInTwoClicks) {
   submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), log);
   submitSheet(*centre_.physician(1), centre_.caseAbout(1, 0), reviewSheet(8, 8, 8), log);
   centre_.passTime_us(1'000'000);
-  askForThird(*centre_.physician(0), centre_.caseAbout(0, 0), "I cannot explain the distance");
+  askForAdjudicator(*centre_.physician(0), centre_.caseAbout(0, 0), "I cannot explain the distance");
   centre_.passTime_us(1'000'000);
   page_->enter({});
 
@@ -142,7 +142,7 @@ TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
             static_cast<std::size_t>(QGuiApplication::clipboard()->text().count(QLatin1Char('\n')) + 1));
 }
 
-TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
+TEST_F(ScoringPages, ChoosesTheRunsOfRaterCalibrationWithThePanelsMark) {
   Trial copy = TrialRepository(centre_.connection()).load(centre_.trialIds()[0]);
   TrialRepository repository(centre_.connection(), {.station = "station-7"});
   for (const char* id : {"11111111-2222-4333-8444-555555555555", "22222222-2222-4333-8444-555555555555"}) {
@@ -156,17 +156,17 @@ TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   open();
 
   press("Rater calibration", [](QDialog& dialog) {
-    auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
-    EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 2);
+    auto& calibration = static_cast<RaterCalibrationDialog&>(dialog);
+    EXPECT_EQ(child<DataTable>(calibration, "candidates").visibleRows(), 2);
     EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // nothing is chosen
     for (const double mark : {4.1, 7.6}) {
-      child<DataTable>(warmUp, "candidates").view().selectRow(0);
+      child<DataTable>(calibration, "candidates").view().selectRow(0);
       dialog.findChild<QDoubleSpinBox*>()->setValue(mark);
       dialog.findChild<QSpinBox*>()->setValue(8);
       buttonOf(dialog, "Add")->click();
     }
-    EXPECT_EQ(child<DataTable>(warmUp, "present").visibleRows(), 2);
-    EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 0);
+    EXPECT_EQ(child<DataTable>(calibration, "present").visibleRows(), 2);
+    EXPECT_EQ(child<DataTable>(calibration, "candidates").visibleRows(), 0);
     buttonOf(dialog, "Close")->click();
   });
 
@@ -175,31 +175,32 @@ TEST_F(ScoringPages, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   EXPECT_DOUBLE_EQ(rows[0].panel_points, 4.1);
   EXPECT_DOUBLE_EQ(rows[1].panel_points, 7.6);
   EXPECT_EQ(rows[1].panelRaters, 8);
-  EXPECT_TRUE(reviewQueue(*centre_.physician(0)).warmUpWaiting);
+  EXPECT_TRUE(reviewQueue(*centre_.physician(0)).calibrationWaiting);
 }
 
-TEST_F(ScoringPages, WithdrawsARunOfTheWarmUpWithAReason) {
+TEST_F(ScoringPages, WithdrawsARunOfRaterCalibrationWithAReason) {
   addReferenceRuns(*administrator_, {{centre_.trialIds()[0], centre_.rubricRevisionId(), 6.2, 8, false}});
   open();
 
   press("Rater calibration", [](QDialog& dialog) {
-    auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
+    auto& calibration = static_cast<RaterCalibrationDialog&>(dialog);
     QPushButton* withdraw = buttonOf(dialog, "Withdraw");
     EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen
-    child<DataTable>(warmUp, "present").view().selectRow(0);
+    child<DataTable>(calibration, "present").view().selectRow(0);
     QTimer::singleShot(0, &dialog, [] {
       QWidget* asked = QApplication::activeModalWidget();
       asked->findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("the panel erred"));
       buttonOf(*asked, "Withdraw a reference run")->click();
     });
     withdraw->click();
-    EXPECT_TRUE(child<DataTable>(warmUp, "present").asText().contains(QStringLiteral("the panel erred")));
+    EXPECT_TRUE(
+        child<DataTable>(calibration, "present").asText().contains(QStringLiteral("the panel erred")));
     EXPECT_FALSE(withdraw->isEnabled());
     buttonOf(dialog, "Close")->click();
   });
 
   EXPECT_EQ(referenceRows(*administrator_)[0].withdrawnBecause, "the panel erred");
-  EXPECT_TRUE(warmUp(*centre_.physician(0)).runs.empty());
+  EXPECT_TRUE(raterCalibration(*centre_.physician(0)).runs.empty());
 }
 
 }  // namespace

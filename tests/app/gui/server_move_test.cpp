@@ -14,7 +14,7 @@ namespace torsio::gui {
 namespace {
 
 /// On the server that TORSIO_TEST_POSTGRES names, in a schema of its own.
-class ServerMove : public CarePages {
+class ServerMove : public MaintenancePages {
  protected:
   void SetUp() override {
     const char* server = std::getenv("TORSIO_TEST_POSTGRES");
@@ -32,7 +32,7 @@ class ServerMove : public CarePages {
                 .schema = "torsio_move_" + std::to_string(std::hash<std::string>{}(record()))};
     openDatabase(server_, OpenMode::kReadWrite).executeVerbatim("CREATE SCHEMA " + address_.schema);
     qputenv("PGPASSFILE", QByteArray::fromStdString(in("pgpass").string()));
-    CarePages::SetUp();
+    MaintenancePages::SetUp();
   }
   void TearDown() override {
     window_.reset();

@@ -94,7 +94,7 @@ TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
   EXPECT_EQ(page().entered, 2);
 }
 
-TEST_F(Shell, TheOfficeComesBackToThePageThatItSignedOutOn) {
+TEST_F(Shell, AnAdministratorComesBackToTheLastPage) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings::setDefaultFormat(QSettings::IniFormat);
   ShellSetup with = setup();
@@ -234,7 +234,7 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
   EXPECT_FALSE(job->isVisible());
 }
 
-TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
+TEST_F(Shell, AnOpenStationSendsHeartbeatsUntilItIsClosed) {
   openFoundedCentre(setup());
   Connection& connection = window_->session()->connectionWithoutRight();
   ASSERT_TRUE(window_->line()->settled(kLong));

@@ -231,9 +231,9 @@ TEST(StationPages, ATraineeAsksForACopyOfTheRecordAndReadsTheAnswer) {
   EXPECT_TRUE(station.find<QLabel>("ownRequests")->text().contains(QStringLiteral("a copy of everything")));
   std::vector<PersonRequest> own = ownRequests(centre.session());
   ASSERT_EQ(own.size(), 1U);
-  RequestRepository(centre.connection()).answer(own[0].id, PersonRequestAnswer::kDone, "at the office", 1);
+  RequestRepository(centre.connection()).answer(own[0].id, PersonRequestAnswer::kDone, "at the desk", 1);
   station.open(PageId::kConsent);
-  EXPECT_TRUE(station.find<QLabel>("ownRequests")->text().contains(QStringLiteral("done. at the office")))
+  EXPECT_TRUE(station.find<QLabel>("ownRequests")->text().contains(QStringLiteral("done. at the desk")))
       << station.find<QLabel>("ownRequests")->text().toStdString();
   EXPECT_TRUE(station.find<QPushButton>("askCopy")->isEnabled());
   station.press("askCopy");

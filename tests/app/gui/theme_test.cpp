@@ -15,6 +15,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <gtest/gtest.h>
@@ -179,6 +180,37 @@ TEST_P(ThemeContrast, TheCurrentEntryOfAnOpenListIsReadable) {
   EXPECT_GE(contrast(t.onAccent, ground), kText) << ground.name().toStdString();
   EXPECT_GE(list.viewport()->width(), list.sizeHintForColumn(0));  // no entry is cut off
   box.hidePopup();
+}
+
+// The ground of the current entry reaches the edges, what is written keeps off them.
+TEST_P(ThemeContrast, EntriesOfAListKeepOffItsEdges) {
+  const Theme& t = theme(GetParam());
+  applyTheme(*qApp, t);
+  QListWidget list;
+  list.addItem(QStringLiteral("HHHH"));
+  list.addItem(QStringLiteral("HHHH"));
+  list.resize(300, 120);
+  list.show();
+  list.setCurrentRow(0);
+  QApplication::processEvents();
+
+  const QImage seen = list.viewport()->grab().toImage();
+  const auto firstInk = [&](int row, const QColor& ground) {
+    const QRect place = list.visualItemRect(list.item(row));
+    for (int x = place.left(); x < place.right(); ++x) {
+      for (int y = place.top() + 2; y < place.bottom() - 1; ++y) {
+        if (contrast(seen.pixelColor(x, y), ground) > 2.0) {
+          return x - place.left();
+        }
+      }
+    }
+    return -1;
+  };
+
+  EXPECT_GE(firstInk(0, t.accent), kSpace);
+  EXPECT_GE(firstInk(1, t.surface), kSpace);
+  EXPECT_LE(firstInk(1, t.surface), 2 * kSpace);
+  EXPECT_EQ(seen.pixelColor(2, list.visualItemRect(list.item(0)).center().y()), t.accent);
 }
 
 TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {

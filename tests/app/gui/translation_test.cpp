@@ -109,7 +109,9 @@ const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiter
                                QStringLiteral("let go on target"),  QStringLiteral("other way round"),
                                QStringLiteral("shuffle of"),        QStringLiteral(", nearer"),
                                QStringLiteral("warm-up"),           QStringLiteral("third rater"),
-                               QStringLiteral("scoring point"),     QStringLiteral("training run")};
+                               QStringLiteral("scoring point"),     QStringLiteral("training run"),
+                               QStringLiteral("the office"),        QStringLiteral("nearer tolerance"),
+                               QStringLiteral("alignment")};
 const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),                    // debrief
                                       QStringLiteral("\u70ed\u8eab"),                    // rater calibration
                                       QStringLiteral("\u8bc4\u5206\u8005\u6821\u51c6"),  // rater calibration
@@ -119,7 +121,11 @@ const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),           
                                       QStringLiteral("\u5c55\u53f0"),                    // kiosk
                                       QStringLiteral("\u771f\u5b9e\u624b\u81c2"),        // real arm
                                       QStringLiteral("\u75c5\u4f8b"),                    // case
-                                      QStringLiteral("\u5f55\u50cf")};                   // recording
+                                      QStringLiteral("\u5f55\u50cf"),                    // recording
+                                      QStringLiteral("\u8fd0\u884c\u8bb0\u5f55"),        // recorded runs
+                                      QStringLiteral("\u5de5\u4f4d"),                    // station
+                                      QStringLiteral("\u529e\u516c\u5ba4"),              // administrators
+                                      QStringLiteral("\u5b9e\u81c2")};                   // real arm
 
 TEST(Translations, HaveTheWordsOfTheGlossaryAndNotTheFormerOnes) {
   static const QRegularExpression kTrial(QStringLiteral("\\btrials?\\b"),
@@ -138,6 +144,38 @@ TEST(Translations, HaveTheWordsOfTheGlossaryAndNotTheFormerOnes) {
       EXPECT_FALSE(message.translation.contains(kAlone)) << message.translation.toStdString();
     }
   }
+}
+
+/// An English word, and what its Chinese sentence has for it.
+struct SaidAs {
+  QRegularExpression english;
+  QString chinese;
+};
+
+TEST(ChineseTranslation, SaysTheWordOfTheGlossaryWhereTheEnglishOneStands) {
+  const auto word = [](const char* pattern) {
+    return QRegularExpression(QLatin1String(pattern), QRegularExpression::CaseInsensitiveOption);
+  };
+  const std::array<SaidAs, 6> pairs{{
+      {word("\\brecordings?\\b"), QStringLiteral("\u5f55\u5236")},
+      {word("\\bdebrief"), QStringLiteral("\u8bad\u7ec3\u590d\u76d8")},
+      {word("\\brater calibration"), QStringLiteral("\u8bc4\u5206\u6821\u51c6")},
+      {word("\\bdiscrepancy review"), QStringLiteral("\u8bc4\u5206\u5206\u6b67\u590d\u6838")},
+      {word("\\breal arm"), QStringLiteral("\u5b9e\u7269\u624b\u81c2")},
+      {word("\\bkiosk"), QStringLiteral("\u81ea\u52a9\u7ec8\u7aef")},
+  }};
+  std::size_t found = 0;
+  for (const Message& message : chineseMessages()) {
+    for (const SaidAs& pair : pairs) {
+      const QString source = QString(message.source).remove(QLatin1Char('&'));
+      if (source.contains(pair.english)) {
+        ++found;
+        EXPECT_TRUE(message.translation.contains(pair.chinese)) << message.source.toStdString() << "\n"
+                                                                << message.translation.toStdString();
+      }
+    }
+  }
+  EXPECT_GT(found, 150U);
 }
 
 /// The parser of lupdate reads an escape as far as it sees hexadecimal digits: a letter after it is
@@ -164,6 +202,29 @@ TEST(EnglishPlurals, AreSaidInFull) {
     EXPECT_FALSE(message.source.contains(kPair)) << message.source.toStdString();
     EXPECT_EQ(message.translation.count(QLatin1Char('{')), message.source.count(QLatin1String("{{")) * 2)
         << message.translation.toStdString();
+  }
+}
+
+/// A number that may be one is followed by "{sheet|sheets}" or stands in a text with %n.
+TEST(EnglishPlurals, AreNotWrittenAfterANumberThatMayBeOne) {
+  static const QRegularExpression kCounted(QStringLiteral(
+      "(?<!than )(?<!least )(?<!most )(?<!only )(?<!of )(?<!Of )%[1-9] (more |other |open |older )?"
+      "(attempts|cases|copies|days|deviations|entries|files|marks|people|persons|raters|"
+      "recordings|rows|runs|sheets|stations|tables|trainees|twists)\\b"));
+  // Numbers that are never one: whole records, or no fewer than a least number.
+  const QStringList never{QStringLiteral("Copied and compared:"),
+                          QStringLiteral("The groups have %1 trainees"),
+                          QStringLiteral("%1 raters are enough"),
+                          QStringLiteral("%1 trainees, each scored by"),
+                          QStringLiteral("Not even %1 raters"),
+                          QStringLiteral("%1 people beside others"),
+                          QStringLiteral("Planned: the analysis of covariance")};
+  for (const Message& message : chineseMessages()) {
+    const bool exempt = message.source == QLatin1String("%1 trainees") ||
+                        std::any_of(never.begin(), never.end(),
+                                    [&](const QString& text) { return message.source.contains(text); });
+    EXPECT_TRUE(exempt || message.source.contains(QLatin1String("%n")) || !message.source.contains(kCounted))
+        << message.source.toStdString();
   }
 }
 

@@ -23,7 +23,7 @@
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
-#include "app/gui/administrator/study/run_day_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/translated_text.h"
@@ -199,7 +199,7 @@ void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::v
     dialog.accept();
   });
   pressByHand(*page, QStringLiteral("Invite raters"));
-  EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
+  EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three occasions
 }
 
 void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
@@ -212,7 +212,7 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
   StationRepository(office.centre.connection()).heartbeat(yesterday);
-  auto page = office.open<RunDayPage>("administrator", toQString(cohortId));
+  auto page = office.open<TodaysSessionsPage>("administrator", toQString(cohortId));
   EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(child<DataTable>(*page, "stations").visibleRows(), 2);
   const QString stations = child<DataTable>(*page, "stations").asText();

@@ -47,9 +47,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A record with real and simulated rows in every table, and an administrator at work.
-class CareTest : public ::testing::Test {
+class MaintenanceTest : public ::testing::Test {
  protected:
-  CareTest()
+  MaintenanceTest()
       : database_((folder_.path() / "record.sqlite").string()),
         connection_(openRecord(database_, OpenMode::kCreate, {.softwareVersion = "test"})),
         real_(connection_, "real", false),
@@ -80,7 +80,7 @@ class CareTest : public ::testing::Test {
   std::int64_t now_us_ = kSampleTime_us;
 };
 
-TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
+TEST_F(MaintenanceTest, NobodyButTheAdministratorMayDoAnyOfIt) {
   for (const char* role : {"trainee", "rater", "allocator", "statistician"}) {
     SessionContext session = sessionOf(role);
     const auto refused = [&](auto&& act) {
@@ -101,7 +101,7 @@ TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
   EXPECT_FALSE(fs::exists(in("p")));
 }
 
-TEST_F(CareTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
+TEST_F(MaintenanceTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   exportPersonPackage(office, real_.traineeId, in("package"), "asked");
@@ -124,7 +124,7 @@ TEST_F(CareTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
   EXPECT_TRUE(verifyAuditTrail(connection_).empty());
 }
 
-TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
+TEST_F(MaintenanceTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
   SessionContext office = sessionOf("administrator");
 
   const BackupContent content = backUpDatabase(office, in("backup.sqlite"));
@@ -140,7 +140,7 @@ TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(CareTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
+TEST_F(MaintenanceTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const FullRecord later(connection_, "later", false);
@@ -154,7 +154,7 @@ TEST_F(CareTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
   EXPECT_EQ(plan.erasedSince, 0);
 }
 
-TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
+TEST_F(MaintenanceTest, WhoeverWasErasedAfterTheBackupStaysErased) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   erasePersonRecord(office, real_.traineeId, "asked for it");
@@ -173,7 +173,7 @@ TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
   EXPECT_EQ(AuditRepository(ready).entries().at(0).action, "database.restore");
 }
 
-TEST_F(CareTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
+TEST_F(MaintenanceTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const RestorePlan plan = planRestore(office, in("backup.sqlite"));
@@ -184,7 +184,7 @@ TEST_F(CareTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
+TEST_F(MaintenanceTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const auto prepared = prepareRestore(office, planRestore(office, in("backup.sqlite")));
@@ -194,7 +194,7 @@ TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
+TEST_F(MaintenanceTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
   SessionContext office = sessionOf("administrator");
   StationRepository stations(connection_);
   stations.heartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
@@ -212,7 +212,7 @@ TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
             std::vector<Text>{Text::verbatim("a run is going on at the station room 1")});
 }
 
-TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {
+TEST_F(MaintenanceTest, ABackupWithAChangedMarkIsNotRestored) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   {
@@ -231,7 +231,7 @@ TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {
   EXPECT_FALSE(fs::exists(in("target.sqlite")));
 }
 
-TEST_F(CareTest, ACopyThatFailsLeavesNoNewFile) {
+TEST_F(MaintenanceTest, ACopyThatFailsLeavesNoNewFile) {
   connection_.executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
   connection_.executeVerbatim("UPDATE training_mark SET score_steps = 100");
   SessionContext office = sessionOf("administrator");
@@ -241,7 +241,7 @@ TEST_F(CareTest, ACopyThatFailsLeavesNoNewFile) {
   EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(office, database_); }).code, ErrorCode::kUsage);
 }
 
-TEST_F(CareTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
+TEST_F(MaintenanceTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
   SessionContext office = sessionOf("administrator");
 
   const PersonPackage package = exportPersonPackage(office, real_.traineeId, in("package"), "asked");
@@ -274,7 +274,7 @@ TEST_F(CareTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
             ErrorCode::kBadData);
 }
 
-TEST_F(CareTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
+TEST_F(MaintenanceTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
   SessionContext office = sessionOf("administrator");
   fs::create_directories(in("package.part") / "recordings");
   std::ofstream(in("package.part") / "recordings" / "of somebody else.torsio-trial") << "samples";
@@ -286,7 +286,7 @@ TEST_F(CareTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
   EXPECT_FALSE(fs::exists(in("package.part")));
 }
 
-TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
+TEST_F(MaintenanceTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
   connection_.execute("UPDATE person_identity SET full_name = ? WHERE person_id = ?",
                       {"=HYPERLINK(\"x\")", real_.traineeId});
   Statement who = connection_.prepare("SELECT person_id FROM person_identity WHERE full_name LIKE ?");
@@ -307,7 +307,7 @@ TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
   EXPECT_NE(csv.find("\"'=HYPERLINK(\"\"x\"\")\""), std::string::npos) << csv;
 }
 
-TEST_F(CareTest, RemovingTheDemonstrationLeavesTheRealPeople) {
+TEST_F(MaintenanceTest, RemovingTheDemonstrationLeavesTheRealPeople) {
   SessionContext office = sessionOf("administrator");
   const DemonstrationSize size = demonstrationSize(office);
   EXPECT_EQ(size.people, 2);
@@ -323,7 +323,7 @@ TEST_F(CareTest, RemovingTheDemonstrationLeavesTheRealPeople) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
+TEST_F(MaintenanceTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   SessionContext office = sessionOf("administrator");
   Trainee other;
   other.person = {.id = "other", .code = "R-2", .createdUtc_us = kSampleTime_us};
@@ -357,7 +357,7 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
             ErrorCode::kBadParameter);
 }
 
-TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+TEST_F(MaintenanceTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   SessionContext office = sessionOf("administrator");
   Trainee due;
   due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};

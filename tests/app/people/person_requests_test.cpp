@@ -21,7 +21,7 @@ SessionContext& asTrainee(StudyCentre& centre, const TraineeId& person) {
   return session;
 }
 
-TEST(PersonRequests, GoFromTheTraineesPageToTheListOfTheOfficeAndBack) {
+TEST(PersonRequests, GoFromTheTraineesPageToTheListOfAdministratorsAndBack) {
   StudyCentre centre;
   const std::vector<TraineeId> people = centre.addTrainees(2);
 

@@ -57,7 +57,7 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
       workAsStation();
     }
     Actor administrator = centre_->as("administrator").actor();
-    own_ = std::make_unique<SessionContext>(SessionKey{record_, "the office", administrator});
+    own_ = std::make_unique<SessionContext>(SessionKey{record_, "the desk", administrator});
     folder_ =
         test::emptyFolder(std::string("undo-") + (GetParam() == Account::kStation ? "s-" : "o-") +
                           std::to_string(::testing::UnitTest::GetInstance()->current_test_info()->line()));

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/report/chart_builder.h"
-#include "app/report/chart_look.h"
+#include "app/report/chart_style.h"
 #include "app/report/table_layout.h"
 #include "app/report/typeface.h"
 #include "app/report/upright_title.h"

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/base/csv_look.h"
+#include "app/base/csv_style.h"
 #include "app/base/csv_table.h"
 #include "app/people/people_service.h"
 #include "app/reporting/cell_trace.h"
@@ -229,15 +229,15 @@ TEST(ReportInputs, HoldTheSheetsBehindTheMarksAndANumberLeadsBackToThem) {
   EXPECT_EQ(stepsOf(closed, "not shown to you"), 1U);
 }
 
-TEST(CsvLook, ChangesNumbersAndNothingElse) {
+TEST(CsvStyle, ChangesNumbersAndNothingElse) {
   const std::string table =
       "a,b,c\r\n-1.5,\"x; y, \"\"z\"\"\",2026-01-05 08:00 UTC\r\n2.5e-07,v1.2.3,T-1.\r\n";
-  EXPECT_EQ(csvInLook(table, {}), table);
-  EXPECT_EQ(csvInLook(table, {';', ','}),
+  EXPECT_EQ(csvInStyle(table, {}), table);
+  EXPECT_EQ(csvInStyle(table, {';', ','}),
             "a;b;c\r\n-1,5;\"x; y, \"\"z\"\"\";2026-01-05 08:00 UTC\r\n2,5e-07;v1.2.3;T-1.\r\n");
-  EXPECT_EQ(csvInLook("\xEF\xBB\xBF"
-                      "a,b\r\n1.5,c\r\n",
-                      {'\t', '.'}),
+  EXPECT_EQ(csvInStyle("\xEF\xBB\xBF"
+                       "a,b\r\n1.5,c\r\n",
+                       {'\t', '.'}),
             "\xEF\xBB\xBF"
             "a\tb\r\n1.5\tc\r\n");
 }

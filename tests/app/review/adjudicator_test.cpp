@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the office does when physicians cannot agree, and before they begin: a third rater, and the reference
-// runs of the warm-up.
+// What administrators do when physicians cannot agree, and before they begin: an adjudicator, and the
+// reference runs of rater calibration.
 #include "app/review/adjudicator.h"
 
 #include <gtest/gtest.h>
@@ -76,12 +76,12 @@ class Disagreement : public ::testing::Test {
 };
 
 TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
-  EXPECT_TRUE(thirdRequests(*centre_.administrator(), cohortId_).empty());
-  askForThird(*centre_.physician(0), centre_.caseAbout(0, 0), "I cannot explain the distance");
+  EXPECT_TRUE(adjudicatorRequests(*centre_.administrator(), cohortId_).empty());
+  askForAdjudicator(*centre_.physician(0), centre_.caseAbout(0, 0), "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
-  askForThird(*centre_.physician(1), centre_.caseAbout(1, 0), "nor can I");
+  askForAdjudicator(*centre_.physician(1), centre_.caseAbout(1, 0), "nor can I");
 
-  const std::vector<ThirdRequest> requests = thirdRequests(*centre_.administrator(), cohortId_);
+  const std::vector<AdjudicatorRequest> requests = adjudicatorRequests(*centre_.administrator(), cohortId_);
 
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].traineeCode, "TR-4100");
@@ -95,17 +95,17 @@ TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
   EXPECT_EQ(requests[0].free[1].code, "IN-900");
 }
 
-TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
+TEST_F(Disagreement, IsTakenToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   const std::string asked = centre_.caseAbout(0, 0);
-  askForThird(*centre_.physician(0), asked, "I cannot explain the distance");
+  askForAdjudicator(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
   const auto office = centre_.administrator();
-  EXPECT_EQ(refusalOf([&] { assignThird(*office, cohortId_, asked, centre_.raterId(1)); }),
+  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*office, cohortId_, asked, centre_.raterId(1)); }),
             ErrorCode::kBadData);
 
   std::string made;
   testing::expectAudited(centre_.connection(), office->actor().userId, "assignment.third",
-                         [&] { made = assignThird(*office, cohortId_, asked, chiefId_); });
+                         [&] { made = assignAdjudicator(*office, cohortId_, asked, chiefId_); });
 
   DeskRepository desk(centre_.connection());
   const Assignment before = desk.assignment(asked).value();
@@ -114,23 +114,24 @@ TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
   EXPECT_EQ(third.trialId, before.trialId);
   EXPECT_EQ(third.rubricRevisionId, before.rubricRevisionId);
   EXPECT_NE(third.caseLabel, before.caseLabel);
-  EXPECT_TRUE(thirdRequests(*office, cohortId_).empty());
-  EXPECT_EQ(refusalOf([&] { assignThird(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
+  EXPECT_TRUE(adjudicatorRequests(*office, cohortId_).empty());
+  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
   // Until the third has committed nobody sees the others' marks again.
-  EXPECT_TRUE(alignmentCases(*centre_.physician(0)).empty());
+  EXPECT_TRUE(discrepancyCases(*centre_.physician(0)).empty());
 }
 
 TEST_F(Disagreement, IsNoRequestAnyMoreOnceThePhysicianDecidesOtherwise) {
-  askForThird(*centre_.physician(0), centre_.caseAbout(0, 0), "far apart");
+  askForAdjudicator(*centre_.physician(0), centre_.caseAbout(0, 0), "far apart");
   keepMark(*centre_.physician(0), centre_.caseAbout(0, 0), "");
 
-  EXPECT_TRUE(thirdRequests(*centre_.administrator(), cohortId_).empty());
+  EXPECT_TRUE(adjudicatorRequests(*centre_.administrator(), cohortId_).empty());
 }
 
 TEST_F(Disagreement, IsTheAdministratorsBusinessOnly) {
   const auto rater = centre_.physician(0);
-  EXPECT_EQ(refusalOf([&] { static_cast<void>(thirdRequests(*rater, cohortId_)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusalOf([&] { assignThird(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
+  EXPECT_EQ(refusalOf([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
             ErrorCode::kPermission);
   EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
   EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);

@@ -119,7 +119,7 @@ TEST(BlindedRecording, ItsTroublesNameTheCaseOnly) {
   }
 }
 
-TEST(Alignment, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
+TEST(DiscrepancyReview, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
   ReviewCentre::Setup setup;
   setup.raters = 3;
   setup.trainees = 1;
@@ -127,14 +127,14 @@ TEST(Alignment, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
   const auto first = centre.physician(0);
   submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), watchedWhole());
   submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole());
-  EXPECT_TRUE(alignmentCases(*first).empty());
+  EXPECT_TRUE(discrepancyCases(*first).empty());
   EXPECT_TRUE(ownSeverity(*first).cases.empty());
   EXPECT_EQ(ownSeverity(*first).waiting, 1U);
   EXPECT_EQ(refusedWith([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }).first, ErrorCode::kBadData);
 
   submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), watchedWhole());
 
-  const std::vector<DiscrepancyCase> cases = alignmentCases(*first);
+  const std::vector<DiscrepancyCase> cases = discrepancyCases(*first);
   ASSERT_EQ(cases.size(), 1U);
   const RowComparison& overall = cases[0].rows.back();
   EXPECT_DOUBLE_EQ(overall.own, 2.0);
@@ -147,7 +147,7 @@ TEST(Alignment, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
   EXPECT_DOUBLE_EQ(*severity.difference_points, -5.5);
 }
 
-TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
+TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
   for (std::size_t trainee = 0; trainee < 2; ++trainee) {
@@ -156,18 +156,18 @@ TEST(Alignment, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
     submitSheet(*centre.physician(1), centre.caseAbout(1, trainee), reviewSheet(theirs, theirs, theirs),
                 watchedWhole());
   }
-  ASSERT_EQ(alignmentCases(*first).size(), 1U);
-  const std::string id = alignmentCases(*first)[0].shown.assignmentId;
+  ASSERT_EQ(discrepancyCases(*first).size(), 1U);
+  const std::string id = discrepancyCases(*first)[0].shown.assignmentId;
   EXPECT_EQ(id, centre.caseAbout(0, 1));
-  EXPECT_EQ(refusedWith([&] { askForThird(*first, id, ""); }).first, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { askForAdjudicator(*first, id, ""); }).first, ErrorCode::kBadParameter);
 
-  askForThird(*first, id, "I cannot explain the distance");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kThird);
+  askForAdjudicator(*first, id, "I cannot explain the distance");
+  EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kThird);
   keepMark(*first, id, "");
-  EXPECT_EQ(alignmentCases(*first)[0].decision, DiscrepancyChoice::kKeep);
+  EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kKeep);
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
-  EXPECT_TRUE(alignmentCases(*first).empty());  // nothing lies apart any more
+  EXPECT_TRUE(discrepancyCases(*first).empty());  // nothing lies apart any more
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
   EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
 }
@@ -221,10 +221,10 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   EXPECT_EQ(refusedWith([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
-  const RaterCalibration before = warmUp(*desk);
+  const RaterCalibration before = raterCalibration(*desk);
   ASSERT_EQ(before.runs.size(), 2U);
   EXPECT_FALSE(before.runs[0].panel_points.has_value());
-  EXPECT_TRUE(reviewQueue(*desk).warmUpWaiting);
+  EXPECT_TRUE(reviewQueue(*desk).calibrationWaiting);
   expectNoSecretIn(centre, loadReferenceRun(*desk, 1).trial.header.trialId);
 
   scoreReferenceRun(*desk, 1, 50);
@@ -232,13 +232,13 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   scoreReferenceRun(*desk, 1, 70);  // a second try
   scoreReferenceRun(*desk, 2, 25);
 
-  const RaterCalibration after = warmUp(*desk);
+  const RaterCalibration after = raterCalibration(*desk);
   EXPECT_TRUE(after.complete());
   EXPECT_EQ(after.runs[0].tries, 2U);
   EXPECT_NEAR(*after.runs[0].offset_points, 0.8, 1e-12);   // 7.0 - 6.2
   EXPECT_NEAR(*after.runs[1].offset_points, -0.5, 1e-12);  // 2.5 - 3.0
   EXPECT_NEAR(*after.meanOffset_points(), 0.15, 1e-12);
-  EXPECT_FALSE(reviewQueue(*desk).warmUpWaiting);
+  EXPECT_FALSE(reviewQueue(*desk).calibrationWaiting);
   EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
   EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
 }
@@ -260,12 +260,12 @@ TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
     withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
   });
 
-  const RaterCalibration left = warmUp(*desk);
+  const RaterCalibration left = raterCalibration(*desk);
   ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
   EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
-  EXPECT_EQ(RemarkRepository(centre.connection()).warmups(centre.raterId(0)).size(), 1U);
+  EXPECT_EQ(RemarkRepository(centre.connection()).calibrationScores(centre.raterId(0)).size(), 1U);
   const std::vector<ReferenceRow> rows = referenceRows(*office);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].trialId, centre.trialIds()[1]);
@@ -380,7 +380,7 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   const auto other = centre.physician(1);
   auditedBy(*other, "sheet.submit",
             [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole()); });
-  auditedBy(*desk, "alignment.third", [&] { askForThird(*desk, own, "far apart"); });
+  auditedBy(*desk, "alignment.third", [&] { askForAdjudicator(*desk, own, "far apart"); });
   auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
   auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });
   auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K"); });

@@ -12,8 +12,8 @@
 #include "app/review/review_queue.h"
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_board.h"
 #include "app/study/live_call.h"
-#include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/rating/assignment.h"
 #include "db/repository/rating/call_repository.h"
@@ -58,7 +58,7 @@ class LiveSession : public DatabaseTest {
     plan.cohortId = cohort_;
     lockAllocation(centre_->as("allocator"), plan);
     allocateAll(centre_->session(), cohort_);
-    office_ = openOffice();
+    office_ = openAdministrator();
     for (std::size_t i = 0; i < kRaters; ++i) {
       raters_.push_back(openDesk(i));
     }
@@ -75,7 +75,7 @@ class LiveSession : public DatabaseTest {
     actor.passwordShownUtc_us = utcNow_us();  // its clock is that of the day
     return std::make_unique<SessionContext>(SessionKey{locator(), "desk of " + actor.login, actor});
   }
-  std::unique_ptr<SessionContext> openOffice() { return openAs(centre_->as("administrator").actor()); }
+  std::unique_ptr<SessionContext> openAdministrator() { return openAs(centre_->as("administrator").actor()); }
   std::unique_ptr<SessionContext> openDesk(std::size_t rater) {
     return openAs(centre_->asRater(chiefs_[rater]).actor());
   }
@@ -214,9 +214,9 @@ TEST_F(LiveSession, ARaterWhoseMachineDiesHandsTheSheetInAfterTheCall) {
   EXPECT_EQ(calledCases(office(), cohort_).size(), 1U);
 }
 
-TEST_F(LiveSession, AnOfficeThatSignsInAnewFindsTheCallAndDoesNotMakeItTwice) {
+TEST_F(LiveSession, AnAdministratorWhoSignsInAnewFindsTheCallAndDoesNotMakeItTwice) {
   const LiveCallId id = call(1);
-  std::unique_ptr<SessionContext> second = openOffice();
+  std::unique_ptr<SessionContext> second = openAdministrator();
   EXPECT_EQ(callTrainee(*second, {cohort_, enrolled_[1], {}, kRoom, {}}), id);
   second->beginCall();
   EXPECT_THROW(callTrainee(*second, {cohort_, enrolled_[0], {}, kRoom, {}}), Error);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/study/cohort_service.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "sim/base/error.h"
 #include "sim/base/time_units.h"
 #include "tests/app/support/study_centre.h"
@@ -32,8 +32,8 @@ class DayPlan : public ::testing::Test {
     return {cohort,          enrolled,       {"Station 1", "Room B"}, kStudyTime_us + 30 * kMinute_us,
             40 * kMinute_us, 10 * kMinute_us};
   }
-  RunDayRow rowOf(std::size_t trainee) {
-    for (RunDayRow& row : runDayBoard(office(), cohort).rows) {
+  DayBoardRow rowOf(std::size_t trainee) {
+    for (DayBoardRow& row : dayBoard(office(), cohort).rows) {
       if (row.enrolmentId == enrolled[trainee]) {
         return std::move(row);
       }
@@ -41,10 +41,9 @@ class DayPlan : public ::testing::Test {
     return {};
   }
   std::int64_t overdue() {
-    const std::vector<RunDayAlert> alerts = runDayAlerts(runDayBoard(office(), cohort));
-    return std::count_if(alerts.begin(), alerts.end(), [](const RunDayAlert& alert) {
-      return alert.kind == RunDayAlert::Kind::kSlotOverdue;
-    });
+    const std::vector<DayAlert> alerts = dayAlerts(dayBoard(office(), cohort));
+    return std::count_if(alerts.begin(), alerts.end(),
+                         [](const DayAlert& alert) { return alert.kind == DayAlert::Kind::kSlotOverdue; });
   }
 
   StudyCentre centre;

@@ -17,7 +17,7 @@
 #include "app/reporting/report_data.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "app/training/next_steps.h"
 #include "app/training/trend.h"
 #include "assessment/attempt/trial_listing.h"
@@ -87,13 +87,13 @@ TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShowsInEveryTrial) {
   const std::vector<CohortRow> all = cohorts(session);
   ASSERT_EQ(all.size(), 2U);  // the study, and a cohort that undoes organs
   EXPECT_EQ(cohortShownFirst(all), 0U) << "pages open on the study";
-  const RunDayBoard board = runDayBoard(session, all.front().cohort.id);
+  const DayBoard board = dayBoard(session, all.front().cohort.id);
 
   // Paper section 6: ten a group; 40 min virtual, 20 + 20 min, 40 min on the real arm.
   ASSERT_EQ(board.rows.size(), 30U);
   std::map<std::string, std::int64_t> virtual_us;
   std::size_t rests = 0;
-  for (const RunDayRow& row : board.rows) {
+  for (const DayBoardRow& row : board.rows) {
     EXPECT_TRUE(row.done) << row.traineeCode;
     EXPECT_EQ(row.occasionDue.code, "post");
     EXPECT_EQ(row.progress.virtual_us + row.progress.real_us, 40 * kMinute_us);

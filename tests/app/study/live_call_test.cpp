@@ -14,9 +14,9 @@
 #include "app/review/review_queue.h"
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
+#include "app/study/day_board.h"
 #include "app/study/paper_sheets.h"
 #include "app/study/reminders.h"
-#include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
@@ -86,7 +86,7 @@ class LiveDay : public ::testing::Test {
     }
     submitSheet(centre.session(), id, sheet, WatchLog());
   }
-  /// A second person in the office.
+  /// A second administrator.
   SessionContext& colleague() {
     if (colleague_.empty()) {
       colleague_ = centre.session().ids().newUuid();

@@ -13,8 +13,8 @@
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
+#include "app/study/day_board.h"
 #include "app/study/occasion_service.h"
-#include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/rubric.h"
@@ -167,13 +167,13 @@ TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
   StudyOfFour study("six weeks later", 0);
   SessionContext& office = study.centre.as("administrator");
   study.askAll();
-  const std::string first = runDayBoard(office, study.cohortId).rows.front().enrolmentId;
+  const std::string first = dayBoard(office, study.cohortId).rows.front().enrolmentId;
   recordExposure(office, {study.cohortId, first, "", ExposureKind::kVirtual, 0, 40 * kMinute_us, "both"});
   recordExposure(office, {study.cohortId, first, "", ExposureKind::kReal, 0, 40 * kMinute_us, "both"});
 
-  const RunDayRow trained = runDayBoard(office, study.cohortId).rows.front();
+  const DayBoardRow trained = dayBoard(office, study.cohortId).rows.front();
   study.submitAll("post");
-  const RunDayRow scored = runDayBoard(office, study.cohortId).rows.front();
+  const DayBoardRow scored = dayBoard(office, study.cohortId).rows.front();
 
   EXPECT_EQ(trained.occasionDue.code, "post");
   EXPECT_EQ(trained.sheetsMissing, 2U);  // of two chiefs

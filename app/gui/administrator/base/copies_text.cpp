@@ -49,8 +49,8 @@ QString copiesText(SessionContext& session, std::span<const PersonId> people, co
                                          shownTime(listed.dueUtc_us, locale));
   }
   if (copies.size() > kShown) {
-    text += QLatin1Char('\n') + CopiesText::tr("and %1 older ones; torsio db copies lists all")
-                                    .arg(locale.toString(static_cast<qlonglong>(copies.size() - kShown)));
+    text += QLatin1Char('\n') + CopiesText::tr("and %n older one(s); torsio db copies lists all", nullptr,
+                                               static_cast<int>(copies.size() - kShown));
   }
   return text;
 }

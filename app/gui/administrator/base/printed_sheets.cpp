@@ -130,9 +130,10 @@ void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, co
       QStringLiteral(
           "<h2>%1</h2><p>%2</p><table border='1' cellspacing='0' cellpadding='5' "
           "width='100%'><tr>")
-          .arg(title.toHtmlEscaped(),
-               PrintedSheets::tr("Room: %1. For the office only: raters are told the case, not this list.")
-                   .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
+          .arg(
+              title.toHtmlEscaped(),
+              PrintedSheets::tr("Room: %1. For administrators only: raters are told the case, not this list.")
+                  .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
   for (const QString& column :
        {PrintedSheets::tr("No."), PrintedSheets::tr("Trainee"), PrintedSheets::tr("Group"),
         PrintedSheets::tr("Now at"), PrintedSheets::tr("Scoring due"), PrintedSheets::tr("Sheets missing"),

@@ -24,7 +24,7 @@ struct CallLine {
   int missing = 0;   ///< sheets
 };
 
-/// PDF to print on A4, for the office: the trainees in the order of the board with room for time and
+/// PDF to print on A4, for administrators: the trainees in the order of the board with room for time and
 /// remarks. Throws Error{kFileUnwritable}.
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,
                    const std::filesystem::path& file);

@@ -90,7 +90,7 @@ void CompetenceDialog::build() {
   experts->addWidget(cohort_, 1);
   experts->addWidget(take_);
   form_->addRow(tr("E&xercise"), exercise_);
-  form_->addRow(tr("Counts now"), inForce_);
+  form_->addRow(tr("Current design"), inForce_);
   form_->addRow(tr("Tolerance &comes"), source_);
   form_->addRow(tr("&Tolerance"), tolerance_);
   form_->addRow(tr("Experts: people of"), experts);

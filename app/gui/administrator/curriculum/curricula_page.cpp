@@ -32,6 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kListWidth = 236;
+constexpr int kEditorWidth = 920;  // its forms need no scrolling
 
 }  // namespace
 
@@ -74,17 +75,17 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   rightColumn->addLayout(acts);
   rightColumn->addWidget(state_);
   rightColumn->addWidget(editor_, 1);
-  auto* splitter = new QSplitter(this);
-  splitter->addWidget(table_);
-  splitter->addWidget(right);
-  splitter->setStretchFactor(0, 0);
-  splitter->setStretchFactor(1, 1);
-  splitter->setChildrenCollapsible(false);
-  splitter->setHandleWidth(2 * kSpace);
+  halves_ = new QSplitter(this);
+  halves_->addWidget(table_);
+  halves_->addWidget(right);
+  halves_->setStretchFactor(0, 0);
+  halves_->setStretchFactor(1, 1);
+  halves_->setChildrenCollapsible(false);
+  halves_->setHandleWidth(2 * kSpace);
   table_->setMinimumWidth(kListWidth);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
-  column->addWidget(splitter, 1);
+  column->addWidget(halves_, 1);
 
   connect(add_, &QPushButton::clicked, this, &CurriculaPage::askNew);
   connect(standard_, &QPushButton::clicked, this, [this] { StandardDialog(this).exec(); });
@@ -95,6 +96,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   connect(close_, &QPushButton::clicked, this, &CurriculaPage::askClose);
   connect(competence_, &QPushButton::clicked, this, &CurriculaPage::showCompetence);
   connect(table_, &DataTable::currentChanged, this, &CurriculaPage::showDraft);
+  connect(halves_, &QSplitter::splitterMoved, this, [this] { moved_ = true; });
   connect(versions_, &QComboBox::activated, this, &CurriculaPage::showChosenVersion);
   connect(editor_, &CurriculumEditor::edited, this, [this] {
     dirty_ = true;
@@ -118,6 +120,23 @@ bool CurriculaPage::leave() {
   return !dirty_ || save();  // a draft is kept: nothing typed is ever lost
 }
 
+void CurriculaPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  shareWidth();
+}
+
+/// The list shows its names whole where a quarter of the page is enough for that and the editor keeps its
+/// room.
+void CurriculaPage::shareWidth() {
+  if (moved_) {
+    return;
+  }
+  const int all = width();
+  const int list = std::clamp(table_->wholeWidth(), kListWidth,
+                              std::max(kListWidth, std::min(all / 4, all - kEditorWidth)));
+  halves_->setSizes({list, all - list});
+}
+
 void CurriculaPage::read() {
   attempt(shell(), [&] {
     rows_ = torsio::curricula(shell().session());
@@ -138,6 +157,7 @@ void CurriculaPage::showContent() {
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
   }
   table_->setRows(std::move(rows));
+  shareWidth();
   showDraft();
 }
 

@@ -11,6 +11,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
 
 namespace torsio::gui {
 
@@ -41,8 +42,12 @@ class CurriculaPage : public Page {
   /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
   bool takeAsDraft();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void read();
+  void shareWidth();
   void showContent();
   void showDraft();
   void showChosenVersion();
@@ -71,6 +76,8 @@ class CurriculaPage : public Page {
   QPushButton* add_;
   QPushButton* standard_;
   DataTable* table_;
+  QSplitter* halves_ = nullptr;
+  bool moved_ = false;  // the border between the halves, by hand
   QLabel* showing_;
   QComboBox* versions_;
   QLabel* state_;

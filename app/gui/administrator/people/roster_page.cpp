@@ -233,7 +233,7 @@ void RosterPage::import() {
     return;
   }
   shell().notify(
-      tr("%1 people added, %2 changed").arg(wizard.outcome()->added).arg(wizard.outcome()->changed));
+      tr("People added: %1, changed: %2").arg(wizard.outcome()->added).arg(wizard.outcome()->changed));
   read();
 }
 
@@ -401,7 +401,7 @@ void RosterPage::exportList() {
       [choice, withNames, count](SessionContext& session, const ProgressCallback&) {
         *count = exportPeople(session, toPath(choice.file), withNames, choice.look);
       },
-      [this, choice, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(choice.file)); });
+      [this, choice, count] { shell().notify(tr("People written to %2: %1").arg(*count).arg(choice.file)); });
 }
 
 }  // namespace torsio::gui

@@ -2,13 +2,16 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QGraphicsScene>
 #include <QGraphicsWidget>
 #include <QImage>
 #include <QPainter>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextDocument>
+#include <QTextTable>
 #include <QUrl>
 
 #include "app/gui/base/translated_text.h"
@@ -23,6 +26,7 @@ constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
 constexpr char kRows[] = "rows:";
 constexpr std::size_t kRowsShown = 15;  // of a long table, until all are asked for
+constexpr int kLine = 86;  // average signs, some 95 of running text: the eye finds its way back from there
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
   const bool tall = figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kForest;
@@ -38,7 +42,7 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
   item->resize(size);
   scene.setSceneRect(item->geometry());
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);
   scene.render(&painter, QRectF(image.rect()), scene.sceneRect());
   return image;
 }
@@ -90,7 +94,7 @@ QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
   text += QStringLiteral("</table>");
   if (table.rows.size() > kRowsShown) {
     text += QStringLiteral("<p><i>%1</i> <a href=\"%2%3\" style=\"color:#004a7c\">%4</a></p>")
-                .arg(html(whole ? Text::tr("all %1 rows", table.rows.size())
+                .arg(html(whole ? Text::tr("all %1 {row|rows}", table.rows.size())
                                 : Text::tr("%1 of %2 rows", kRowsShown, table.rows.size())),
                      QLatin1String(kRows), name, html(whole ? Text::tr("Show fewer") : Text::tr("Show all")));
   }
@@ -159,6 +163,33 @@ void ReportPreview::showReport() {
   }
   // setHtml() would forget the pictures: they belong to the document that is there.
   QTextCursor(document()).insertHtml(text);
+  besideText_ = 0;
+  keepLinesShort();
+}
+
+void ReportPreview::resizeEvent(QResizeEvent* event) {
+  QTextBrowser::resizeEvent(event);
+  keepLinesShort();
+}
+
+/// Tables may be as wide as the page; paragraphs wrap before their lines get too long to be read.
+void ReportPreview::keepLinesShort() {
+  const int page = viewport()->width() - 2 * static_cast<int>(document()->documentMargin());
+  const int beside = std::max(0, page - kLine * fontMetrics().averageCharWidth());
+  if (beside == std::exchange(besideText_, beside)) {
+    return;
+  }
+  QTextCursor cursor(document());
+  cursor.beginEditBlock();
+  QTextBlockFormat narrow;
+  narrow.setRightMargin(beside);
+  for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    cursor.setPosition(block.position());
+    if (cursor.currentTable() == nullptr) {
+      cursor.mergeBlockFormat(narrow);
+    }
+  }
+  cursor.endEditBlock();
 }
 
 }  // namespace torsio::gui

@@ -28,8 +28,12 @@ class ReportPreview : public QTextBrowser {
   /// A number was pressed: its line of the table of numbers, as numberAddress() names it.
   void numberPressed(const QString& address);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void showReport();
+  void keepLinesShort();
   /// Shows all rows of a long table, or the first ones again.
   void toggleRows(const QString& name);
   [[nodiscard]] QString tableHtml(const ReportTable& table, const QString& name,
@@ -38,6 +42,7 @@ class ReportPreview : public QTextBrowser {
   ReportModel model_;
   Wording wording_;
   std::map<QString, QImage> pictures_;
+  int besideText_ = 0;       // free of text, px, where the page is wider than a line should be
   std::set<QString> whole_;  // tables of which all rows are shown, by their number
 };
 

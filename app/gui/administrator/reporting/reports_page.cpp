@@ -327,7 +327,7 @@ bool ReportsPage::exportTables(const std::filesystem::path& folder) {
   });
 }
 
-bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file, const CsvLook& look) {
+bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file, const CsvStyle& look) {
   if (!inputs_) {
     return false;
   }

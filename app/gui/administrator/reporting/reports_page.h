@@ -30,7 +30,7 @@ class ReportsPage : public Page {
   /// Freezes the data of the chosen cohort and evaluation under a name, and chooses the set.
   bool freeze(const std::string& name);
   /// Writes the file. False: it was given up or went wrong, which has been said.
-  bool exportTo(ReportFormat format, const std::filesystem::path& file, const CsvLook& look = {});
+  bool exportTo(ReportFormat format, const std::filesystem::path& file, const CsvStyle& look = {});
   /// Writes recordings and single marks of the chosen cohort under their codes into a new folder, as far as
   /// the user may see them. False: it went wrong, which has been said.
   bool exportTables(const std::filesystem::path& folder);

@@ -32,7 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLargestPanel = 99;
-constexpr std::ptrdiff_t kUsual = 2;  // reference runs of a warm-up
+constexpr std::ptrdiff_t kUsual = 2;  // reference runs of rater calibration
 
 }  // namespace
 
@@ -43,7 +43,7 @@ RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<
       rubrics_(std::move(rubrics)),
       state_(new QLabel(this)),
       present_(new DataTable(QString(), this)),
-      candidates_(new DataTable(QStringLiteral("warm-up-candidates"), this)),
+      candidates_(new DataTable(QStringLiteral("calibration-candidates"), this)),
       rubric_(new QComboBox(this)),
       mark_(new QDoubleSpinBox(this)),
       panel_(new QSpinBox(this)),

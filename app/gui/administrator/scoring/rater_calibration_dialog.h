@@ -23,7 +23,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The reference runs of the physicians' warm-up: which there are, one more with the mark that a panel gave
+/// The reference runs of rater calibration: which there are, one more with the mark that a panel gave
 /// it, and one less with a reason. Each change is stored at once.
 class RaterCalibrationDialog : public QDialog {
   Q_OBJECT

@@ -37,8 +37,8 @@ QString translated(const char* text) {
 
 }  // namespace
 
-std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
-                                        const ScoringMatrix& matrix) {
+std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent, const std::vector<PersonRow>& raters,
+                                                 const ScoringMatrix& matrix) {
   QuestionDialog dialog(
       parent, translated(QT_TRANSLATE_NOOP("Scoring", "Invite raters")),
       translated(QT_TRANSLATE_NOOP("Scoring",
@@ -95,7 +95,7 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
   }
-  RatersAsked asked;
+  RatersInvited asked;
   for (const QString& id : table->selectedIds()) {
     asked.raterIds.push_back(id.toStdString());
   }
@@ -147,7 +147,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
 
 namespace {
 
-Row rowOf(const ThirdRequest& request) {
+Row rowOf(const AdjudicatorRequest& request) {
   QStringList by;
   QStringList reasons;
   for (const std::string& code : request.askedBy) {
@@ -166,10 +166,10 @@ Row rowOf(const ThirdRequest& request) {
            timeCell(request.askedUtc_us)}};
 }
 
-std::vector<const ThirdRequest*> chosenRequests(const std::vector<ThirdRequest>& requests,
-                                                const QStringList& ids) {
-  std::vector<const ThirdRequest*> chosen;
-  for (const ThirdRequest& request : requests) {
+std::vector<const AdjudicatorRequest*> chosenRequests(const std::vector<AdjudicatorRequest>& requests,
+                                                      const QStringList& ids) {
+  std::vector<const AdjudicatorRequest*> chosen;
+  for (const AdjudicatorRequest& request : requests) {
     if (ids.contains(toQString(request.assignmentId)) && !request.free.empty()) {
       chosen.push_back(&request);
     }
@@ -178,7 +178,7 @@ std::vector<const ThirdRequest*> chosenRequests(const std::vector<ThirdRequest>&
 }
 
 /// Who may be asked about all of these; of several cases first "the freest for each".
-void fillThirds(QComboBox* box, const std::vector<const ThirdRequest*>& chosen) {
+void fillAdjudicators(QComboBox* box, const std::vector<const AdjudicatorRequest*>& chosen) {
   box->clear();
   if (chosen.empty()) {
     return;
@@ -188,7 +188,7 @@ void fillThirds(QComboBox* box, const std::vector<const ThirdRequest*>& chosen) 
                  QString());
   }
   for (const Adjudicator& rater : chosen.front()->free) {
-    const bool forAll = std::all_of(chosen.begin(), chosen.end(), [&](const ThirdRequest* one) {
+    const bool forAll = std::all_of(chosen.begin(), chosen.end(), [&](const AdjudicatorRequest* one) {
       return std::any_of(one->free.begin(), one->free.end(),
                          [&](const Adjudicator& other) { return other.id == rater.id; });
     });
@@ -202,7 +202,7 @@ void fillThirds(QComboBox* box, const std::vector<const ThirdRequest*>& chosen) 
 }
 
 /// The first of the class that comes first, with what was given out meanwhile counted.
-RaterId freestFor(const ThirdRequest& request, const std::map<RaterId, std::size_t>& given) {
+RaterId freestFor(const AdjudicatorRequest& request, const std::map<RaterId, std::size_t>& given) {
   const Adjudicator* freest = &request.free.front();
   const auto load = [&](const Adjudicator& one) {
     const auto more = given.find(one.id);
@@ -218,7 +218,8 @@ RaterId freestFor(const ThirdRequest& request, const std::map<RaterId, std::size
 
 }  // namespace
 
-std::vector<ThirdChosen> askThirdRaters(QWidget* parent, const std::vector<ThirdRequest>& requests) {
+std::vector<AdjudicatorChosen> chooseAdjudicators(QWidget* parent,
+                                                  const std::vector<AdjudicatorRequest>& requests) {
   QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign an adjudicator")),
                         translated(QT_TRANSLATE_NOOP(
                             "Scoring",
@@ -233,7 +234,7 @@ std::vector<ThirdChosen> askThirdRaters(QWidget* parent, const std::vector<Third
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
   table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need an adjudicator")));
   std::vector<Row> rows;
-  for (const ThirdRequest& request : requests) {
+  for (const AdjudicatorRequest& request : requests) {
     rows.push_back(rowOf(request));
   }
   table->setRows(std::move(rows));
@@ -244,20 +245,20 @@ std::vector<ThirdChosen> askThirdRaters(QWidget* parent, const std::vector<Third
   dialog.column()->addLayout(form);
   QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Assign")));
   const auto choose = [&] {
-    const std::vector<const ThirdRequest*> chosen = chosenRequests(requests, table->selectedIds());
-    fillThirds(to, chosen);
+    const std::vector<const AdjudicatorRequest*> chosen = chosenRequests(requests, table->selectedIds());
+    fillAdjudicators(to, chosen);
     ok->setEnabled(to->count() > 0);
   };
   QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
   table->select(toQString(requests.front().assignmentId));
   choose();
   ok->setFocus(Qt::OtherFocusReason);
-  std::vector<ThirdChosen> assigned;
+  std::vector<AdjudicatorChosen> assigned;
   if (dialog.exec() != QDialog::Accepted || to->count() == 0) {
     return assigned;
   }
   std::map<RaterId, std::size_t> given;
-  for (const ThirdRequest* request : chosenRequests(requests, table->selectedIds())) {
+  for (const AdjudicatorRequest* request : chosenRequests(requests, table->selectedIds())) {
     const RaterId rater = chosenId(to).empty() ? freestFor(*request, given) : RaterId(chosenId(to));
     ++given[rater];
     assigned.push_back({request->assignmentId, rater});

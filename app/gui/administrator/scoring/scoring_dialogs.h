@@ -15,15 +15,16 @@ class QWidget;
 
 namespace torsio::gui {
 
-struct RatersAsked {
+struct RatersInvited {
   std::vector<RaterId> raterIds{};
   std::vector<std::string> occasionCodes{};
   std::optional<std::int64_t> dueUtc_us{};  ///< end of the chosen day; empty: no deadline
 };
 /// Who is asked, at which occasions and until when. Chosen already: those of `matrix` who have open sheets;
 /// nobody when nothing is open. Empty: given up.
-[[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
-                                                      const ScoringMatrix& matrix);
+[[nodiscard]] std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent,
+                                                               const std::vector<PersonRow>& raters,
+                                                               const ScoringMatrix& matrix);
 
 struct ReleaseChange {
   std::string occasionCode{};
@@ -33,13 +34,13 @@ struct ReleaseChange {
 [[nodiscard]] std::optional<ReleaseChange> askRelease(QWidget* parent,
                                                       const std::vector<ReleaseState>& states);
 
-struct ThirdChosen {
+struct AdjudicatorChosen {
   AssignmentId assignmentId{};
   RaterId raterId{};
 };
 /// Which of the cases go to whom; the oldest request and the freest rater are chosen already. Of several
 /// cases each goes to the freest, unless one rater is chosen for all. Empty: given up.
-[[nodiscard]] std::vector<ThirdChosen> askThirdRaters(QWidget* parent,
-                                                      const std::vector<ThirdRequest>& requests);
+[[nodiscard]] std::vector<AdjudicatorChosen> chooseAdjudicators(
+    QWidget* parent, const std::vector<AdjudicatorRequest>& requests);
 
 }  // namespace torsio::gui

@@ -54,9 +54,9 @@ QString stateSign(const ScoringCell& cell) {
 ScoringPage::ScoringPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      warmUp_(new QPushButton(this)),
+      calibration_(new QPushButton(this)),
       revise_(new QPushButton(this)),
-      ask_(new QPushButton(this)),
+      invite_(new QPushButton(this)),
       cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
@@ -65,13 +65,13 @@ ScoringPage::ScoringPage(ShellContext& shell)
       remind_(listButton(table_)),
       mail_(listButton(table_)),
       release_(listButton(table_)),
-      third_(listButton(table_)) {
+      adjudicator_(listButton(table_)) {
   table_->setObjectName(QStringLiteral("matrix"));
-  ask_->setProperty("primary", true);
+  invite_->setProperty("primary", true);
   revise_->setObjectName(QStringLiteral("reviseRubric"));
   heading_->addAction(revise_);
-  heading_->addAction(warmUp_);
-  heading_->addAction(ask_);
+  heading_->addAction(calibration_);
+  heading_->addAction(invite_);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = addField(choices, cohort_);
@@ -84,16 +84,16 @@ ScoringPage::ScoringPage(ShellContext& shell)
   column->addWidget(table_, 1);
 
   connect(cohort_, &QComboBox::currentIndexChanged, this, &ScoringPage::read);
-  connect(ask_, &QPushButton::clicked, this, &ScoringPage::askRaters);
+  connect(invite_, &QPushButton::clicked, this, &ScoringPage::inviteRaters);
   connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheets);
   connect(remind_, &QPushButton::clicked, this, &ScoringPage::copyReminders);
   connect(mail_, &QPushButton::clicked, this, [this] {
     attempt(this->shell(), [this] { RemindDialog(this->shell(), chosenId(cohort_), this).exec(); });
   });
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
-  connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
+  connect(adjudicator_, &QPushButton::clicked, this, &ScoringPage::assignAdjudicators);
   connect(revise_, &QPushButton::clicked, this, &ScoringPage::showSheet);
-  connect(warmUp_, &QPushButton::clicked, this, &ScoringPage::showWarmUp);
+  connect(calibration_, &QPushButton::clicked, this, &ScoringPage::showCalibration);
   connect(table_, &DataTable::currentChanged, this, &ScoringPage::showButtons);
   retranslate();
 }
@@ -113,10 +113,10 @@ void ScoringPage::read() {
     const std::string cohort = chosenId(cohort_);
     matrix_.reset();
     releases_.clear();
-    thirds_.clear();
+    adjudicatorRequests_.clear();
     if (!cohort.empty()) {
       matrix_ = scoringMatrix(shell().session(), cohort);
-      thirds_ = thirdRequests(shell().session(), cohort);
+      adjudicatorRequests_ = adjudicatorRequests(shell().session(), cohort);
       if (shell().may(Operation::kMarkRelease)) {
         releases_ = releaseStates(shell().session(), cohort);
       }
@@ -169,16 +169,16 @@ void ScoringPage::copyReminders() {
 }
 
 void ScoringPage::showButtons() {
-  ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
+  invite_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
   reassign_->setEnabled(matrix_ && !matrix_->lines.empty() && shell().may(Operation::kStudySetup));
   remind_->setEnabled(matrix_ && !matrix_->lines.empty());
   mail_->setEnabled(remind_->isEnabled());
   release_->setEnabled(!releases_.empty());
   revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
-  warmUp_->setEnabled(shell().may(Operation::kStudySetup));
+  calibration_->setEnabled(shell().may(Operation::kStudySetup));
   // A number that is not 0 calls; without requests there is nothing to press.
-  third_->setVisible(!thirds_.empty());
-  third_->setText(tr("Ad&judicator (%1)\u2026").arg(thirds_.size()));
+  adjudicator_->setVisible(!adjudicatorRequests_.empty());
+  adjudicator_->setText(tr("Ad&judicator (%1)\u2026").arg(adjudicatorRequests_.size()));
 }
 
 std::string ScoringPage::rubricRevision() {
@@ -226,10 +226,10 @@ std::vector<PersonRow> ScoringPage::activeRaters() {
   return raters;
 }
 
-void ScoringPage::askRaters() {
+void ScoringPage::inviteRaters() {
   attempt(shell(), [&] {
-    if (const std::optional<RatersAsked> asked =
-            askRatersFor(this, activeRaters(), matrix_.value_or(ScoringMatrix{}))) {
+    if (const std::optional<RatersInvited> asked =
+            chooseInvitedRaters(this, activeRaters(), matrix_.value_or(ScoringMatrix{}))) {
       ask(asked->raterIds, asked->occasionCodes, asked->dueUtc_us);
     }
   });
@@ -275,17 +275,17 @@ void ScoringPage::release() {
   });
 }
 
-void ScoringPage::assignThirdRater() {
-  if (thirds_.empty()) {
+void ScoringPage::assignAdjudicators() {
+  if (adjudicatorRequests_.empty()) {
     return;
   }
-  const std::vector<ThirdChosen> chosen = askThirdRaters(this, thirds_);
+  const std::vector<AdjudicatorChosen> chosen = chooseAdjudicators(this, adjudicatorRequests_);
   if (chosen.empty()) {
     return;
   }
   attempt(shell(), [&] {
-    allOrNone(shell().session(), chosen, [&](const ThirdChosen& one) {
-      assignThird(shell().session(), chosenId(cohort_), one.assignmentId, one.raterId);
+    allOrNone(shell().session(), chosen, [&](const AdjudicatorChosen& one) {
+      assignAdjudicator(shell().session(), chosenId(cohort_), one.assignmentId, one.raterId);
     });
     read();
     shell().notify(chosen.size() == 1 ? tr("The adjudicator finds the case in their queue")
@@ -293,7 +293,7 @@ void ScoringPage::assignThirdRater() {
   });
 }
 
-void ScoringPage::showWarmUp() {
+void ScoringPage::showCalibration() {
   attempt(shell(), [&] {
     static_cast<void>(rubricRevision());  // the first one comes from the shipped files
     RaterCalibrationDialog dialog(shell(), rubrics(shell().session()), this);
@@ -304,12 +304,12 @@ void ScoringPage::showWarmUp() {
 void ScoringPage::retranslate() {
   heading_->setTexts(tr("Scoring"),
                      tr("Who scores whom, and how far it has come. Marks are not shown here."));
-  warmUp_->setText(tr("Rater cali&bration\u2026"));
+  calibration_->setText(tr("Rater cali&bration\u2026"));
   revise_->setText(tr("Scoring &sheet\u2026"));
   revise_->setToolTip(tr("What raters fill in: criteria, scales, anchors and weights"));
-  warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
-  ask_->setText(tr("&Invite raters\u2026"));
-  third_->setToolTip(tr("Physicians could not agree and ask for one more"));
+  calibration_->setToolTip(tr("The reference runs that every physician scores first"));
+  invite_->setText(tr("&Invite raters\u2026"));
+  adjudicator_->setToolTip(tr("Physicians could not agree and ask for one more"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
   reassign_->setToolTip(tr("The sheets of the chosen rows, or of all: to another rater, or back"));

@@ -40,23 +40,23 @@ class ScoringPage : public Page {
   void showContent();
   void showButtons();
   void showSheet();
-  void askRaters();
+  void inviteRaters();
   void copyReminders();
   [[nodiscard]] QString cellText(const ScoringCell& cell) const;
   void reassignSheets();
   [[nodiscard]] std::vector<PersonRow> activeRaters();
   void release();
-  void assignThirdRater();
-  void showWarmUp();
+  void assignAdjudicators();
+  void showCalibration();
   [[nodiscard]] std::string rubricRevision();
 
   std::optional<ScoringMatrix> matrix_;
   std::vector<ReleaseState> releases_;
-  std::vector<ThirdRequest> thirds_;
+  std::vector<AdjudicatorRequest> adjudicatorRequests_;
   PageHeading* heading_;
-  QPushButton* warmUp_;
+  QPushButton* calibration_;
   QPushButton* revise_;
-  QPushButton* ask_;
+  QPushButton* invite_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
   QLabel* summary_;
@@ -65,7 +65,7 @@ class ScoringPage : public Page {
   QPushButton* remind_;
   QPushButton* mail_;
   QPushButton* release_;
-  QPushButton* third_;
+  QPushButton* adjudicator_;
 };
 
 }  // namespace torsio::gui

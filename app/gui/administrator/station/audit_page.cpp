@@ -172,7 +172,7 @@ AuditFilter AuditPage::chosenTime() const {
   return {.fromUtc_us = days > 0 ? shell().session().now_us() - days * kDay_us : 0};
 }
 
-bool AuditPage::exportTo(const std::filesystem::path& file, const CsvLook& look) {
+bool AuditPage::exportTo(const std::filesystem::path& file, const CsvStyle& look) {
   return attempt(shell(), [&] {
     const std::size_t count = exportAuditTrail(shell().session(), chosenTime(), file, look);
     shell().notify(tr("%n entries saved", nullptr, static_cast<int>(count)));

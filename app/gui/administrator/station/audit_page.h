@@ -35,7 +35,7 @@ class AuditPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
   /// Writes what the chosen time holds.
-  bool exportTo(const std::filesystem::path& file, const CsvLook& look = {});
+  bool exportTo(const std::filesystem::path& file, const CsvStyle& look = {});
 
  private:
   void read();

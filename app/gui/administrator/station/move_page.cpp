@@ -67,7 +67,7 @@ MovePage::MovePage(ShellContext& shell)
   copy_->setObjectName(QStringLiteral("copyButton"));
   test_->setObjectName(QStringLiteral("testButton"));
   layOut();
-  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMaintenance); });
   for (QLineEdit* field : {host_, database_, user_, password_, schema_, root_}) {
     connect(field, &QLineEdit::textChanged, this, &MovePage::addressChanged);
     connect(field, &QLineEdit::returnPressed, this, &MovePage::testServer);

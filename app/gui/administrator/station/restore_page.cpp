@@ -67,7 +67,7 @@ RestorePage::RestorePage(ShellContext& shell)
   word_->setObjectName(QStringLiteral("word"));
   file_->setObjectName(QStringLiteral("file"));
   layOut();
-  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMaintenance); });
   connect(choose_, &QPushButton::clicked, this, &RestorePage::choose);
   connect(check_, &QPushButton::clicked, this, &RestorePage::check);
   connect(file_, &QLineEdit::returnPressed, this, &RestorePage::check);

@@ -17,7 +17,7 @@
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/study/alert_words.h"
+#include "app/study/alert_labels.h"
 
 namespace torsio::gui {
 
@@ -30,8 +30,8 @@ struct AlertWords {
 };
 
 /// How many there are of a kind, most urgent first.
-QString countText(RunDayAlert::Kind kind, std::size_t count) {
-  using Kind = RunDayAlert::Kind;
+QString countText(DayAlert::Kind kind, std::size_t count) {
+  using Kind = DayAlert::Kind;
   switch (kind) {
     case Kind::kTrialOpen:
       return AlertWords::tr("recordings cut off: %1").arg(count);
@@ -77,17 +77,16 @@ AlertPanel::AlertPanel(QWidget* parent)
   hide();
 }
 
-QString AlertPanel::textOf(const RunDayAlert& alert) const {
-  const QString since = alert.kind == RunDayAlert::Kind::kSlotOverdue
-                            ? slotTime(alert.sinceUtc_us, locale())
-                            : shownTime(alert.sinceUtc_us, locale());
+QString AlertPanel::textOf(const DayAlert& alert) const {
+  const QString since = alert.kind == DayAlert::Kind::kSlotOverdue ? slotTime(alert.sinceUtc_us, locale())
+                                                                   : shownTime(alert.sinceUtc_us, locale());
   return toQString(alertText(alert, since.toStdString(), Text(occasionName(alert.occasion).toStdString())));
 }
 
-void AlertPanel::showAlerts(const std::vector<RunDayAlert>& alerts) {
+void AlertPanel::showAlerts(const std::vector<DayAlert>& alerts) {
   QStringList lines;
-  std::vector<std::pair<RunDayAlert::Kind, std::size_t>> kinds;
-  for (const RunDayAlert& alert : alerts) {
+  std::vector<std::pair<DayAlert::Kind, std::size_t>> kinds;
+  for (const DayAlert& alert : alerts) {
     lines << QStringLiteral("\u26A0 ") + textOf(alert);
     auto known =
         std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == alert.kind; });

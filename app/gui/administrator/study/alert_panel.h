@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 
 class QLabel;
 class QScrollArea;
@@ -20,11 +20,11 @@ class AlertPanel : public QWidget {
  public:
   explicit AlertPanel(QWidget* parent);
 
-  void showAlerts(const std::vector<RunDayAlert>& alerts);
+  void showAlerts(const std::vector<DayAlert>& alerts);
   void retranslate();
 
  private:
-  [[nodiscard]] QString textOf(const RunDayAlert& alert) const;
+  [[nodiscard]] QString textOf(const DayAlert& alert) const;
 
   FoldLine* line_;
   QScrollArea* scroll_;

@@ -25,8 +25,8 @@ class Card;
 class DataTable;
 class PageHeading;
 
-/// Random allocation to groups: design, a look at how even it would come out, the lock, the draw, and the
-/// proof afterwards. The real seed is drawn when the design is locked: nobody can choose among outcomes.
+/// Random allocation to groups: design, a balance preview, the lock, the draw, and the proof
+/// afterwards. The real seed is drawn when the design is locked: nobody can choose among outcomes.
 class AllocationPage : public Page {
   Q_OBJECT
 

@@ -34,7 +34,7 @@ namespace {
 constexpr int kCodeWidth = 140;
 constexpr int kRoomWidth = 160;
 constexpr std::size_t kLinesSeen = 4;  // before they scroll
-const QString kRoomKey = QStringLiteral("runday/room");
+const QString kRoomKey = QStringLiteral("today/room");
 
 QString joined(const std::vector<std::string>& codes) {
   return listOf(codes).join(QStringLiteral(", "));

@@ -12,7 +12,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/study/run_day_dialogs.h"
+#include "app/gui/administrator/study/todays_sessions_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"

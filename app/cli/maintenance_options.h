@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/maintenance/maintainer.h"
+#include "sim/base/text.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace torsio::cli {
+
+/// Who takes care of a record from the command line.
+struct MaintenanceOptions {
+  std::string login{};
+  int passwordDescriptor = -1;  ///< -1: asked at the terminal
+  std::string secondLogin{};
+  int secondDescriptor = -1;
+  bool asSystem = false;
+
+  [[nodiscard]] Maintainer maintainer() const;
+};
+
+/// A line on standard error.
+void say(const Text& sentence);
+
+/// Adds the option `login`, by which somebody signs in, and --password-fd.
+CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const char* login);
+/// Adds --as, --password-fd and --as-system; for what needs two people --with and --with-password-fd.
+void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options);
+void addSecondPerson(CLI::App& command, MaintenanceOptions& options);
+
+}  // namespace torsio::cli

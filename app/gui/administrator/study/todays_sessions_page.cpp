@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/study/todays_sessions_page.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/access/database_away.h"
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/alert_panel.h"
+#include "app/gui/administrator/study/call_bar.h"
+#include "app/gui/administrator/study/day_plan_dialog.h"
+#include "app/gui/administrator/study/deviations_dialog.h"
+#include "app/gui/base/background.h"
+#include "app/gui/base/clock_time.h"
+#include "app/gui/base/database_answered.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/fold_line.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kReadAgain_ms = 10'000;
+constexpr int kReadCalls_ms = 2'000;   // while somebody stands at the arm
+constexpr int kRoomForStations = 860;  // a page that high shows them and enough of the board
+const QString kStationsKey = QStringLiteral("today/stations");
+
+}  // namespace
+
+TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
+    : Page(shell),
+      clock_(new QTimer(this)),
+      heading_(new PageHeading(this)),
+      cohortLabel_(nullptr),
+      cohort_(new QComboBox(this)),
+      summary_(new QLabel(this)),
+      callBar_(new CallBar(shell, this)),
+      table_(new DataTable(QStringLiteral("run-day"), this)),
+      alerts_(new AlertPanel(this)),
+      stationsLine_(new FoldLine(this)),
+      stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
+      reader_(new Background(this)),
+      plan_(new QPushButton(this)),
+      print_(new QPushButton(this)),
+      callList_(new QAction(this)),
+      sheets_(new QAction(this)),
+      typeIn_(new QAction(this)),
+      reminders_(new QAction(this)),
+      call_(listButton(table_)),
+      time_(listButton(table_)),
+      swap_(listButton(table_)),
+      deviation_(listButton(table_)),
+      deviations_(listButton(table_)),
+      state_(listButton(table_)) {
+  stations_->setObjectName(QStringLiteral("stations"));
+  table_->setObjectName(QStringLiteral("table"));
+  print_->setObjectName(QStringLiteral("print"));
+  plan_->setObjectName(QStringLiteral("planDay"));
+  heading_->addAction(plan_);
+  connect(plan_, &QPushButton::clicked, this, &TodaysSessionsPage::planDay);
+  auto* paper = new QMenu(print_);
+  paper->addActions({callList_, sheets_, typeIn_, reminders_});
+  print_->setMenu(paper);
+  heading_->addAction(print_);
+  connect(callList_, &QAction::triggered, this, &TodaysSessionsPage::printCallList);
+  connect(sheets_, &QAction::triggered, this, &TodaysSessionsPage::printSheets);
+  connect(typeIn_, &QAction::triggered, this, &TodaysSessionsPage::typeSheets);
+  connect(reminders_, &QAction::triggered, this, &TodaysSessionsPage::copyReminders);
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  cohortLabel_ = addField(choices, cohort_);
+  choices->addSpacing(2 * kSpace);
+  choices->addWidget(summary_, 1);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  column->addWidget(callBar_);
+  stationsLine_->label()->setObjectName(QStringLiteral("stationsLine"));
+  stations_->filter().hide();
+  column->addWidget(alerts_);
+  column->addWidget(table_, 1);
+  column->addWidget(stationsLine_);
+  column->addWidget(stations_);
+
+  clock_->setInterval(kReadAgain_ms);
+  connect(clock_, &QTimer::timeout, this, &TodaysSessionsPage::refresh);
+  connect(swap_, &QPushButton::clicked, this, &TodaysSessionsPage::swap);
+  connect(cohort_, &QComboBox::currentIndexChanged, this, &TodaysSessionsPage::read);
+  connect(callBar_, &CallBar::changed, this, &TodaysSessionsPage::read);
+  connect(call_, &QPushButton::clicked, this, [this] {
+    if (const DayBoardRow* row = current()) {
+      callBar_->call(row->enrolmentId);
+    }
+  });
+  connect(table_, &DataTable::currentChanged, this, &TodaysSessionsPage::showButtons);
+  connect(time_, &QPushButton::clicked, this, &TodaysSessionsPage::logTime);
+  connect(deviation_, &QPushButton::clicked, this, &TodaysSessionsPage::reportDeviation);
+  connect(deviations_, &QPushButton::clicked, this, [this] {
+    attempt(this->shell(), [this] { DeviationsDialog(this->shell(), chosenId(cohort_), this).exec(); });
+    read();
+  });
+  connect(state_, &QPushButton::clicked, this, &TodaysSessionsPage::changeState);
+  connect(stationsLine_, &FoldLine::toggled, this, [this](bool open) {
+    QSettings().setValue(kStationsKey, open);
+    showStations();
+  });
+  retranslate();
+}
+
+void TodaysSessionsPage::enter(const QVariant&) {
+  stationsLine_->setOpen(QSettings().value(kStationsKey, height() >= kRoomForStations).toBool());
+  attempt(shell(), [&] {
+    fillCohorts(cohort_, shell().session(), CohortFirst::kOfToday);
+    read();
+    clock_->start();
+  });
+}
+
+bool TodaysSessionsPage::leave() {
+  clock_->stop();
+  return true;
+}
+
+void TodaysSessionsPage::read() {
+  if (shell().databaseAway()) {
+    return;  // the window has said so
+  }
+  const bool good = attempt(shell(), [&] {
+    const std::string cohort = chosenId(cohort_);
+    board_ = cohort.empty() ? std::nullopt : std::optional(dayBoard(shell().session(), cohort));
+    calls_ = cohort.empty() ? std::vector<CalledCase>{} : calledCases(shell().session(), cohort);
+    callBar_->setCohort(cohort, board_ ? board_->occasions : Occasions{});
+    showContent();
+  });
+  if (!good) {
+    clock_->stop();  // one message, not one every few seconds
+  }
+}
+
+void TodaysSessionsPage::refresh() {
+  const std::string cohort = chosenId(cohort_);
+  if (cohort.empty() || reader_->working() || shell().databaseAway()) {
+    return;
+  }
+  reader_->run(
+      [this, key = shell().session().key(), cohort]() -> Background::Finish {
+        SessionContext own(key);
+        DayBoard board = dayBoard(own, cohort);
+        own.beginCall();
+        return [this, cohort, board = std::move(board), calls = calledCases(own, cohort)] {
+          if (cohort != chosenId(cohort_)) {
+            return;  // another one was chosen meanwhile
+          }
+          board_ = board;
+          calls_ = calls;
+          showContent();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        if (saysDatabaseAway(problem)) {
+          return;  // the window says so, and the next look tries again
+        }
+        clock_->stop();  // one message, not one every few seconds
+        shell().report(problem);
+      });
+}
+
+void TodaysSessionsPage::customEvent(QEvent* event) {
+  if (event->type() == databaseAnsweredEvent()) {
+    clock_->start();
+    read();
+  }
+}
+
+QString TodaysSessionsPage::nowText(const DayBoardRow& row) const {
+  if (row.state == EnrolmentState::kWithdrawn) {
+    return tr("withdrew");
+  }
+  if (row.done) {
+    return tr("all phases done");
+  }
+  if (row.phaseLabel.empty()) {
+    return row.groupCode.empty() ? tr("no group yet") : tr("no curriculum");
+  }
+  return toQString(row.phaseLabel);
+}
+
+Cell TodaysSessionsPage::slotCell(const DayBoardRow& row) const {
+  if (!row.slot) {
+    return {QStringLiteral("\u2013"), QVariant(static_cast<qlonglong>(0))};
+  }
+  const QString when =
+      tr("%1 \u00B7 %2").arg(slotTime(row.slot->startsUtc_us, locale()), toQString(row.slot->place));
+  return {row.overdue ? tr("! %1, overdue").arg(when) : when,
+          QVariant(static_cast<qlonglong>(row.slot->startsUtc_us))};
+}
+
+void TodaysSessionsPage::showContent() {
+  std::vector<Row> rows;
+  std::size_t running = 0;
+  std::size_t done = 0;
+  std::size_t sheets = 0;
+  if (board_) {
+    for (const DayBoardRow& row : board_->rows) {
+      running += row.runningTrialId.empty() ? 0 : 1;
+      done += row.done ? 1 : 0;
+      sheets += row.sheetsMissing;
+      const bool open = !row.done && !row.phaseLabel.empty() && row.state != EnrolmentState::kWithdrawn;
+      rows.push_back(
+          {toQString(row.enrolmentId),
+           {{toQString(row.traineeCode)},
+            {orDash(row.groupCode), {}, toQString(row.armLabel)},
+            {nowText(row)},
+            {open ? clockTime(row.progress.left_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.left_us : -1)},
+            {open ? clockTime(row.progress.restLeft_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
+            {row.runningTrialId.empty() ? QStringLiteral("\u2013")
+                                        : tr("records at %1").arg(toQString(row.station))},
+            {occasionName(row.occasionDue)},
+            {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
+             static_cast<qlonglong>(row.sheetsMissing)},
+            {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
+             static_cast<qlonglong>(row.deviations)},
+            slotCell(row)}});
+    }
+  }
+  table_->setRows(std::move(rows));
+  summary_->setText(board_ ? tr("%1 recording now \u00b7 %2 of %3 done \u00b7 sheets missing: %4")
+                                 .arg(running)
+                                 .arg(done)
+                                 .arg(board_->rows.size())
+                                 .arg(sheets)
+                           : QString());
+  table_->setEmptyText(cohort_->count() == 0
+                           ? tr("Nothing to run yet. Go through the pages at the left in their order: Roster "
+                                "(bring people in), "
+                                "Curricula, Cohorts, Allocation, Scoring.")
+                           : tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+  callBar_->showCalls(calls_);
+  clock_->setInterval(std::any_of(calls_.begin(), calls_.end(),
+                                  [](const CalledCase& called) { return !called.call.endedUtc_us; })
+                          ? kReadCalls_ms
+                          : kReadAgain_ms);
+  alerts_->showAlerts(board_ ? dayAlerts(*board_) : std::vector<DayAlert>{});
+  showStations();
+  showButtons();
+}
+
+const DayBoardRow* TodaysSessionsPage::current() const {
+  if (!board_) {
+    return nullptr;
+  }
+  const std::string id = table_->currentId().toStdString();
+  const auto found = std::find_if(board_->rows.begin(), board_->rows.end(),
+                                  [&](const DayBoardRow& row) { return row.enrolmentId == id; });
+  return found == board_->rows.end() ? nullptr : &*found;
+}
+
+void TodaysSessionsPage::showButtons() {
+  const DayBoardRow* row = current();
+  call_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn);
+  time_->setEnabled(row != nullptr);
+  swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
+  deviation_->setEnabled(board_.has_value());
+  deviations_->setEnabled(board_.has_value());
+  state_->setEnabled(row != nullptr);
+  state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
+                                                                             : tr("&Withdraw\u2026"));
+}
+
+void TodaysSessionsPage::retranslate() {
+  plan_->setText(tr("Plan the da&y\u2026"));
+  print_->setText(tr("On &paper"));
+  callList_->setText(tr("Print the call list\u2026"));
+  sheets_->setText(tr("Print sheets for the raters\u2026"));
+  sheets_->setToolTip(tr("Of the chosen trainee; without one, of everybody whose scoring is due"));
+  typeIn_->setText(tr("Type sheets in\u2026"));
+  typeIn_->setObjectName(QStringLiteral("typeSheets"));
+  reminders_->setText(tr("Copy who owes which sheet"));
+  heading_->setTexts(
+      tr("Today's sessions"),
+      tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
+  cohortLabel_->setText(tr("&Cohort"));
+  callBar_->retranslate();
+  call_->setText(tr("Call to the arm"));
+  time_->setText(tr("&Log time\u2026"));
+  swap_->setText(tr("Swap t&urns\u2026"));
+  stationsLine_->retranslate();
+  alerts_->retranslate();
+  stations_->setColumns({{tr("Station")},
+                         {tr("Now")},
+                         {tr("Trainee")},
+                         {tr("Phase")},
+                         {tr("For"), true},
+                         {tr("Last seen")},
+                         {tr("Version")},
+                         {tr("Device")},
+                         {tr("Device check")}});
+  deviation_->setText(tr("&Deviation\u2026"));
+  deviations_->setText(tr("&Noted\u2026"));
+  deviations_->setToolTip(tr("All deviations of this cohort"));
+  table_->setColumns({{tr("Trainee")},
+                      {tr("Group")},
+                      {tr("Now at")},
+                      {tr("Time left"), true},
+                      {tr("Rest left"), true},
+                      {tr("Station")},
+                      {tr("Scoring due")},
+                      {tr("Sheets missing"), true, true},
+                      {tr("Deviations"), true, true},
+                      {tr("Planned")}});
+  showContent();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/devices/station_device.h"
+#include "app/gui/base/page.h"
+#include "app/study/day_board.h"
+#include "app/study/live_call.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTimer;
+
+namespace torsio::gui {
+
+class AlertPanel;
+class Background;
+class CallBar;
+class DataTable;
+class FoldLine;
+struct Cell;
+class PageHeading;
+
+/// The board of the day: who is at what, how much time is left, where a recording runs, which sheets are
+/// still missing. Reads itself anew every few seconds while it is shown.
+class TodaysSessionsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit TodaysSessionsPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  bool leave() override;
+  void retranslate() override;
+
+ protected:
+  void customEvent(QEvent* event) override;
+
+ private:
+  void read();
+  /// Reads anew away from the window's thread, as the clock asks.
+  void refresh();
+  void showContent();
+  void showStations();
+  void swap();
+  /// Plans slots for the chosen trainees; for all of them without a choice of several.
+  void planDay();
+  void showButtons();
+  void logTime();
+  void reportDeviation();
+  void changeState();
+  void printCallList();
+  /// Of the chosen trainee, or of everybody whose scoring is due.
+  void printSheets();
+  void typeSheets();
+  void copyReminders();
+  [[nodiscard]] const DayBoardRow* current() const;
+  /// All that are chosen, in the order of the board.
+  [[nodiscard]] std::vector<const DayBoardRow*> chosen() const;
+  [[nodiscard]] Cell slotCell(const DayBoardRow& row) const;
+  [[nodiscard]] QString nowText(const DayBoardRow& row) const;
+  /// What the last check of a station's device found: sign and word, never colour alone.
+  [[nodiscard]] QString checkText(const StationDevice& device) const;
+
+  std::optional<DayBoard> board_;
+  std::vector<CalledCase> calls_;
+  QTimer* clock_;
+  PageHeading* heading_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  QLabel* summary_;
+  CallBar* callBar_;
+  DataTable* table_;
+  AlertPanel* alerts_;
+  FoldLine* stationsLine_;
+  DataTable* stations_;
+  Background* reader_;
+  QPushButton* plan_;
+  QPushButton* print_;
+  QAction* callList_;
+  QAction* sheets_;
+  QAction* typeIn_;
+  QAction* reminders_;
+  QPushButton* call_;
+  QPushButton* time_;
+  QPushButton* swap_;
+  QPushButton* deviation_;
+  QPushButton* deviations_;
+  QPushButton* state_;
+};
+
+}  // namespace torsio::gui
