@@ -312,6 +312,23 @@ void requireThickness(const std::vector<Vec3>& local_mm, const std::string& wher
   }
 }
 
+/// Before anything is said of places: most often the unit is another.
+void requireInstrumentSize(const TriangleMesh& mesh, double unit_m, const std::string& where) {
+  requireSound(mesh, where);
+  Vec3 low = mesh.vertices_m.front();
+  Vec3 high = low;
+  for (const Vec3& v : mesh.vertices_m) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double side_m = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  requireLargestSide(
+      side_m, {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
+      Text::tr("M09 largest side %1 mm is no instrument (%2 to %3 mm)", shortNumber(kToolMetre_mm * side_m),
+               shortNumber(kInstrumentLength_mm.least), shortNumber(kInstrumentLength_mm.most)),
+      where, unit_m);
+}
+
 [[noreturn]] void refuseShape(const Text& what, const std::string& where) {
   throw Error(ErrorCode::kBadMesh, what, where,
               Text::tr("Give the hinge, its axis, the direction of the shaft and a point near the tip"));
@@ -351,19 +368,12 @@ ToolSurface toolOfMesh(RawMesh raw, const InstrumentImportRequest& request) {
                 Text::tr("Give the angle of one jaw"));
   }
   ToolSurface tool;
+  requireInstrumentSize(raw.mesh, request.scale_m, where);
   MeshImportOptions options;
   options.scale_m = request.scale_m;
   options.organ = false;
   MeshRepairs repairs;
   const TriangleMesh mesh = checkedMesh(std::move(raw.mesh), where, options, &repairs);
-  const MeshReport report = checkMesh(mesh);
-  requireLargestSide(
-      report.largestSide_m(),
-      {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
-      Text::tr("M09 largest side %1 mm is no instrument (%2 to %3 mm)",
-               shortNumber(kToolMetre_mm * report.largestSide_m()), shortNumber(kInstrumentLength_mm.least),
-               shortNumber(kInstrumentLength_mm.most)),
-      where, request.scale_m);
   const ToolPoints points = pointsOn(mesh);
   ToolFrame frame = frameOf(points, request);
   if (request.drawnOpen_deg > 0.0 && !request.jawAxis) {
