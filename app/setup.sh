@@ -15,6 +15,7 @@ torsio_packages=(
   libsdl2-dev libspnav-dev
   libopenigtlink-dev # trackers on the real arm, and Slicer
   libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
+  libqrencode-dev # the link on an invitation card, for a phone
   libgnutls28-dev # the certificate that a review desk signs for itself; libmicrohttpd encrypts by it
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
   qt6-websockets-dev libgtest-dev libgmock-dev libbenchmark-dev

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/serving/review_desk.h"
 
-#include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <thread>
 #include <utility>
+
+#ifndef _WIN32
+#include <cerrno>
+#include <csignal>
+#endif
 
 #include <QCoreApplication>
 #include <QHostAddress>
@@ -64,9 +67,30 @@ std::optional<Notice> readNotice(const std::filesystem::path& file) {
   return notice;
 }
 
+#ifdef _WIN32
+
+// `torsio serve` is not built there: app/CMakeLists.txt.
+constexpr bool kServes = false;
+
+bool lives(std::int64_t) {
+  return false;
+}
+
+void askToEnd(std::int64_t) {}
+
+#else
+
+constexpr bool kServes = true;
+
 bool lives(std::int64_t process) {
   return kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
+
+void askToEnd(std::int64_t process) {
+  kill(static_cast<pid_t>(process), SIGTERM);
+}
+
+#endif
 
 std::string lastLine(const std::filesystem::path& file) {
   std::string text = std::filesystem::exists(file) ? readFile(file) : std::string();
@@ -129,7 +153,7 @@ Notice startedDesk(const SessionContext& session, const DeskPlace& place, const 
     }
   }
   if (begun && lives(process)) {
-    kill(static_cast<pid_t>(process), SIGTERM);
+    askToEnd(process);
   }
   throw Error(ErrorCode::kFileUnreadable, Text::tr("the review desk did not open"), lastLine(logOf(file)),
               Text::tr("Look at what it said last, mend that, and try again"));
@@ -140,7 +164,7 @@ Notice startedDesk(const SessionContext& session, const DeskPlace& place, const 
 bool mayOpenReviewDesk(SessionContext& session) {
   session.require(Operation::kSettingsEdit);
   const Locator locator = parseLocator(session.key().locator);
-  return locator.engine == Engine::kSqlite && locator.file != ":memory:";
+  return kServes && locator.engine == Engine::kSqlite && locator.file != ":memory:";
 }
 
 std::optional<OpenReviewDesk> openReviewDesk(SessionContext& session, const DeskPlace& place) {
@@ -176,7 +200,7 @@ void stopReviewDesk(SessionContext& session, const DeskPlace& place) {
   if (!notice) {
     return;
   }
-  kill(static_cast<pid_t>(notice->process), SIGTERM);
+  askToEnd(notice->process);
   for (const auto from = std::chrono::steady_clock::now();
        readNotice(file) && std::chrono::steady_clock::now() - from < kPatience;) {
     std::this_thread::sleep_for(kLook);

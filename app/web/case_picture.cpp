@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -18,18 +19,18 @@
 #include "app/web/binary_container.h"
 #include "app/web/blood_paint.h"
 #include "app/web/case_json.h"
+#include "app/web/organ_body.h"
+#include "app/web/organ_shelf.h"
 #include "app/web/shapes/shape_basis.h"
-#include "app/web/skin_shelf.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
 #include "sim/base/live_of_sample.h"
-#include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/blood_map.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/hollow_view.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/tissue_look.h"
 #include "sim/servo/pose_track.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 
@@ -38,11 +39,15 @@ namespace torsio::web {
 namespace {
 
 constexpr std::int64_t kTraceRate_hz = 60;
-constexpr std::int64_t kShapeRate_hz = 30;
 constexpr std::int64_t kSecondOfRecording_us = 1'000'000;
-constexpr std::size_t kMostComponents = 48;
-constexpr std::size_t kLearnt = 48;   // shapes from which most components are made
-constexpr std::size_t kAtATime = 16;  // shapes that are in memory at once
+constexpr std::int64_t kMicrosAMilli = 1000;
+constexpr std::int64_t kShapeStep_ms = 33;
+// Of the shape in the middle; where a movement begins at once, twice as much beside it.
+constexpr float kBetween_mm = 0.025F;
+constexpr float kShared_mm = 2.0F;  // the large ones: what is finer differs from recording to recording
+constexpr std::size_t kMostComponents = 64;  // as many as the pages' shader sums
+constexpr std::size_t kLearnt = 48;          // shapes from which most components are made
+constexpr std::size_t kAtATime = 16;         // shapes that are in memory at once
 constexpr std::size_t kToolColumns = 7;
 constexpr float kMillimetresAMetre = 1000.0F;
 
@@ -144,32 +149,96 @@ class FrameColumns {
   bool hasLumen_ = false;
 };
 
-/// The organ at the times of the frames, from the scene.
+/// How the organ lay at some moments of a recording, so close together that a mixture of the shapes at two of
+/// them is nowhere farther than kBetween_mm from the one in their middle.
 class ShapeTrack {
  public:
-  ShapeTrack(const Scene& scene, TrialPlayback& playback)
-      : scene_(scene), places_m_(scene.mesh.vertices_m.size()) {
-    const std::int64_t frames = playback.duration_us() * kShapeRate_hz / kSecondOfRecording_us + 1;
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
-      playback.seek_us(frame * kSecondOfRecording_us / kShapeRate_hz);
-      const OrganState state = organStateOf(playback.state());
-      if (states_.empty() || !(states_.back() == state)) {
-        states_.push_back(state);
-      }
-      stateOfFrame_.push_back(states_.size() - 1);
+  ShapeTrack(std::shared_ptr<const Scene> scene, TrialPlayback& playback)
+      : scene_(std::move(scene)), playback_(playback), places_m_(scene_->mesh.vertices_m.size()) {
+    if (scene_->hollow) {
+      hollow_ = std::make_unique<HollowView>(scene_);
+    }
+    const std::int64_t last_ms = playback.duration_us() / kMicrosAMilli;
+    Moment before = momentAt(0);
+    add(before);
+    for (std::int64_t time_ms = 0; time_ms < last_ms;) {
+      time_ms = std::min(time_ms + kShapeStep_ms, last_ms);
+      Moment after = momentAt(time_ms);
+      addBetween(before, after);
+      add(after);
+      before = std::move(after);
     }
   }
 
   [[nodiscard]] std::size_t states() const noexcept { return states_.size(); }
   [[nodiscard]] std::span<const OrganState> all() const noexcept { return states_; }
+  [[nodiscard]] std::span<const std::uint32_t> times_ms() const noexcept { return times_ms_; }
   [[nodiscard]] const std::vector<std::size_t>& stateOfFrame() const noexcept { return stateOfFrame_; }
-  [[nodiscard]] std::vector<float> shape(std::size_t state) {
-    scene_.deform(states_[state], places_m_);
-    return flat(places_m_);
+  [[nodiscard]] std::vector<float> shape(std::size_t state) { return shapeOf(states_[state]); }
+  [[nodiscard]] std::vector<float> rest() const { return flat(scene_->mesh.vertices_m); }
+  /// The organ on the way of its pattern, which most of a recording is near: the same in each of them.
+  [[nodiscard]] std::vector<std::vector<float>> pattern() {
+    const TwistPattern& pattern = scene_->pattern;
+    constexpr double kBeyond = 1.1;
+    const double to_rad = pattern.detorsion != nullptr
+                              ? pattern.detorsion->start.sign * pattern.detorsion->start.most_rad
+                              : kBeyond * pattern.targetAngle_rad;
+    std::vector<std::vector<float>> shapes;
+    for (std::size_t i = 0; i < kLearnt; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(kLearnt - 1);
+      shapes.push_back(shapeOf(scene_->stateAt(share * to_rad)));
+    }
+    return shapes;
   }
-  [[nodiscard]] std::vector<float> rest() const { return flat(scene_.mesh.vertices_m); }
 
  private:
+  struct Moment {
+    std::int64_t time_ms = 0;
+    OrganState state;
+    std::vector<float> shape;
+  };
+  Moment momentAt(std::int64_t time_ms) {
+    playback_.seek_us(time_ms * kMicrosAMilli);
+    const OrganState state = organStateOf(playback_.state());
+    return {time_ms, state, shapeOf(state)};
+  }
+  void add(const Moment& moment) {
+    if (states_.empty() || !(states_.back() == moment.state)) {
+      states_.push_back(moment.state);
+    }
+    stateOfFrame_.push_back(states_.size() - 1);
+    times_ms_.push_back(static_cast<std::uint32_t>(moment.time_ms));
+  }
+  void addBetween(const Moment& before, const Moment& after) {
+    if (after.time_ms - before.time_ms < 2 || before.state == after.state) {
+      return;
+    }
+    const Moment middle = momentAt((before.time_ms + after.time_ms) / 2);
+    const auto share = static_cast<float>(middle.time_ms - before.time_ms) /
+                       static_cast<float>(after.time_ms - before.time_ms);
+    float square = 0.0F;
+    for (std::size_t i = 0; i < middle.shape.size(); i += 3) {
+      float sum = 0.0F;
+      for (std::size_t k = i; k < i + 3; ++k) {
+        const float off = before.shape[k] + share * (after.shape[k] - before.shape[k]) - middle.shape[k];
+        sum += off * off;
+      }
+      square = std::max(square, sum);
+    }
+    if (square > kBetween_mm * kBetween_mm) {
+      addBetween(before, middle);
+      add(middle);
+      addBetween(middle, after);
+    }
+  }
+  std::vector<float> shapeOf(const OrganState& state) {
+    if (hollow_) {
+      hollow_->deform(state, places_m_);
+    } else {
+      scene_->deform(state, places_m_);
+    }
+    return flat(places_m_);
+  }
   static std::vector<float> flat(const std::vector<Vec3>& places_m) {
     std::vector<float> flat;
     flat.reserve(3 * places_m.size());
@@ -179,27 +248,34 @@ class ShapeTrack {
     return flat;
   }
 
-  const Scene& scene_;
+  std::shared_ptr<const Scene> scene_;
+  TrialPlayback& playback_;
+  std::unique_ptr<HollowView> hollow_;
   std::vector<OrganState> states_;
   std::vector<std::size_t> stateOfFrame_;
+  std::vector<std::uint32_t> times_ms_;
   std::vector<Vec3> places_m_;
 };
 
 /// A basis for all that happened, and the weights of each state.
 struct FoundShapes {
   ShapeBasis basis;
+  std::size_t shared = 0;      // components that every recording of the pattern has
   std::vector<float> weights;  // as many as components for each state
   float farthest_mm = 0.0F;
 };
 
 FoundShapes findShapes(ShapeTrack& track) {
   ShapeFitter fitter(track.rest(), kWithin_mm, kMostComponents);
-  std::vector<std::vector<float>> shapes;
+  std::vector<std::vector<float>> shapes = track.pattern();
+  fitter.learn(shapes, kShared_mm);
+  const std::size_t shared = fitter.basis().components();
+  shapes.clear();
   const std::size_t stride = std::max<std::size_t>(1, track.states() / kLearnt);
   for (std::size_t state = 0; state < track.states(); state += stride) {
     shapes.push_back(track.shape(state));
   }
-  fitter.learn(shapes);
+  fitter.learn(shapes, kWithin_mm);
   std::vector<ShapeFitter::Fit> fits;
   for (std::size_t state = 0; state < track.states();) {
     shapes.clear();
@@ -209,7 +285,7 @@ FoundShapes findShapes(ShapeTrack& track) {
     std::vector<ShapeFitter::Fit> some = fitter.fit(shapes);
     std::move(some.begin(), some.end(), std::back_inserter(fits));
   }
-  FoundShapes found{fitter.basis(), {}, 0.0F};
+  FoundShapes found{fitter.basis(), shared, {}, 0.0F};
   for (ShapeFitter::Fit& fit : fits) {
     fit.weights.resize(found.basis.components(), 0.0F);
     found.weights.insert(found.weights.end(), fit.weights.begin(), fit.weights.end());
@@ -218,69 +294,16 @@ FoundShapes findShapes(ShapeTrack& track) {
   return found;
 }
 
-void addMesh(BinaryContainer& container, const std::string& name, const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> index;
-  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-    index.insert(index.end(), triangle.begin(), triangle.end());
-  }
-  container.addDifferences(name, std::span<const std::uint32_t>(index), 3);
-}
-
-/// Shaft and jaws in the instrument's own frame, one after the other.
-void addInstrument(BinaryContainer& container, const std::filesystem::path& assets, const std::string& id) {
-  const std::filesystem::path folder = assets / "instruments";
-  const nlohmann::json file = nlohmann::json::parse(readFile(folder / (id + ".json")));
-  TriangleMesh whole;
-  nlohmann::json parts = nlohmann::json::array();
-  for (const char* part : {"shaft", "upper_jaw", "lower_jaw"}) {
-    const TriangleMesh mesh = importMesh(folder / file.at("meshes").at(part).get<std::string>(),
-                                         {.scale_m = 0.001, .organ = false});
-    const auto first = static_cast<std::uint32_t>(whole.vertices_m.size());
-    parts.push_back({{"name", part}, {"first", first}, {"count", mesh.vertices_m.size()}});
-    whole.vertices_m.insert(whole.vertices_m.end(), mesh.vertices_m.begin(), mesh.vertices_m.end());
-    for (const TriangleMesh::Triangle& t : mesh.triangles) {
-      whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
-  }
-  std::vector<float> places;
-  for (const Vec3& p : whole.vertices_m) {
-    for (const double part : {p.x, p.y, p.z}) {
-      places.push_back(kMillimetresAMetre * static_cast<float>(part));
-    }
-  }
-  addMesh(container, "tool_index", whole);
-  container.add("tool_mean", std::span<const float>(places));
-  container.meta()["tool"] = {{"parts", parts},
-                              {"pivot_mm", file.at("jaws").at("pivot_mm")},
-                              {"opening_deg", file.at("jaws").at("opening_deg")}};
-}
-
-/// What the window's tissue has at each vertex before light falls on it: its own colour and its patches.
-std::vector<std::uint8_t> tissueColours(const Scene& scene) {
-  const TissueLook look = tissueLook(scene.id);
-  std::vector<std::uint8_t> colours;
-  colours.reserve(3 * scene.mesh.vertices_m.size());
-  for (const Vec3& place_m : scene.mesh.vertices_m) {
-    const std::array<float, 3> factor = mottle(look, place_m);
-    for (std::size_t k = 0; k < factor.size(); ++k) {
-      // The factor is on light; a page's shader takes the square of what it gets for that.
-      constexpr float kWhite = 255.0F;
-      const float byte = static_cast<float>(look.colour[k]) * std::sqrt(std::max(factor[k], 0.0F));
-      colours.push_back(static_cast<std::uint8_t>(std::lround(std::min(byte, kWhite))));
-    }
-  }
-  return colours;
-}
-
-std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
-                    const std::filesystem::path& assets, SkinShelf& skins, float& farthest_mm) {
+void putOrgan(const BlindedRecording& recording, TrialPlayback& playback, const std::filesystem::path& assets,
+              OrganShelf& shelf, CasePicture& picture) {
   const auto shared = std::make_shared<const Scene>(loadScene(sceneOf(recording, assets)));
   const Scene& scene = *shared;
   checkScene(recording, scene);
   playback.setPoses(PoseTrack(scene, playback.header(), playback.chunks()));
-  ShapeTrack track(scene, playback);
+  ShapeTrack track(shared, playback);
   const FoundShapes found = findShapes(track);
-  farthest_mm = found.farthest_mm;
+  picture.farthest_mm = found.farthest_mm;
+  OrganShelf::Body body = shelf.putBody(organBody(scene, found.basis.upTo(found.shared), assets));
   const std::size_t components = found.basis.components();
   std::vector<float> weights;
   weights.reserve(track.stateOfFrame().size() * components);
@@ -288,27 +311,28 @@ std::string organOf(const BlindedRecording& recording, TrialPlayback& playback,
     const auto first = found.weights.begin() + static_cast<std::ptrdiff_t>(state * components);
     weights.insert(weights.end(), first, first + static_cast<std::ptrdiff_t>(components));
   }
-  const std::vector<std::uint8_t> colour = tissueColours(scene);
-  BinaryContainer container;
-  container.meta() = {{"vertices", scene.mesh.vertices_m.size()},
-                      {"components", components},
-                      {"frames", track.stateOfFrame().size()},
-                      {"rate_hz", kShapeRate_hz},
-                      {"scale", found.basis.scale},
-                      {"skin", skins.put(scene)}};
-  addMesh(container, "index", scene.mesh);
-  container.addMultiples("mean", found.basis.mean, found.basis.meanStep, 3);
-  container.addDifferences("basis", std::span<const std::int16_t>(found.basis.steps), 3);
-  container.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
-  container.add("colour", std::span<const std::uint8_t>(colour));
-  addBloodPaint(container, BloodMap(shared), track.all(), track.stateOfFrame());
-  addInstrument(container, assets, "grasper");
-  return gzipped(container.bytes());
+  const ShapeBasis own = found.basis.from(found.shared);
+  BinaryContainer rest;
+  rest.meta() = {{"components", own.components()},
+                 {"frames", track.stateOfFrame().size()},
+                 {"scale", own.scale},
+                 {"body", body.name},
+                 {"skin", shelf.putSkin(scene)}};
+  rest.addDifferences("time_ms", track.times_ms(), 1);
+  rest.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
+  addBloodPaint(rest, BloodMap(shared), track.all(), track.stateOfFrame());
+  // Smooth displacements pack better as differences, those of folds as they are.
+  BinaryContainer other = rest;
+  rest.addDifferences("basis", std::span<const std::int16_t>(own.steps), 3);
+  other.add("basis", std::span<const std::int16_t>(own.steps));
+  picture.organ = std::min(gzipped(rest.bytes()), gzipped(other.bytes()),
+                           [](const auto& one, const auto& two) { return one.size() < two.size(); });
+  picture.body = std::move(body.bytes);
 }
 
 }  // namespace
 
-CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets, SkinShelf& skins) {
+CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets, OrganShelf& shelf) {
   CasePicture picture;
   std::optional<TrialPlayback> playback;
   FrameColumns columns;
@@ -321,7 +345,7 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
     rethrowBlinded(std::current_exception(), recording.label);
   }
   try {
-    picture.organ = organOf(recording, *playback, assets, skins, picture.farthest_mm);
+    putOrgan(recording, *playback, assets, shelf, picture);
   } catch (const Error&) {
     picture.organ.clear();  // a user's own organ: the traces tell what can be told
   }

@@ -2,18 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "app/review/blinded_case.h"
-#include "app/web/skin_shelf.h"
+#include "app/web/organ_shelf.h"
 
 namespace torsio::web {
 
 /// What a page needs to show a recording, as BinaryContainer (docs/server.md describes the arrays), gzipped.
 struct CasePicture {
-  std::string recording{};   ///< traces and instrument, 60 a second
-  std::string organ{};       ///< shapes of the organ, 30 a second; empty: it is not on this machine
-  float farthest_mm = 0.0F;  ///< by which a vertex lies off in any shape that was kept
+  std::string recording{};  ///< traces and instrument, 60 a second
+  std::string organ{};      ///< how the organ lay; empty: it is not on this machine
+  std::shared_ptr<const std::string> body{};  ///< what they stand on (organ_body.h), on the shelf meanwhile
+  float farthest_mm = 0.0F;                   ///< by which a vertex lies off in any shape that was kept
 };
 
 /// Largest distance of a drawn vertex from where the window would draw it, mm.
@@ -21,8 +23,9 @@ inline constexpr float kWithin_mm = 0.15F;
 
 /// The same for every rater of a recording. Decodes, rebuilds the scene and follows it through the recording:
 /// a second of processor time, some more for long ones. Takes what it needs out of `recording`. No byte of it
-/// tells whose recording it is. Its organ's skin is put on the shelf. Throws as loadBlindedRecording.
+/// tells whose recording it is. Its organ's skin and body are put on the shelf. Throws as
+/// loadBlindedRecording.
 [[nodiscard]] CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets,
-                                      SkinShelf& skins);
+                                      OrganShelf& shelf);
 
 }  // namespace torsio::web

@@ -170,14 +170,14 @@ HttpResponse answerOrgan(Call& call) {
   return organAnswer(call, *pictureOf(call));
 }
 
-/// A skin is asked for by what its own bytes are: whoever knows that has been shown its organ.
-HttpResponse answerSkin(Call& call) {
-  const auto skin = call.desk.skins().find(call.parts.front());
-  if (skin == nullptr) {
+/// Body and skin of an organ are asked for by what their own bytes are: whoever knows that has been shown it.
+HttpResponse answerShelf(Call& call) {
+  const auto bytes = call.desk.shelf().find(call.parts.front());
+  if (bytes == nullptr) {
     throw Error(ErrorCode::kBadData, Text::tr("there is nothing at this address"), "",
                 Text::tr("Load the page again"));
   }
-  HttpResponse response = binaryAnswer(call, *skin);
+  HttpResponse response = binaryAnswer(call, *bytes);
   response.headers.front().second = "private, max-age=604800, immutable";
   return response;
 }
@@ -187,7 +187,7 @@ HttpResponse answerSkin(Call& call) {
 std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
                                              const AssignmentId& assignmentId) {
   return desk.pictures().of(recordingName(context, assignmentId).key, [&] {
-    return casePicture(loadBlindedRecording(context, assignmentId), assetsFolder(), desk.skins());
+    return casePicture(loadBlindedRecording(context, assignmentId), assetsFolder(), desk.shelf());
   });
 }
 
@@ -203,7 +203,7 @@ std::vector<Route> caseRoutes() {
           {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
           {"GET", "/api/cases/*/recording", kIn, answerRecording, true},
           {"GET", "/api/cases/*/organ", kIn, answerOrgan, true},
-          {"GET", "/api/skins/*", kIn, answerSkin}};
+          {"GET", "/api/organs/*", kIn, answerShelf}};
 }
 
 }  // namespace torsio::web

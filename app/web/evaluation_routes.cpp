@@ -94,7 +94,7 @@ std::shared_ptr<const CasePicture> modelPicture(Call& call) {
   return call.desk.pictures().of(kCampaign + campaignId.text() + " " + label,
                                  [&, &campaign = campaignId, &model = label] {
                                    return casePicture(loadEvaluationRecording(call.context, campaign, model),
-                                                      assetsFolder(), call.desk.skins());
+                                                      assetsFolder(), call.desk.shelf());
                                  });
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QDateTime>
@@ -12,6 +13,7 @@
 #include "app/access/access_service.h"
 #include "app/access/first_run.h"
 #include "app/access/invitations.h"
+#include "app/access/qr_code.h"
 #include "app/access/two_people.h"
 #include "app/mail/mailed_invitations.h"
 #include "app/web/router.h"
@@ -78,6 +80,19 @@ std::string timeText(std::int64_t utc_us) {
       .toStdString();
 }
 
+/// What a phone's camera reads of a link, a row of 0 and 1 each; none without a link.
+json rowsOf(const std::string& link) {
+  json rows = json::array();
+  for (const std::vector<bool>& row : link.empty() ? std::vector<std::vector<bool>>{} : qrCode(link).dark) {
+    std::string modules;
+    for (const bool dark : row) {
+      modules += dark ? '1' : '0';
+    }
+    rows.push_back(std::move(modules));
+  }
+  return rows;
+}
+
 /// Where browsers find the desk: as the centre has set it, else as this one came in.
 std::string deskAddress(const Call& call) {
   const std::string set = browserAddress(call.context);
@@ -104,6 +119,7 @@ HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed,
     }
     cards.push_back({{"login", one.login},
                      {"link", link},
+                     {"qr", rowsOf(link)},
                      {"code", one.code},
                      {"until", until},
                      {"words", words},

@@ -194,7 +194,7 @@ std::shared_ptr<const CasePicture> runPicture(Call& call) {
   (void)ownTrial(call.context, ownRecord(call.context, Operation::kTrialViewOwn), id);
   return call.desk.pictures().of(kRun + id.text(), [&] {
     return casePicture(blindedRecordingOf(call.context.connection(), id, "", ""), assetsFolder(),
-                       call.desk.skins());
+                       call.desk.shelf());
   });
 }
 

@@ -74,7 +74,7 @@ std::shared_ptr<const CasePicture> referencePicture(Call& call) {
   BlindedRecording recording = loadReferenceRun(call.context, numberOf(call));
   const std::string key = "reference " + recording.label + " " + recording.digest;
   return call.desk.pictures().of(
-      key, [&] { return casePicture(std::move(recording), assetsFolder(), call.desk.skins()); });
+      key, [&] { return casePicture(std::move(recording), assetsFolder(), call.desk.shelf()); });
 }
 
 HttpResponse answerReferenceRecording(Call& call) {

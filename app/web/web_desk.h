@@ -16,7 +16,7 @@
 #include "app/web/page_files.h"
 #include "app/web/picture_cache.h"
 #include "app/web/router.h"
-#include "app/web/skin_shelf.h"
+#include "app/web/organ_shelf.h"
 #include "app/web/web_sessions.h"
 #include "assessment/people/account.h"
 
@@ -51,7 +51,7 @@ class WebDesk {
   [[nodiscard]] const Router& router() const noexcept { return router_; }
   [[nodiscard]] WebSessions& sessions() noexcept { return sessions_; }
   [[nodiscard]] PictureCache& pictures() noexcept { return pictures_; }
-  [[nodiscard]] SkinShelf& skins() noexcept { return skins_; }
+  [[nodiscard]] OrganShelf& shelf() noexcept { return shelf_; }
   [[nodiscard]] const std::map<std::string, Wording>& languages() const noexcept { return languages_; }
 
   /// "https://desk.example.org": as the browser of this request reaches the desk.
@@ -80,7 +80,7 @@ class WebDesk {
   WebSessions sessions_;
   TryLimit signInTries_;
   PictureCache pictures_;
-  SkinShelf skins_;
+  OrganShelf shelf_;
   std::map<std::string, Wording> languages_;
   std::mutex hashing_;
   std::atomic<int> hashers_{0};

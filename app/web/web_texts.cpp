@@ -318,6 +318,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Targets"),
     Text::tr("That is as the panel sees it."),
     Text::tr("The code that you were given besides the link"),
+    Text::tr("The link for a phone"),
     Text::tr("The links are of no use any more"),
     Text::tr("The new version is sealed; the one before is kept"),
     Text::tr("The organ in three dimensions. Arrows turn it, plus and minus zoom"),

@@ -17604,6 +17604,18 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>目标</translation>
     </message>
     <message>
+        <source>The link for a phone</source>
+        <translation>供手机使用的链接</translation>
+    </message>
+    <message>
+        <source>this does not fit into a QR code</source>
+        <translation>内容过长，二维码容纳不下</translation>
+    </message>
+    <message>
+        <source>Use a shorter address</source>
+        <translation>请使用较短的地址</translation>
+    </message>
+    <message>
         <source>The links are of no use any more</source>
         <translation>链接已作废</translation>
     </message>

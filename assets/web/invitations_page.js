@@ -4,6 +4,7 @@ import { api } from './api.js';
 import { button, field, h, say, show } from './dom.js';
 import { dayText, figure } from './numbers.js';
 import { problemText } from './problem.js';
+import { qrPicture } from './svg.js';
 import { t } from './texts.js';
 
 const kPatience_ms = 120_000; // a mail server may take its time
@@ -144,6 +145,7 @@ export class InvitationsPage {
     return h('li', { class: 'card handed-card' }, h('h3', {}, 'Torsio', centre ? ` \u00b7 ${centre}` : ''),
       line(t('Sign-in name'), one.login, 'handed-name'),
       line(t('Link'), one.link, 'handed-link'),
+      one.qr.length > 0 ? qrPicture(one.qr, t('The link for a phone')) : null,
       line(t('Code'), one.code, 'handed-link'),
       line(t('Good once, until'), one.until, ''),
       one.mail === null ? null : h('p', { class: `unprinted ${one.mail === '' ? 'good' : 'caution'}` },

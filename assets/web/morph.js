@@ -42,7 +42,8 @@ export class Morph {
   /// What colours the organ at this time: {blood, paints: [{factor, layer}]}.
   coloursAt(time_s) {
     if (!this.arrays.fed) return { blood: kUnchanged, paints: [] };
-    const frame = Math.min(Math.max(Math.round(time_s * this.meta.rate_hz), 0), this.meta.frames - 1);
+    const { before, after, share } = this.#between(time_s);
+    const frame = share < 0.5 ? before : after;
     const layers = (this.meta.paints ?? []).map((one, layer) => ({ ...one, layer }));
     return {
       blood: this.arrays.blood.subarray(3 * frame, 3 * frame + 3),
@@ -50,13 +51,10 @@ export class Morph {
     };
   }
 
-  /// Weights at this time, each times its scale: linear between frames. Valid until the next call.
+  /// Weights at this time, each times its scale: linear between two frames. Valid until the next call.
   weightsAt(time_s) {
-    const { components, frames, rate_hz, scale } = this.meta;
-    const at = Math.min(Math.max(time_s * rate_hz, 0), frames - 1);
-    const before = Math.min(Math.floor(at), Math.max(frames - 2, 0));
-    const after = Math.min(before + 1, frames - 1);
-    const share = at - before;
+    const { components, scale } = this.meta;
+    const { before, after, share } = this.#between(time_s);
     const { weights } = this.arrays;
     for (let k = 0; k < components; ++k) {
       const a = weights[before * components + k];
@@ -64,6 +62,20 @@ export class Morph {
       this.#weights[k] = scale[k] * (a + (b - a) * share);
     }
     return this.#weights;
+  }
+  /// The frames before and after a time, which lie as close as the movement asks, and how far it is between them.
+  #between(time_s) {
+    const times = this.arrays.time_ms;
+    const at = 1000 * time_s;
+    let before = 0;
+    for (let after = times.length - 1; after - before > 1;) {
+      const middle = (before + after) >> 1;
+      if (times[middle] <= at) before = middle;
+      else after = middle;
+    }
+    const after = Math.min(before + 1, times.length - 1);
+    const share = after === before ? 0 : (at - times[before]) / (times[after] - times[before]);
+    return { before, after, share: Math.min(Math.max(share, 0), 1) };
   }
 
   #place() {
@@ -95,7 +107,7 @@ export class Morph {
     if (this.#ball) return this.#ball;
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
-    const moments = Array.from({ length: kMoments }, (_, i) => (i * (this.meta.frames - 1)) / this.meta.rate_hz / (kMoments - 1));
+    const moments = Array.from({ length: kMoments }, (_, i) => (i * this.arrays.time_ms.at(-1)) / 1000 / (kMoments - 1));
     const everywhere = (visit) => moments.forEach((time_s) => {
       this.weightsAt(time_s);
       this.#place();

@@ -5,7 +5,7 @@
 export const kRow = 1024;
 
 /// Of an organ; the server makes no more.
-export const kMostComponents = 48;
+export const kMostComponents = 64;
 /// Bruises, tears (32 of both in a recording) and a clip that lie on an organ at once.
 export const kMostPaints = 33;
 

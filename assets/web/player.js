@@ -6,8 +6,8 @@ import { button, h, say, show } from './dom.js';
 import { FilmStrip } from './film_strip.js';
 import { icon } from './icons.js';
 import { clockTime, figure, pointsText } from './numbers.js';
+import { organOf, skinOf } from './organ.js';
 import { joined, kJump_us, kStep_us, Playback } from './playback.js';
-import { skinOf } from './skin.js';
 import { Stage } from './stage.js';
 import { followInput } from './stage_input.js';
 import { t } from './texts.js';
@@ -63,7 +63,7 @@ export class Player {
     }
     const tissue = api.file('/quick_tissue.frag').then((bytes) => new TextDecoder().decode(bytes));
     tissue.catch(() => {}); // heard of where it is needed
-    const organ = readContainer(await api.file(`${this.path}/organ`));
+    const organ = await organOf(this.path);
     show(this.stagePlace, true);
     if (!this.stage.open()) {
       this.film = new FilmStrip(recording, organ, (position_us) => this.seek(position_us));

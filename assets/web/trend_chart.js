@@ -2,19 +2,12 @@
 // The tries at a module, one mark each, with the threshold and the fitted curve. Drawn with SVG; a table says the same.
 import { h } from './dom.js';
 import { figure } from './numbers.js';
+import { svg } from './svg.js';
 import { t } from './texts.js';
 
-const kSpace = 'http://www.w3.org/2000/svg';
 const kWidth = 640;
 const kHeight = 200;
 const kEdge = 12;
-
-function svg(tag, attributes, ...children) {
-  const element = document.createElementNS(kSpace, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.append(...children);
-  return element;
-}
 
 function withUnit(value, unit) {
   const text = figure(value, Math.abs(value) >= 10 ? 0 : 2);

@@ -421,6 +421,7 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
        {"sim/base", "db/repository/base", "db/repository/people", "app/access", "app/maintenance",
         "app/web"}},
       {"gnutls", {"app/web"}},
+      {"qrencode", {"app/access"}},
       {"microhttpd", {"app/web"}},
       {"zlib", {"app/web", "sim/imaging"}},
       {"CLI/", {"app/cli"}},

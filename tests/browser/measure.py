@@ -27,9 +27,9 @@ window.requestAnimationFrame = (draw) => next((now) => {
   script_ms += performance.now() - begun;
 });
 (async () => {
-  const [{ Stage }, { readContainer }] = await Promise.all([import('/stage.js'), import('/container.js')]);
+  const [{ Stage }, { readContainer }, { onBody }] = await Promise.all([import('/stage.js'), import('/container.js'), import('/organ.js')]);
   const file = async (name) => readContainer(await (await fetch(`/measured/${name}`)).arrayBuffer());
-  const [recording, organ] = [await file('recording'), await file('organ')];
+  const [recording, organ] = [await file('recording'), onBody(await file('body'), await file('organ'))];
   const tissue = await (await fetch('/quick_tissue.frag')).text();
   const stage = new Stage();
   stage.canvas.style = `position:fixed;left:0;top:0;width:${width}px;height:${height}px;max-width:none;max-height:none`;
@@ -106,7 +106,8 @@ def processor_s(root):
 
 def measure(kind, width, height, whole):
     mock_recording.ROUND, mock_recording.ALONG = 80, 128
-    files = {"recording": mock_recording.recording(), "organ": mock_recording.organ()}
+    organ, body = mock_recording.organ()
+    files = {"recording": mock_recording.recording(), "organ": organ, "body": body}
     server, _ = mock_server.start(measured=files)
     with kind(size=(width, height)) as browser:
         browser.open(f"http://127.0.0.1:{server.server_address[1]}/")

@@ -11,6 +11,7 @@ FRAMES = int(RATE_HZ * LENGTH_S) + 1
 TARGET_DEG = 180.0
 LENGTH_MM = 220.0
 ROUND, ALONG = 48, 90
+SHARED = 12  # displacements that belong to the body
 POSES = 19  # of the organ, one every ten degrees: frames lie between two of them
 
 TYPES = {"f32": "f", "i16": "h", "u16": "H", "u32": "I", "u8": "B", "i8": "b"}
@@ -119,6 +120,7 @@ def quads(rows, columns, first=0):
 
 
 def organ():
+    """(how it was moved, its body)."""
     angles = [angle_deg(i / RATE_HZ) for i in range(0, FRAMES, 2)]
     step = 10.0
     shapes = [shape(step * k) for k in range(POSES)]
@@ -142,16 +144,16 @@ def organ():
             tone = 0.5 + 0.5 * math.sin(0.9 * j + 2.2 * math.sin(0.5 * i))
             colour.extend((round(196 + 14 * tone), round(112 + 22 * tone), round(104 + 20 * tone)))
     tool_index, tool_mean, parts = tool()
-    meta = {
-        "vertices": ROUND * ALONG, "around": ROUND, "components": POSES - 1, "frames": len(angles), "rate_hz": RATE_HZ / 2,
-        "scale": [largest / 32767.0] * (POSES - 1),
-        "tool": {"parts": parts, "pivot_mm": [0.0, 0.0, 20.0], "opening_deg": 25.0},
-    }
-    return container(meta, {
-        "index": ("u32", quads(ALONG, ROUND)), "mean": ("f32", mean), "basis": ("i16", basis),
-        "weights": ("f32", weights), "colour": ("u8", colour),
-        "tool_index": ("u32", tool_index), "tool_mean": ("f32", tool_mean),
-    })
+    times = array("I", (round(2000 * i / RATE_HZ) for i in range(len(angles))))
+    moved = container({"components": known - SHARED, "frames": len(angles), "body": "body",
+                       "scale": [largest / 32767.0] * (known - SHARED)},
+                      {"basis": ("i16", basis[SHARED * size:]), "weights": ("f32", weights), "time_ms": ("u32", times)})
+    body = container({"vertices": ROUND * ALONG, "around": ROUND, "components": SHARED,
+                      "scale": [largest / 32767.0] * SHARED,
+                      "tool": {"parts": parts, "pivot_mm": [0.0, 0.0, 20.0], "opening_deg": 25.0}},
+                     {"index": ("u32", quads(ALONG, ROUND)), "mean": ("f32", mean), "basis": ("i16", basis[:SHARED * size]),
+                      "colour": ("u8", colour), "tool_index": ("u32", tool_index), "tool_mean": ("f32", tool_mean)})
+    return moved, body
 
 
 def tool():

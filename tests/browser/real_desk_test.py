@@ -67,9 +67,9 @@ def submit_and_seal(browser):
 
 
 def skin_arrived(browser):
-    """Bytes that came over the network until the tissue's picture did, 0 before that."""
+    """Bytes that came over the network until the organ's body and the tissue's picture did, 0 before that."""
     return browser.run("const all = performance.getEntriesByType('resource');"
-                       "return all.some((one) => one.name.includes('/api/skins/') && one.responseEnd > 0)"
+                       "return all.filter((one) => one.name.includes('/api/organs/') && one.responseEnd > 0).length > 1"
                        " ? all.reduce((sum, one) => sum + one.transferSize, 0) : 0")
 
 
@@ -175,6 +175,13 @@ def behind_caddy(program, folder):
             proxy.wait()
 
 
+def reached(browser, url):
+    with contextlib.suppress(Failed):
+        browser.open(url)
+        return True
+    return False
+
+
 def test_through_the_proxy(kind, desk, pictures):
     """Signed in, scored and sealed by https through Caddy as docs/server.md sets it up."""
     if shutil.which("caddy") is None or kind is not Browser:
@@ -182,11 +189,7 @@ def test_through_the_proxy(kind, desk, pictures):
         return
     with tempfile.TemporaryDirectory() as folder, behind_caddy(desk.program, pathlib.Path(folder)) as (_, url):
         with kind(webgl=False) as browser:
-            for _ in range(100):
-                with contextlib.suppress(Failed):
-                    browser.open(url)
-                    break
-                time.sleep(0.1)
+            browser.until("the proxy answers", lambda: reached(browser, url))
             sign_in(browser, url, "physician0")
             cookies = browser.call("GET", "/cookie")
             check(f"the cookie is kept for https alone: {cookies}",
@@ -283,13 +286,17 @@ def look_round(browser, url, login, own, pictures):
     browser.there("[name=login]")
     browser.keys(login, "Tab", PASSWORD, "Enter")
     browser.there("nav.ways")
-    for size in ((1280, 800), (320, 640)) if type(browser) is Browser else ((1280, 800), (500, 640)):
+    sizes = ((1280, 800), (320, 640), (3840, 2160)) if type(browser) is Browser else ((1280, 800), (500, 640))
+    for size in sizes:
         browser.resize(*size)
         for page, title in own.items():
             browser.run("location.hash = arguments[0]", f"#{page}")
             browser.says("h1", title)
             over = browser.run("return document.documentElement.scrollWidth - document.documentElement.clientWidth")
             check(f"{page} scrolls sideways at {size}: {over}", over <= 0)
+            wide = browser.run("return Math.max(0, ...[...document.querySelectorAll('.queue table, .queue button')]"
+                               ".map((one) => one.getBoundingClientRect().width / parseFloat(getComputedStyle(one).fontSize)))")
+            check(f"{page} at {size}: a row {wide} letters wide cannot be followed", wide <= 75)
             said = browser.text("body").split()
             check(f"{page} shows what is no word: {said}", not {"null", "undefined", "NaN", "[object"} & set(said))
             browser.picture(pictures / f"{page}-{size[0]}.png")

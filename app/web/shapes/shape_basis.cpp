@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 
 #include "sim/base/contracts.h"
@@ -13,7 +14,7 @@ namespace torsio::web {
 namespace {
 
 constexpr float kLargestStep = 32'000.0F;
-constexpr float kFinest_mm = 0.01F;       // a component is told no finer: the bound is fifteen times that
+constexpr float kFinest_mm = 0.03F;       // a component is told no finer: the bound is five times that
 constexpr float kFinestMean_mm = 0.004F;  // nor the mean
 constexpr std::size_t kBatch = 4;         // shapes that share a look at the components
 constexpr std::size_t kBlock = 1536;      // numbers of one shape, so that a batch stays in the nearest cache
@@ -61,6 +62,22 @@ float largestOf(std::span<const float> values) {
 }
 
 }  // namespace
+
+ShapeBasis ShapeBasis::upTo(std::size_t count) const {
+  TORSIO_EXPECTS(count <= components());
+  return {mean,
+          meanStep,
+          {scale.begin(), scale.begin() + std::ptrdiff_t(count)},
+          {steps.begin(), steps.begin() + std::ptrdiff_t(count * mean.size())}};
+}
+
+ShapeBasis ShapeBasis::from(std::size_t count) const {
+  TORSIO_EXPECTS(count <= components());
+  return {{},
+          meanStep,
+          {scale.begin() + std::ptrdiff_t(count), scale.end()},
+          {steps.begin() + std::ptrdiff_t(count * mean.size()), steps.end()}};
+}
 
 ShapeFitter::ShapeFitter(std::span<const float> mean, float within, std::size_t most)
     : within_(within), most_(most) {
@@ -131,23 +148,27 @@ std::vector<float> ShapeFitter::solved(std::span<const double> products) const {
   return weights;
 }
 
-void ShapeFitter::learn(std::span<const std::vector<float>> shapes) {
+void ShapeFitter::learn(std::span<const std::vector<float>> shapes, float within) {
   std::vector<std::vector<float>> left;
   std::vector<float> off;
+  const auto takeOut = [](std::vector<float>& from, const std::vector<float>& component) {
+    subtract(from, component, dotOf(from, component) / dotOf(component, component));
+  };
   for (const std::vector<float>& shape : shapes) {
     left.push_back(differenceOf(shape));
+    for (const std::vector<float>& component : components_) {
+      takeOut(left.back(), component);
+    }
     off.push_back(farthestOf(left.back()));
   }
   while (components_.size() < most_) {
     const auto worst = std::max_element(off.begin(), off.end());
-    if (worst == off.end() || *worst <= within_) {
+    if (worst == off.end() || *worst <= within) {
       return;
     }
     add(left[static_cast<std::size_t>(worst - off.begin())]);
-    const std::vector<float>& component = components_.back();
-    const float square = dotOf(component, component);
     for (std::size_t s = 0; s < left.size(); ++s) {
-      subtract(left[s], component, dotOf(left[s], component) / square);
+      takeOut(left[s], components_.back());
       off[s] = farthestOf(left[s]);
     }
   }

@@ -20,6 +20,9 @@ struct ShapeBasis {
   std::vector<float> scale;         ///< one a component
   std::vector<std::int16_t> steps;  ///< component after component, 3 a vertex
   [[nodiscard]] std::size_t components() const noexcept { return scale.size(); }
+  /// The first `count` components, with the mean; the others, without it.
+  [[nodiscard]] ShapeBasis upTo(std::size_t count) const;
+  [[nodiscard]] ShapeBasis from(std::size_t count) const;
 };
 
 /// Finds a basis and what the weights of each shape are. A component is added whenever a shape is not shown
@@ -30,8 +33,10 @@ class ShapeFitter {
   /// `within`: the farthest, mm, that a vertex may lie from its place; `most`: components at most.
   ShapeFitter(std::span<const float> mean, float within, std::size_t most);
 
-  /// Takes components out of these shapes, the worst shown one first: fewer are needed for all the others.
-  void learn(std::span<const std::vector<float>> shapes);
+  /// Takes components out of these shapes until none lies farther off than `within`, mm, the worst shown one
+  /// first: fewer are needed for all the others. What was learnt before is used first; not after fit(), whose
+  /// components are not at right angles.
+  void learn(std::span<const std::vector<float>> shapes, float within);
 
   struct Fit {
     std::vector<float> weights;  ///< mm, multiples of kWeightStep_mm; as many as components were known

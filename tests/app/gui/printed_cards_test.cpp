@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include <QImage>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
+#include "app/access/qr_code.h"
 #include "app/gui/administrator/base/barcode.h"
 
 namespace torsio::gui {
@@ -65,6 +67,51 @@ TEST(PrintedCards, AnInvitationHoldsTheWholeLinkOrTheCode) {
   EXPECT_TRUE(words.contains(QString::fromStdString(link))) << words.toStdString();
   EXPECT_TRUE(words.contains(QStringLiteral("wxyzw-mmmmm")));
   EXPECT_EQ(words.count(QStringLiteral("join#")), 1) << "who hands over the code does not know the link";
+}
+
+/// The page as it is printed, 300 points an inch.
+QImage pictureOfPdf(const std::filesystem::path& file) {
+  const QString name = QString::fromStdString(file.string());
+  QProcess drawer;
+  drawer.start(QStringLiteral("pdftoppm"),
+               {QStringLiteral("-r"), QStringLiteral("300"), QStringLiteral("-gray"),
+                QStringLiteral("-singlefile"), name, name});
+  EXPECT_TRUE(drawer.waitForFinished()) << "pdftoppm of poppler-utils";
+  return QImage(name + QStringLiteral(".pgm"));
+}
+
+TEST(PrintedCards, AnInvitationBearsItsLinkForAPhone) {
+  QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "invitations.pdf";
+  const std::string link = "https://desk.example.org/join#abcde-fghjk-mnpqr-stuvw";
+  writeInvitationCards({{.personCode = "CH-100", .login = "ch-100", .link = link}}, "University Hospital",
+                       file);
+
+  const QImage page = pictureOfPdf(file);
+  ASSERT_FALSE(page.isNull());
+  // The right edge of the first card, between its dashed lines.
+  const double mm = page.width() / 210.0;
+  const QImage right = page.copy(QRectF(160.0 * mm, 14.0 * mm, 30.0 * mm, 64.0 * mm).toRect());
+  QRect found;
+  for (int y = 0; y < right.height(); ++y) {
+    for (int x = 0; x < right.width(); ++x) {
+      if (qGray(right.pixel(x, y)) < 128) {
+        found |= QRect(x, y, 1, 1);
+      }
+    }
+  }
+  const auto dark = qrCode(link).dark;
+  const auto side = static_cast<double>(dark.size());
+  ASSERT_NEAR(found.width(), found.height(), 2.0);
+  EXPECT_GT(found.width() / side / mm, 0.5) << "a module of half a millimetre is read from a hand's breadth";
+  for (std::size_t row = 0; row < dark.size(); ++row) {
+    for (std::size_t column = 0; column < dark.size(); ++column) {
+      const int x =
+          found.left() + static_cast<int>((static_cast<double>(column) + 0.5) * found.width() / side);
+      const int y = found.top() + static_cast<int>((static_cast<double>(row) + 0.5) * found.height() / side);
+      ASSERT_EQ(qGray(right.pixel(x, y)) < 128, dark[row][column]) << row << " " << column;
+    }
+  }
 }
 
 /// Reads the signs of a barcode back from its bars, as a scanner does: nine stripes a sign, three of them

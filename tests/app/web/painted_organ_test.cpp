@@ -17,7 +17,7 @@
 
 #include "app/base/assets.h"
 #include "app/web/blood_paint.h"
-#include "app/web/skin_shelf.h"
+#include "app/web/organ_shelf.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/skin/tissue_skin.h"
@@ -87,11 +87,11 @@ TEST(SkinPicture, HasTheColoursAndPlacesOfTheWindowsSkin) {
   request.id = "stomach";
   const Scene scene = loadScene(request);
   const TissueSkin painted = paintSkin(scene, tissueLook(scene.id));
-  SkinShelf shelf;
+  OrganShelf shelf;
 
-  const std::string name = shelf.put(scene);
+  const std::string name = shelf.putSkin(scene);
 
-  EXPECT_EQ(shelf.put(scene), name);
+  EXPECT_EQ(shelf.putSkin(scene), name);
   EXPECT_EQ(shelf.find("0123456789abcdef0123456789abcdef"), nullptr);
   ASSERT_NE(shelf.find(name), nullptr);
   RecordProperty("skin_bytes", static_cast<int>(shelf.find(name)->size()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST(ShapeBasis, ShowsEveryShapeWithinTheBound) {
     shapes.push_back(tube(i * 0.05));
   }
   ShapeFitter fitter(shapes.front(), 0.15F, 40);
-  fitter.learn(std::vector<std::vector<float>>{shapes[0], shapes[20], shapes[40], shapes[61]});
+  fitter.learn(std::vector<std::vector<float>>{shapes[0], shapes[20], shapes[40], shapes[61]}, 0.15F);
   const std::size_t learnt = fitter.basis().components();
 
   const std::vector<ShapeFitter::Fit> fits = fitter.fit(shapes);
@@ -67,6 +68,50 @@ TEST(ShapeBasis, ShowsEveryShapeWithinTheBound) {
       EXPECT_NEAR(weight / kWeightStep_mm, std::round(weight / kWeightStep_mm), 1e-2F);
     }
   }
+}
+
+TEST(ShapeBasis, LearnsNothingTwice) {
+  std::vector<std::vector<float>> shapes;
+  for (int i = 0; i <= 30; ++i) {
+    shapes.push_back(tube(i * 0.1));
+  }
+  ShapeFitter fitter(shapes.front(), 0.15F, 40);
+  fitter.learn(shapes, 0.15F);
+  const std::size_t learnt = fitter.basis().components();
+
+  fitter.learn(shapes, 0.15F);
+  EXPECT_EQ(fitter.basis().components(), learnt);
+  shapes.push_back(tube(1.0));
+  for (std::size_t i = 0; i < shapes.back().size(); i += 3) {
+    shapes.back()[i] += 10.0F;  // what no turn does
+  }
+  fitter.learn(shapes, 0.15F);
+
+  EXPECT_GT(fitter.basis().components(), learnt);
+  EXPECT_LE(fitter.basis().components(), learnt + 2);
+  for (const ShapeFitter::Fit& fit : fitter.fit(shapes)) {
+    for (const float weight : fit.weights) {
+      EXPECT_LT(std::abs(weight), 100.0F) << "no components that cancel each other";
+    }
+  }
+}
+
+TEST(ShapeBasis, IsTheSameInTwoParts) {
+  const std::vector<std::vector<float>> shapes{tube(0.0), tube(1.0), tube(2.0), tube(3.0)};
+  ShapeFitter fitter(shapes.front(), 0.05F, 40);
+  fitter.learn(shapes, 0.15F);
+  const ShapeBasis& whole = fitter.basis();
+  ASSERT_GE(whole.components(), 2U);
+
+  const ShapeBasis first = whole.upTo(1);
+  const ShapeBasis others = whole.from(1);
+
+  EXPECT_EQ(first.mean, whole.mean);
+  EXPECT_EQ(first.components() + others.components(), whole.components());
+  std::vector<std::int16_t> steps = first.steps;
+  steps.insert(steps.end(), others.steps.begin(), others.steps.end());
+  EXPECT_EQ(steps, whole.steps);
+  EXPECT_EQ(whole.from(whole.components()).components(), 0U);
 }
 
 TEST(ShapeBasis, OneShapeNeedsNoComponent) {

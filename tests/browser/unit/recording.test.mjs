@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { readContainer } from '../../../assets/web/container.js';
 import { fanned, Morph } from '../../../assets/web/morph.js';
+import { onBody } from '../../../assets/web/organ.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
 import { kLamps } from '../../../assets/web/shaders.js';
@@ -64,12 +65,13 @@ test('differences are added up, wrap round as their type does, and are multiples
 
 /// One triangle in the plane z = 0 whose third corner rises by 2 mm a unit of weight.
 const kTriangle = {
-  meta: { vertices: 3, components: 1, frames: 3, rate_hz: 2, scale: [0.001] },
+  meta: { vertices: 3, components: 1, scale: [0.001] },
   arrays: {
     index: new Uint32Array([0, 1, 2]),
     mean: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]),
     basis: new Int16Array([0, 0, 0, 0, 0, 0, 0, 0, 2000]),
     weights: new Float32Array([0, 1, 1]),
+    time_ms: new Uint32Array([0, 500, 1000]),
     colour: new Uint8Array(9),
   },
 };
@@ -94,6 +96,18 @@ test('blood, then what was done to the tissue, colours each vertex by its share 
   near(-1, [1, 1, 1, 1, 1, 1, 1, 1, 1]);
   near(0.5, [0.5, 0, 1, 0.9, 0.85, 0.95, 0.5, 0.25, 0.75]);
   near(9, [1, 1, 1, 0.8, 0.8, 0.8, 0.4, 0.4, 0]);
+});
+
+test("a recording's own displacements follow those of the organ's body", () => {
+  const part = (scale, steps) => ({ meta: { components: scale.length, scale }, arrays: { basis: new Int16Array(steps) } });
+  const body = part([0.001, 0.01], [1, 2, 3, 4, 5, 6]);
+  body.arrays.mean = new Float32Array(3);
+  const moved = part([0.1], [7, 8, 9]);
+  const organ = onBody(body, { meta: { ...moved.meta, frames: 5 }, arrays: { ...moved.arrays, weights: new Float32Array(15) } });
+  assert.deepEqual([...organ.arrays.basis], [1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  assert.deepEqual(organ.meta, { components: 3, scale: [0.001, 0.01, 0.1], frames: 5 });
+  assert.equal(organ.arrays.mean.length, 3);
+  assert.deepEqual(body.meta.scale, [0.001, 0.01], 'the next recording has the same body');
 });
 
 test('a fan has every triangle round its vertex, and goes round it as the triangle does', () => {

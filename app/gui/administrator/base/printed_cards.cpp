@@ -10,8 +10,10 @@
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPdfWriter>
 
+#include "app/access/qr_code.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/barcode.h"
 #include "app/report/typeface.h"
@@ -41,7 +43,8 @@ struct CardLine {
 struct PrintedCard {
   std::array<CardLine, 3> label;
   std::array<CardLine, 3> inside;
-  std::string barcode{};  ///< digits; empty: none
+  std::string barcode{};   ///< digits; empty: none
+  std::string forPhone{};  ///< a QR code beside the lines, which a camera opens; empty: none
 };
 
 /// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
@@ -70,6 +73,29 @@ void drawBarcode(QPainter& painter, const QRectF& half, const std::string& digit
   }
 }
 
+/// At the right edge of a half; what is left of the half.
+QRectF drawForPhone(QPainter& painter, const QRectF& half, const std::string& text) {
+  constexpr double kShare = 0.45;  // of the height of a half: some 30 mm
+  constexpr double kQuiet = 4.0;
+  const auto dark = qrCode(text).dark;
+  const double module = kShare * half.height() / (static_cast<double>(dark.size()) + 2.0 * kQuiet);
+  const double side = kShare * half.height();
+  const QPointF origin(half.right() - side + kQuiet * module,
+                       half.center().y() - 0.5 * side + kQuiet * module);
+  QPainterPath squares;
+  squares.setFillRule(Qt::WindingFill);
+  for (std::size_t row = 0; row < dark.size(); ++row) {
+    for (std::size_t column = 0; column < dark.size(); ++column) {
+      if (dark[row][column]) {
+        squares.addRect(origin.x() + static_cast<double>(column) * module,
+                        origin.y() + static_cast<double>(row) * module, module, module);
+      }
+    }
+  }
+  painter.fillPath(squares, Qt::black);
+  return half.adjusted(0.0, 0.0, -side, 0.0);
+}
+
 void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
   QRectF label = strip;
   label.setWidth(strip.width() / 2.0);
@@ -80,7 +106,11 @@ void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
   painter.setPen(Qt::black);
   const double inset = 0.04 * strip.width();
   drawHalf(painter, label.adjusted(inset, 0.0, -inset, 0.0), card.label);
-  drawHalf(painter, inside.adjusted(inset, 0.0, -inset, 0.0), card.inside);
+  QRectF lines = inside.adjusted(inset, 0.0, -inset, 0.0);
+  if (!card.forPhone.empty()) {
+    lines = drawForPhone(painter, lines, card.forPhone);
+  }
+  drawHalf(painter, lines, card.inside);
   if (!card.barcode.empty()) {
     drawBarcode(painter, inside, card.barcode);
   }
@@ -181,7 +211,8 @@ void writeInvitationCards(const std::vector<InvitationCardText>& cards, const st
     printed.push_back({.label = {{{toQString(centre)},
                                   {toQString(card.personCode), 24.0, true},
                                   {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},
-                       .inside = card.link.empty() ? code : link});
+                       .inside = card.link.empty() ? code : link,
+                       .forPhone = card.link});
   }
   writeCards(printed, PrintedCards::tr("Invitations: %1").arg(toQString(centre)), file);
 }

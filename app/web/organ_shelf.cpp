@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/web/skin_shelf.h"
+#include "app/web/organ_shelf.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QBuffer>
@@ -44,6 +46,12 @@ std::string organDigest(const Scene& scene) {
     digest.update(place.angle_rad);
   }
   return digest.hex();
+}
+
+std::string nameOf(const std::string& bytes) {
+  Digest digest;
+  digest.update(std::string_view(bytes));
+  return digest.hex().substr(0, kNameDigits);
 }
 
 void addPicture(BinaryContainer& container, const std::string& name, const QImage& image, int quality) {
@@ -103,34 +111,49 @@ std::string skinPicture(const Scene& scene) {
   return gzipped(container.bytes());
 }
 
-std::string SkinShelf::put(const Scene& scene) {
+std::string OrganShelf::putSkin(const Scene& scene) {
   const std::string organ = organDigest(scene);
   const std::lock_guard one(painting_);  // whoever wants the same organ waits for its skin
   {
     const std::lock_guard lock(mutex_);
-    const auto found =
-        std::find_if(kept_.begin(), kept_.end(), [&organ](const Kept& kept) { return kept.organ == organ; });
-    if (found != kept_.end()) {
-      kept_.splice(kept_.begin(), kept_, found);
-      return kept_.front().name;
+    const auto found = std::find_if(skins_.begin(), skins_.end(),
+                                    [&organ](const Skin& skin) { return skin.organ == organ; });
+    if (found != skins_.end()) {
+      skins_.splice(skins_.begin(), skins_, found);
+      return skins_.front().name;
     }
   }
   auto bytes = std::make_shared<const std::string>(skinPicture(scene));
-  Digest digest;
-  digest.update(std::string_view(*bytes));
   const std::lock_guard lock(mutex_);
-  kept_.push_front({organ, digest.hex().substr(0, kNameDigits), std::move(bytes)});
-  if (kept_.size() > kMostSkins) {
-    kept_.pop_back();
+  skins_.push_front({organ, nameOf(*bytes), std::move(bytes)});
+  if (skins_.size() > kMostSkins) {
+    skins_.pop_back();
   }
-  return kept_.front().name;
+  return skins_.front().name;
 }
 
-std::shared_ptr<const std::string> SkinShelf::find(const std::string& name) {
+OrganShelf::Body OrganShelf::putBody(std::string bytes) {
+  std::string name = nameOf(bytes);
   const std::lock_guard lock(mutex_);
-  const auto found =
-      std::find_if(kept_.begin(), kept_.end(), [&name](const Kept& one) { return one.name == name; });
-  return found == kept_.end() ? nullptr : found->bytes;
+  std::erase_if(bodies_, [](const auto& one) { return one.second.expired(); });
+  std::weak_ptr<const std::string>& kept = bodies_[name];
+  auto body = kept.lock();
+  if (body == nullptr) {
+    body = std::make_shared<const std::string>(std::move(bytes));
+    kept = body;
+  }
+  return {std::move(name), std::move(body)};
+}
+
+std::shared_ptr<const std::string> OrganShelf::find(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  const auto skin =
+      std::find_if(skins_.begin(), skins_.end(), [&name](const Skin& one) { return one.name == name; });
+  if (skin != skins_.end()) {
+    return skin->bytes;
+  }
+  const auto body = bodies_.find(name);
+  return body == bodies_.end() ? nullptr : body->second.lock();
 }
 
 }  // namespace torsio::web

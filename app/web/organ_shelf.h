@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -15,24 +16,32 @@ namespace torsio::web {
 /// pictures (JPEG): the colour, and at half the size the height of the relief. Half a second of a core.
 [[nodiscard]] std::string skinPicture(const Scene& scene);
 
-/// Skins of organs that were shown lately, by a name that their bytes give: the same organ has the same one
-/// in every case, so that a browser needs it once. Any thread.
-class SkinShelf {
+/// What all recordings of an organ have in common, for pages: its skin, and its body (organ_body.h). By a
+/// name that the bytes give, so that a browser needs it once, whatever number of cases show it. Keeps what
+/// was asked for lately. Any thread.
+class OrganShelf {
  public:
   /// Returns the name of the organ's skin, which is painted when it is not there.
-  [[nodiscard]] std::string put(const Scene& scene);
+  [[nodiscard]] std::string putSkin(const Scene& scene);
+  struct Body {
+    std::string name{};
+    std::shared_ptr<const std::string> bytes;  ///< whoever holds them can have them asked for
+  };
+  /// Returns what these bytes are found as while somebody holds them.
+  [[nodiscard]] Body putBody(std::string bytes);
   /// Returns null for a name that is none, or none any more.
   [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name);
 
  private:
-  struct Kept {
+  struct Skin {
     std::string organ{};  ///< digest of what is painted
     std::string name{};
     std::shared_ptr<const std::string> bytes;
   };
   std::mutex painting_;
   std::mutex mutex_;
-  std::list<Kept> kept_;  // newest first
+  std::list<Skin> skins_;                                           // newest first
+  std::map<std::string, std::weak_ptr<const std::string>> bodies_;  // by name
 };
 
 }  // namespace torsio::web
