@@ -67,6 +67,7 @@ struct RunDayRow {
 
 struct RunDayBoard {
   std::string cohortName{};
+  bool hasCurriculum = false;
   Occasions occasions{};                 ///< of the cohort
   std::vector<RunDayRow> rows{};         ///< by group and number
   std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering

@@ -77,6 +77,15 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_TRUE(board.stations.empty());
 }
 
+TEST(RunDayBoard, KnowsACohortWithoutACurriculum) {
+  SixTrainees study;
+  SessionContext& session = study.centre.as("administrator");
+  const CohortId bare = addCohort(session, {.name = "Bare", .groups = {{"G1", "one"}}});
+
+  EXPECT_TRUE(runDayBoard(session, study.cohortId).hasCurriculum);
+  EXPECT_FALSE(runDayBoard(session, bare).hasCurriculum);
+}
+
 TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   SixTrainees study;
   study.allocate();
