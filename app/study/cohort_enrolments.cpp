@@ -81,6 +81,12 @@ void checkPhase(const Cohort& cohort, const std::optional<StudyArm>& arm, const 
   }
 }
 
+/// "20 min", "7.5 min".
+std::string minutesText(std::int64_t time_us) {
+  const std::int64_t tenths = (10 * time_us + kMinute_us / 2) / kMinute_us;
+  return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " min";
+}
+
 /// Time that the arm does not plan makes its groups alike: it is noted as a deviation, with the reason.
 void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enrolment,
               const NewExposure& exposure) {
@@ -94,7 +100,7 @@ void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enr
   const DeviationId id = session.ids().newUuid();
   StudyRepository(session.connection())
       .addDeviation({id, exposure.cohortId, enrolment.id, kTrainedBesidePlan,
-                     std::to_string(exposure.duration_us / kSecond_us) + " s " +
+                     minutesText(exposure.duration_us) + " " +
                          (exposure.kind == ExposureKind::kReal ? "on the real arm: " : "on the simulator: ") +
                          exposure.reason,
                      exposure.startedUtc_us, session.actor().userId, session.now_us(),

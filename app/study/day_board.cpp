@@ -192,6 +192,7 @@ DayBoard dayBoard(SessionContext& session, const CohortId& cohortId) {
   board.cohortName = cohort.name;
   board.occasions = occasionsOfCohort(session.connection(), cohortId);
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
+  board.hasCurriculum = version.has_value();
   std::map<std::string, const StudyArm*> armOfGroup;
   for (const StudyGroup& group : study.groups(cohortId)) {
     if (!version) {

@@ -67,6 +67,7 @@ struct DayBoardRow {
 
 struct DayBoard {
   std::string cohortName{};
+  bool hasCurriculum = false;
   Occasions occasions{};                 ///< of the cohort
   std::vector<DayBoardRow> rows{};       ///< by group and number
   std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering

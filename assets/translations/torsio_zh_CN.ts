@@ -27396,6 +27396,10 @@ Leave it empty to remove it.</source>
         <translation>无课程</translation>
     </message>
     <message>
+        <source>no set times</source>
+        <translation>未设阶段时间</translation>
+    </message>
+    <message>
         <source>records at %1</source>
         <translation>在 %1 录制</translation>
     </message>

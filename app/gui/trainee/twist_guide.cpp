@@ -27,7 +27,7 @@ TwistGuide::TwistGuide(QWidget* over)
       what_(plainLabel(this, "subheading")),
       how_(plainLabel(this)),
       skip_(linkButton(this)) {
-  setObjectName(QStringLiteral("card"));
+  setProperty("card", true);
   setAutoFillBackground(true);
   what_->setObjectName(QStringLiteral("movement"));
   skip_->setObjectName(QStringLiteral("skipGuide"));

@@ -242,6 +242,7 @@ TEST_F(CallsFromTheBoard, AStationAtWhichNobodyHasTrainedIsOfferedForThePlan) {
     auto& places = child<QLineEdit>(dialog, "planPlaces");
     EXPECT_EQ(places.text(), QStringLiteral("simulator-1"));
     ASSERT_EQ(offered(dialog), QStringList{QStringLiteral("simulator && 2")});
+    EXPECT_FALSE(child<QPushButton>(dialog, "planMore").autoDefault()) << "Enter in a field plans";
     child<QPushButton>(dialog, "planMore").menu()->actions().last()->trigger();
     EXPECT_EQ(places.text(), QStringLiteral("simulator-1, simulator & 2"));
     EXPECT_TRUE(child<QPushButton>(dialog, "planMore").isHidden()) << "all are named";

@@ -78,6 +78,15 @@ TEST(DayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_TRUE(board.stations.empty());
 }
 
+TEST(DayBoard, KnowsACohortWithoutACurriculum) {
+  SixTrainees study;
+  SessionContext& session = study.centre.as("administrator");
+  const CohortId bare = addCohort(session, {.name = "Bare", .groups = {{"G1", "one"}}});
+
+  EXPECT_TRUE(dayBoard(session, study.cohortId).hasCurriculum);
+  EXPECT_FALSE(dayBoard(session, bare).hasCurriculum);
+}
+
 TEST(DayBoard, ShowsWhoRunsAtWhichStation) {
   SixTrainees study;
   study.allocate();

@@ -86,7 +86,7 @@ TEST(CohortService, TimeThatTheArmDoesNotPlanNeedsAReasonAndIsADeviation) {
   ASSERT_EQ(noted.size(), 4U);
   for (const ProtocolDeviation& one : noted) {
     EXPECT_EQ(one.kind, "trained outside the plan");
-    EXPECT_TRUE(one.description.starts_with("60 s on the ")) << one.description;
+    EXPECT_TRUE(one.description.starts_with("1 min on the ")) << one.description;
     EXPECT_TRUE(one.description.ends_with(": the simulator failed")) << one.description;
   }
   EXPECT_EQ(study.centre.audited("deviation.report"), 4);

@@ -115,6 +115,7 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
   more_->setText(tr("Add a&nother"));
   more_->setMenu(offered_);
+  more_->setAutoDefault(false);  // Enter in a field plans
   for (const QString& place : places + others) {
     QAction* action = offered_->addAction(QString(place).replace(QLatin1Char('&'), QStringLiteral("&&")));
     action->setData(place);

@@ -197,7 +197,9 @@ QString TodaysSessionsPage::nowText(const DayBoardRow& row) const {
     return tr("all phases done");
   }
   if (row.phaseLabel.empty()) {
-    return row.groupCode.empty() ? tr("no group yet") : tr("no curriculum");
+    return row.groupCode.empty()   ? tr("no group yet")
+           : board_->hasCurriculum ? tr("no set times")
+                                   : tr("no curriculum");
   }
   return toQString(row.phaseLabel);
 }
