@@ -35,8 +35,8 @@ struct OpenReviewDesk {
   bool goesOn = false;
 };
 
-/// Whether a desk is opened from the window at all: the record is a file of this machine, and `torsio serve` is
-/// built for it. kSettingsEdit.
+/// Whether a desk is opened from the window at all: the record is a file of this machine, and `torsio serve`
+/// is built for it. kSettingsEdit.
 [[nodiscard]] bool mayOpenReviewDesk(SessionContext& session);
 /// The desk of this record that is open on this machine under this account; nothing: none is. kSettingsEdit.
 [[nodiscard]] std::optional<OpenReviewDesk> openReviewDesk(SessionContext& session, const DeskPlace& place);

@@ -114,10 +114,10 @@ struct NewExposure {
   std::int64_t duration_us = 0;
   std::string reason{};  ///< why, where the arm of the trainee spends no time on this; without names
 };
-/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the day of training: kStudySetup. Audited.
-/// Time outside any phase that the arm does not plan (isPlanned()) is noted as a deviation.
-/// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time,
-/// time that is not planned without a reason.
+/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the day of training: kStudySetup.
+/// Audited. Time outside any phase that the arm does not plan (isPlanned()) is noted as a deviation. Throws
+/// Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time, time that
+/// is not planned without a reason.
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
 
 }  // namespace torsio

@@ -13,10 +13,10 @@
 #include "app/report/wording.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
+#include "app/web/organ_shelf.h"
 #include "app/web/page_files.h"
 #include "app/web/picture_cache.h"
 #include "app/web/router.h"
-#include "app/web/organ_shelf.h"
 #include "app/web/web_sessions.h"
 #include "assessment/people/account.h"
 

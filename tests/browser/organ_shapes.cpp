@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `organ_shapes FOLDER [SCENE ...]`: a recording of each pattern of these scenes (none: all that are
 // shipped), as FOLDER/SCENE.PATTERN.organ and .body, what a page is sent, packed, and as .places where the
-// window draws its vertices: a BinaryContainer of "time_s", and for each of them "place_mm", three a vertex in
-// the page's frame. Writes a line for each: name, largest turn, bytes of body, organ, recording and skin,
+// window draws its vertices: a BinaryContainer of "time_s", and for each of them "place_mm", three a vertex
+// in the page's frame. Writes a line for each: name, largest turn, bytes of body, organ, recording and skin,
 // farthest vertex as the server knows it, mm.
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,8 @@
 
 namespace torsio::testing {
 
-/// Copies of shipped data files, not of the organs, in a folder of the test's own, so that one can be changed.
+/// Copies of shipped data files, not of the organs, in a folder of the test's own, so that one can be
+/// changed.
 class CopiedSceneFiles : public ::testing::Test {
  protected:
   /// `names`: below the folder of the shipped data.

@@ -301,7 +301,7 @@ TEST_F(SeveralAtOnce, TimeThatSomebodysPlanDoesNotHaveIsLoggedWithAReasonOnly) {
   plan.cohortId = cohort_;
   lockAllocation(office_.centre.as("allocator"), plan);
   allocateAll(office_.centre.as("allocator"), cohort_);  // one in each of the paper's groups
-  auto page = office_.open<RunDayPage>("administrator", toQString(cohort_));
+  auto page = office_.open<TodaysSessionsPage>("administrator", toQString(cohort_));
   child<DataTable>(*page, "table").view().selectAll();
   answer([](QDialog& dialog) {
     auto& kind = child<QComboBox>(dialog, "exposureKind");

@@ -143,7 +143,7 @@ class LiveSession : public DatabaseTest {
     endCall(office(), cohort_, id);
   }
   void trainAll() {
-    for (const RunDayRow& row : runDayBoard(office(), cohort_).rows) {
+    for (const DayBoardRow& row : dayBoard(office(), cohort_).rows) {
       const ExposureKind kind =
           row.unplanned == std::vector{ExposureKind::kVirtual} ? ExposureKind::kReal : ExposureKind::kVirtual;
       recordExposure(office(), {cohort_, row.enrolmentId, "", kind, office().now_us(), kPhase_us});
