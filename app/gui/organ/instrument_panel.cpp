@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -83,8 +84,18 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   turnHinge_ = new QPushButton(placesCard_);
   column->addWidget(otherEnd_);
   column->addWidget(turnHinge_);
-  side->addWidget(placesCard_);
-  side->addStretch(1);
+  auto* scroll = new QScrollArea(this);  // on a small screen
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(kPlacesWidth + 2 * kSpace);
+  auto* ground = new QWidget;
+  auto* places = new QVBoxLayout(ground);
+  places->setContentsMargins(0, 0, 2 * kSpace, 0);
+  places->addWidget(placesCard_);
+  places->addStretch(1);
+  scroll->setWidget(ground);
+  side->addWidget(scroll, 1);
   back_ = new QPushButton(this);
   again_ = new QPushButton(this);
   save_ = primaryButton(this);

@@ -2,11 +2,13 @@
 // Pictures of the way to an organ of one's own, on a shipped organ as if somebody had brought it.
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include <QComboBox>
 #include <QCoreApplication>
 
+#include "app/gui/organ/instrument_panel.h"
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/organ/organ_wizard.h"
 #include "app/gui/organ/scan_panel.h"
@@ -15,6 +17,7 @@
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/imaging/surface/scan_preview.h"
+#include "sim/scene/instrument_import.h"
 
 namespace torsio::gui {
 
@@ -91,6 +94,28 @@ void showSlices(Page& page) {
   panel.lookAt({55.0, 10.0, -10.0});
 }
 
+/// The shipped grasper as if its CAD had been brought.
+void showInstrument(Page& page) {
+  OrganWizard& wizard = static_cast<PracticePage&>(page).bringOrgan();
+  const std::filesystem::path folder = wizard.assets() / "instruments";
+  TriangleMesh whole;
+  for (const char* part : {"shaft", "jaw_upper", "jaw_lower"}) {
+    const TriangleMesh mesh =
+        importMesh(folder / (std::string("grasper_") + part + ".ply"), {.organ = false});
+    const auto first = static_cast<std::uint32_t>(whole.vertices_m.size());
+    whole.vertices_m.insert(whole.vertices_m.end(), mesh.vertices_m.begin(), mesh.vertices_m.end());
+    for (const TriangleMesh::Triangle& t : mesh.triangles) {
+      whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  }
+  wizard.begin();
+  wizard.openToolMesh(folder / "grasper_shaft.ply");
+  while (wizard.instrument().tool().length_mm <= 0.0) {
+    QCoreApplication::processEvents();
+  }
+  wizard.instrument().setTool(toolOfMesh({std::move(whole), {}}, wizard.instrument().meshRequest()));
+}
+
 ScreenEntry organScreen(const char* name, std::function<void(Page&)> prepare) {
   return {.name = QString::fromLatin1(name),
           .role = QStringLiteral("trainee"),
@@ -105,7 +130,7 @@ std::vector<ScreenEntry> organScreens() {
   constexpr double kShown_deg = 45.0;
   return {
       organScreen("organ-source", [](Page& page) { static_cast<PracticePage&>(page).bringOrgan().begin(); }),
-      organScreen("organ-slices", &showSlices),
+      organScreen("organ-slices", &showSlices), organScreen("organ-instrument", &showInstrument),
       organScreen(
           "organ-accepted",
           [](Page& page) { bringStomach(page, QStringLiteral("stomach")).picture().twist(kShown_deg); }),

@@ -156,9 +156,10 @@ void requireToolPlaces(const ToolPlaces& places, bool others) {
 void tellPlaces(const ToolPlaces& places, const Vec3& jawAxis, double pivot_mm,
                 std::vector<ScanRemark>& remarks) {
   if (!places.jawAxis) {
+    const auto share = [](double x) { return shortNumber(std::round(100.0 * x) / 100.0 + 0.0); };
     remarks.push_back({"D22", false,
                        Text::tr("the jaws are taken to turn about their broad side, %1, %2, %3 in the file",
-                                shortNumber(jawAxis.x), shortNumber(jawAxis.y), shortNumber(jawAxis.z)),
+                                share(jawAxis.x), share(jawAxis.y), share(jawAxis.z)),
                        std::nullopt, Text::tr("Give the axis of the hinge where it is another")});
   }
   if (std::abs(pivot_mm - kFeltJaw_mm) > 0.5) {
