@@ -12,8 +12,8 @@ namespace torsio::web {
 
 /// What a page needs to show a recording, as BinaryContainer (docs/server.md describes the arrays), gzipped.
 struct CasePicture {
-  std::string recording{};  ///< traces and instrument, 60 a second
-  std::string organ{};      ///< how the organ lay; empty: it is not on this machine
+  std::string recording{};                    ///< traces and instrument, 60 a second
+  std::string organ{};                        ///< how the organ lay; empty: it is not on this machine
   std::shared_ptr<const std::string> body{};  ///< what they stand on (organ_body.h), on the shelf meanwhile
   float farthest_mm = 0.0F;                   ///< by which a vertex lies off in any shape that was kept
 };
