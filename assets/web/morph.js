@@ -154,7 +154,18 @@ export function fanned(index, vertices) {
       others[at + 1] = index[i + ((k + 2) % 3)];
     }
   }
+  for (let v = 0; v < vertices; ++v) chain(others, first[v], first[v + 1]);
   return { first, others };
+}
+
+/// Orders a fan so that a triangle begins where the one before ended: the shader looks its vertex up once.
+function chain(others, begin, end) {
+  for (let i = begin; i + 1 < end; ++i) {
+    let next = i + 1;
+    while (next < end && others[2 * next] !== others[2 * i + 1]) next += 1;
+    if (next === end || next === i + 1) continue;
+    for (const k of [0, 1]) [others[2 * i + 2 + k], others[2 * next + k]] = [others[2 * next + k], others[2 * i + 2 + k]];
+  }
 }
 
 /// Adds to `vertices` (x y z nx ny nz each) the normals of the triangles of `index`, weighted by area.

@@ -48,9 +48,15 @@ vec3 place(uint vertex) {
 void main() {
   position = place(whose.x);
   normal = vec3(0.0);
+  uint known = ~0u;
+  vec3 side;
   for (uint i = whose.y; i < whose.y + whose.z; ++i) {
     uvec2 others = texelFetch(fans, texel(i), 0).xy;
-    normal += cross(place(others.x) - position, place(others.y) - position);
+    if (others.x != known) side = place(others.x) - position;
+    vec3 next = place(others.y) - position;
+    normal += cross(side, next);
+    side = next;
+    known = others.y;
   }
   factor = mix(vec3(1.0), blood, fed);
   for (int i = 0; i < paintCount; ++i) {

@@ -3,10 +3,11 @@
 // shipped), as FOLDER/SCENE.PATTERN.organ and .body, what a page is sent, packed, and as .places where the
 // window draws its vertices: a BinaryContainer of "time_s", and for each of them "place_mm", three a vertex
 // in the page's frame. Writes a line for each: name, largest turn, bytes of body, organ, recording and skin,
-// farthest vertex as the server knows it, mm.
+// farthest vertex as the server knows it, mm, and processor time of the making, skin included, s.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -90,7 +91,9 @@ void tell(const std::filesystem::path& folder, const std::string& id, const std:
   const auto physician = centre.physician(0);
   const auto recording = [&] { return loadBlindedRecording(*physician, centre.cases(0).front()); };
   web::OrganShelf shelf;
+  const std::clock_t begun = std::clock();
   const web::CasePicture picture = web::casePicture(recording(), assetsFolder(), shelf);
+  const double took_s = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
 
   TrialPlayback playback(recording().trial);
   playback.setPoses(PoseTrack(*scene, playback.header(), playback.chunks()));
@@ -115,7 +118,7 @@ void tell(const std::filesystem::path& folder, const std::string& id, const std:
   write(folder / (name + ".places"), container.bytes());
   std::cout << name << " " << furthest_rad << " " << picture.body->size() << " " << picture.organ.size()
             << " " << picture.recording.size() << " " << shelf.find(shelf.putSkin(*scene))->size() << " "
-            << picture.farthest_mm << std::endl;
+            << picture.farthest_mm << " " << took_s << std::endl;
 }
 
 }  // namespace

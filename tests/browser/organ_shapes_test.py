@@ -106,13 +106,13 @@ def main():
     with kind() as browser:
         browser.open(f"http://127.0.0.1:{server.server_address[1]}/")
         browser.there("[name=login]")
-        for name, turned_rad, *sizes, far_mm in (line.split() for line in told.splitlines()):
+        for name, turned_rad, *sizes, far_mm, took_s in (line.split() for line in told.splitlines()):
             browser.run("window.found = null")
             browser.run(SCRIPT, name)
             found = browser.until(f"{name} is summed", lambda: browser.run("return window.found"))
             fault = wrong(name, found, float(turned_rad), sum(map(int, sizes)), float(far_mm))
             failed += bool(fault)
-            print(f"{name}: {fault or 'as the window'}; {found}; bytes of body, organ, recording, skin: {sizes}; shapes within {far_mm} mm", flush=True)
+            print(f"{name}: {fault or 'as the window'}; {found}; bytes of body, organ, recording, skin: {sizes}; shapes within {far_mm} mm; made in {took_s} s", flush=True)
     server.shutdown()
     if not told:
         raise Failed("no organ")

@@ -113,6 +113,9 @@ test("a recording's own displacements follow those of the organ's body", () => {
 test('a fan has every triangle round its vertex, and goes round it as the triangle does', () => {
   const { first, others } = fanned([0, 1, 2, 2, 1, 3], 5);
   const fan = (v) => [...others.subarray(2 * first[v], 2 * first[v + 1])];
+  assert.deepEqual(fan(1), [2, 0, 3, 2]);
+  const round = fanned([0, 1, 2, 0, 3, 4, 0, 2, 3, 0, 4, 1], 5);
+  assert.deepEqual([...round.others.subarray(0, 8)], [1, 2, 2, 3, 3, 4, 4, 1], 'each begins where the one before ended');
   assert.deepEqual([0, 1, 2, 3, 4].map(fan), [[1, 2], [2, 0, 3, 2], [0, 1, 1, 3], [2, 1], []]);
 });
 

@@ -28,6 +28,7 @@ constexpr double kMargin_mm = 12.0;
 constexpr int kCardsOnPage = 4;
 constexpr double kSafety = 0.97;                      // hinting at another size
 constexpr std::array kLineHeights{0.25, 0.55, 0.78};  // of a strip's height
+constexpr std::array kLinesRoundCode{0.13, 0.74, 0.88};
 
 struct PrintedCards {
   Q_DECLARE_TR_FUNCTIONS(PrintedCards)
@@ -44,11 +45,12 @@ struct PrintedCard {
   std::array<CardLine, 3> label;
   std::array<CardLine, 3> inside;
   std::string barcode{};   ///< digits; empty: none
-  std::string forPhone{};  ///< a QR code beside the lines, which a camera opens; empty: none
+  std::string forPhone{};  ///< a QR code between the lines, which a camera opens; empty: none
 };
 
 /// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
-void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines) {
+void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines,
+              const std::array<double, 3>& heights = kLineHeights) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     QFont font = printedTypeface();
     font.setBold(lines[i].bold);
@@ -56,7 +58,7 @@ void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 
     const double width = QFontMetricsF(font, painter.device()).horizontalAdvance(lines[i].text);
     font.setPointSizeF(lines[i].points * std::min(1.0, kSafety * half.width() / std::max(width, 1.0)));
     painter.setFont(font);
-    const QRectF place(half.left(), half.top() + (kLineHeights[i] - 0.1) * half.height(), half.width(),
+    const QRectF place(half.left(), half.top() + (heights[i] - 0.1) * half.height(), half.width(),
                        0.2 * half.height());
     painter.drawText(place, static_cast<int>(Qt::AlignCenter) | Qt::TextDontClip, lines[i].text);
   }
@@ -73,15 +75,16 @@ void drawBarcode(QPainter& painter, const QRectF& half, const std::string& digit
   }
 }
 
-/// At the right edge of a half; what is left of the half.
-QRectF drawForPhone(QPainter& painter, const QRectF& half, const std::string& text) {
+/// In the middle of a half, between its first line and the others.
+void drawForPhone(QPainter& painter, const QRectF& half, const std::string& text) {
   constexpr double kShare = 0.45;  // of the height of a half: some 30 mm
+  constexpr double kMiddle = 0.43;
   constexpr double kQuiet = 4.0;
   const auto dark = qrCode(text).dark;
-  const double module = kShare * half.height() / (static_cast<double>(dark.size()) + 2.0 * kQuiet);
   const double side = kShare * half.height();
-  const QPointF origin(half.right() - side + kQuiet * module,
-                       half.center().y() - 0.5 * side + kQuiet * module);
+  const double module = side / (static_cast<double>(dark.size()) + 2.0 * kQuiet);
+  const QPointF origin(half.center().x() - 0.5 * side + kQuiet * module,
+                       half.top() + kMiddle * half.height() - 0.5 * side + kQuiet * module);
   QPainterPath squares;
   squares.setFillRule(Qt::WindingFill);
   for (std::size_t row = 0; row < dark.size(); ++row) {
@@ -93,7 +96,6 @@ QRectF drawForPhone(QPainter& painter, const QRectF& half, const std::string& te
     }
   }
   painter.fillPath(squares, Qt::black);
-  return half.adjusted(0.0, 0.0, -side, 0.0);
 }
 
 void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
@@ -106,11 +108,11 @@ void drawCard(QPainter& painter, const QRectF& strip, const PrintedCard& card) {
   painter.setPen(Qt::black);
   const double inset = 0.04 * strip.width();
   drawHalf(painter, label.adjusted(inset, 0.0, -inset, 0.0), card.label);
-  QRectF lines = inside.adjusted(inset, 0.0, -inset, 0.0);
+  drawHalf(painter, inside.adjusted(inset, 0.0, -inset, 0.0), card.inside,
+           card.forPhone.empty() ? kLineHeights : kLinesRoundCode);
   if (!card.forPhone.empty()) {
-    lines = drawForPhone(painter, lines, card.forPhone);
+    drawForPhone(painter, inside, card.forPhone);
   }
-  drawHalf(painter, lines, card.inside);
   if (!card.barcode.empty()) {
     drawBarcode(painter, inside, card.barcode);
   }
