@@ -50,13 +50,23 @@ export class SubmitBar {
     } else if (!this.page.sealed) {
       if (!this.#asking) {
         this.#ask();
-      } else if (this.#ready()) {
-        await this.#seal(() => this.#submitOnce());
       } else {
-        this.#lead();
+        await this.#answer();
       }
     }
   }
+  /// What was watched last may still be on its way to the server: whoever answers at once is not sent back for that.
+  async #answer() {
+    if (this.#waits) return;
+    this.#waits = true;
+    await this.#heard;
+    this.#waits = false;
+    if (!this.#asking || this.#busy) return; // taken back meanwhile
+    if (this.#ready()) await this.#seal(() => this.#submitOnce());
+    else this.#lead();
+  }
+  #heard = Promise.resolve();
+  #waits = false;
   /// True: there was a question, and it is taken back.
   cancel() {
     if (!this.#asking && !this.#amending) return false;
@@ -92,7 +102,7 @@ export class SubmitBar {
     this.page.pause();
     this.refresh();
     if (!this.#ready()) this.#lead();
-    this.page.reporter.report().then(() => this.refresh());
+    this.#heard = this.page.reporter.report().then(() => this.refresh(), () => {});
   }
   /// To what is missing.
   #lead() {
