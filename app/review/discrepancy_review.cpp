@@ -27,7 +27,7 @@ namespace {
 constexpr double kRounding = 1e-9;  // marks are decimal steps
 
 double threshold_points(Connection& connection) {
-  const auto text = SettingRepository(connection).value("review.discrepancy_points");
+  const auto text = SettingRepository(connection).value("review.alignment_points");
   double points = kDiscrepancyThreshold_points;
   if (!text) {
     return points;

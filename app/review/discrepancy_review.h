@@ -35,7 +35,7 @@ struct DiscrepancyCase {
   std::string reason{};
 };
 
-/// How far own mark and mean of the others must lie apart: setting "review.discrepancy_points".
+/// How far own mark and mean of the others must lie apart: setting "review.alignment_points".
 inline constexpr double kDiscrepancyThreshold_points = 2.0;
 
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
