@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study/cohort_service.h"
-#include "app/study/run_day.h"
+#include "app/study/day_board.h"
 #include "app/study/scoring_due.h"
 #include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
