@@ -2,7 +2,6 @@
 #include "app/gui/widgets/data_table.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include <QAction>
@@ -21,6 +20,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/theme.h"
 
@@ -211,39 +211,20 @@ int DataTable::wholeWidth() const {
   return width;
 }
 
-/// Where the columns are wider than the list, the widest give way, so that nothing is scrolled sideways while
-/// it can be read.
 void DataTable::shareWidth() {
   QHeaderView* header = view_->horizontalHeader();
   if (touched_ || wanted_.size() != static_cast<std::size_t>(header->count())) {
     return;
   }
-  std::vector<int> widths = wanted_;
-  for (int column = 0; column < header->count(); ++column) {
-    if (header->isSectionHidden(column)) {
-      widths[static_cast<std::size_t>(column)] = 0;
-    }
-  }
   // A column gives way down to its title, which stays whole.
-  std::vector<int> room(widths.size(), 0);
+  std::vector<ColumnWidth> columns;
   for (int column = 0; column < header->count(); ++column) {
-    const auto at = static_cast<std::size_t>(column);
-    room[at] = std::max(0, widths[at] - std::max(kLeastWidth, header->sectionSizeHint(column)));
+    const int least = std::max(kLeastWidth, header->sectionSizeHint(column));
+    columns.push_back(header->isSectionHidden(column)
+                          ? ColumnWidth{0, 0}
+                          : ColumnWidth{wanted_[static_cast<std::size_t>(column)], least});
   }
-  int over = std::accumulate(widths.begin(), widths.end(), 0) - view_->viewport()->width();
-  for (; over > 0 && !widths.empty(); --over) {
-    std::size_t widest = widths.size();
-    for (std::size_t at = 0; at < widths.size(); ++at) {
-      if (room[at] > 0 && (widest == widths.size() || widths[at] > widths[widest])) {
-        widest = at;
-      }
-    }
-    if (widest == widths.size()) {
-      break;
-    }
-    --widths[widest];
-    --room[widest];
-  }
+  const std::vector<int> widths = sharedWidths(columns, view_->viewport()->width());
   sharing_ = true;
   for (int column = 0; column < header->count(); ++column) {
     if (!header->isSectionHidden(column)) {

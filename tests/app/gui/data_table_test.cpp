@@ -12,6 +12,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/gui/widgets/column_widths.h"
+
 namespace torsio::gui {
 namespace {
 
@@ -26,6 +28,15 @@ struct Shown {
     table.setRows(trainees());
   }
 };
+
+TEST(ColumnWidths, TheWidestGiveWayDownToTheirTitles) {
+  using Widths = std::vector<int>;
+  EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}}, 200), (Widths{100, 60})) << "there is room";
+  EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}, {0, 0}}, 130), (Widths{70, 60, 0})) << "the widest first";
+  EXPECT_EQ(sharedWidths({{100, 90}, {60, 20}}, 130), (Widths{90, 40})) << "its title stays whole";
+  EXPECT_EQ(sharedWidths({{100, 90}, {60, 50}}, 30), (Widths{90, 50})) << "then the list is scrolled";
+  EXPECT_EQ(sharedWidths({}, 30), Widths{});
+}
 
 TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsPressed) {
   Shown shown;
