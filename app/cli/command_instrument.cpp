@@ -122,7 +122,8 @@ void runImport(InstrumentArguments& arguments) {
   request.file = arguments.source;
   request.scale_m = arguments.scale ? *arguments.scale * kToolUnit_m : lengthUnit_m(arguments.unit);
   takePlaces(arguments, request.scale_m / kToolUnit_m);
-  static_cast<ToolPlaces&>(request) = arguments.tool;
+  const ToolPlaces& places = arguments.tool;
+  static_cast<ToolPlaces&>(request) = places;
   request.drawnOpen_deg = arguments.drawnOpen_deg;
   arguments.facts.provenance = kInstrumentOfMesh;
   finishInstrument(arguments, importInstrument(request), "file");

@@ -242,7 +242,7 @@ bool isNothing(const ToolPoints& points) {
 }
 
 ToolFrame frameOf(const ToolPoints& points, const InstrumentImportRequest& request) {
-  ToolPlaces places = request;
+  InstrumentImportRequest places = request;
   ToolLine line = request.shaft ? ToolLine{} : shaftOf(points);
   if (line.within_mm <= 0.0) {
     return toolFrame(points, places);

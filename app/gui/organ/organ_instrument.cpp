@@ -37,10 +37,14 @@ void OrganWizard::openToolMesh(const std::filesystem::path& file) {
   if (!mayWork()) {
     return;
   }
+  showToolMesh(file);
+  findInstrument();
+}
+
+void OrganWizard::showToolMesh(const std::filesystem::path& file) {
   source_ = file;
   instrument_->beginMesh(file);
   pages_->setCurrentWidget(instrument_);
-  findInstrument();
 }
 
 void OrganWizard::findInstrument() {

@@ -49,6 +49,8 @@ class OrganWizard : public QWidget {
   void openInstrument(const std::filesystem::path& source);
   /// The same in a mesh of it.
   void openToolMesh(const std::filesystem::path& file);
+  /// Shows the page of an instrument of which nothing is known but its mesh file.
+  void showToolMesh(const std::filesystem::path& file);
   void findInstrument();
   /// Writes the instrument that was found. Throws as writeInstrument().
   void saveInstrument(const std::filesystem::path& file);

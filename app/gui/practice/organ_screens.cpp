@@ -109,10 +109,7 @@ void showInstrument(Page& page) {
     }
   }
   wizard.begin();
-  wizard.openToolMesh(folder / "grasper_shaft.ply");
-  while (wizard.instrument().tool().length_mm <= 0.0) {
-    QCoreApplication::processEvents();
-  }
+  wizard.showToolMesh(folder / "grasper_shaft.ply");
   wizard.instrument().setTool(toolOfMesh({std::move(whole), {}}, wizard.instrument().meshRequest()));
 }
 

@@ -10,8 +10,8 @@ struct ColumnWidth {
   int least_px = 0;   ///< to which it may give way
 };
 
-/// Where the columns are wider than the list, the widest give way, pixel by pixel and the first of several, so
-/// that nothing is scrolled sideways while it can be read. Returns px, one a column.
+/// Where the columns are wider than the list, the widest give way, pixel by pixel and the first of several,
+/// so that nothing is scrolled sideways while it can be read. Returns px, one a column.
 [[nodiscard]] std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_px);
 
 }  // namespace torsio::gui

@@ -340,7 +340,7 @@ TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
        }},
       {"rosma", "quaternions, x y z w", [](auto& map, auto&) { map["rotation"] = "quaternion wxyz"; }},
       {"rosma", "PSM3 has not one column", [](auto& map, auto&) { map["instrument"] = "PSM3"; }},
-      {"rosma", "the line has 1 values and the header 10 | S_C2.txt, line 5",
+      {"rosma", "the line has 1 value and the header 10 | S_C2.txt, line 5",
        [](auto&, auto& text) { spoilLine(text, 5, "0.1"); }},
       {"perktutor", "fewer than two lines", [](auto& map, auto&) { map["instrument"] = "Nothing"; }},
       {"perktutor", "the time does not rise | S_C2.txt, line 4",

@@ -304,6 +304,7 @@ class Walk {
   void lookAtWide(const QString& name, QWidget& window) {
     const auto* desk = qobject_cast<const Desk*>(&window);
     const QWidget& page = desk != nullptr && desk->page() != nullptr ? *desk->page() : window;
+    window.setUpdatesEnabled(false);  // where things lie is looked at, not their picture
     for (const QSize& size : kWide) {
       window.resize(size);
       for (int round = 0; round < 3; ++round) {
@@ -318,6 +319,7 @@ class Walk {
       }
     }
     window.resize(kSmallest);
+    window.setUpdatesEnabled(true);
   }
 };
 

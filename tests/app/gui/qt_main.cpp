@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Widgets want an application object; the tests choose the platform that needs no display.
 #include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <gtest/gtest.h>
 
 #include "app/report/typeface.h"
@@ -12,6 +14,9 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   torsio::useTypeface(application);
   QApplication::setOrganizationName("torsio-tests");
+  // Of this program alone: another test that runs meanwhile would clear what this one remembers.
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }
