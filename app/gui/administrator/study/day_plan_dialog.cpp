@@ -111,19 +111,6 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   minutes_->setSuffix(tr(" min"));
   pause_->setRange(0, kLongestPause_min);
   pause_->setSuffix(tr(" min"));
-  places_->setText(places.join(QStringLiteral(", ")));
-  places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
-  more_->setText(tr("Add a&nother"));
-  more_->setMenu(offered_);
-  more_->setAutoDefault(false);  // Enter in a field plans
-  for (const QString& place : places + others) {
-    QAction* action = offered_->addAction(QString(place).replace(QLatin1Char('&'), QStringLiteral("&&")));
-    action->setData(place);
-    connect(action, &QAction::triggered, this, [this, place] {
-      places_->setText((namedPlaces() << place).join(QStringLiteral(", ")));
-      places_->setFocus();
-    });
-  }
   outlook_->setObjectName(QStringLiteral("planOutlook"));
   plan_->setText(tr("&Add %n trainee(s) to the plan", nullptr, static_cast<int>(trainees_.size())));
   remove_->setText(tr("&Remove"));
@@ -138,12 +125,9 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   form->addRow(tr("&First slot begins at"), first_);
   form->addRow(tr("&Each takes"), minutes_);
   form->addRow(tr("Pa&use between two"), pause_);
-  auto* placesRow = new QHBoxLayout;
-  placesRow->addWidget(places_, 1);
-  placesRow->addWidget(more_);
   auto* placesLabel = new QLabel(tr("Stations and roo&ms, with commas"), this);
   placesLabel->setBuddy(places_);
-  form->addRow(placesLabel, placesRow);
+  form->addRow(placesLabel, placesRow(places, others));
   auto* row = new QHBoxLayout;
   row->addWidget(outlook_, 1);
   row->addWidget(plan_);
@@ -174,6 +158,27 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   remove_->setEnabled(false);
   offerPlaces();
   showOutlook();
+}
+
+/// The field of the places, and beside it those that may be added.
+QLayout* DayPlanDialog::placesRow(const QStringList& places, const QStringList& others) {
+  places_->setText(places.join(QStringLiteral(", ")));
+  places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
+  more_->setText(tr("Add a&nother"));
+  more_->setMenu(offered_);
+  more_->setAutoDefault(false);  // Enter in a field plans
+  for (const QString& place : places + others) {
+    QAction* action = offered_->addAction(QString(place).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    action->setData(place);
+    connect(action, &QAction::triggered, this, [this, place] {
+      places_->setText((namedPlaces() << place).join(QStringLiteral(", ")));
+      places_->setFocus();
+    });
+  }
+  auto* row = new QHBoxLayout;
+  row->addWidget(places_, 1);
+  row->addWidget(more_);
+  return row;
 }
 
 QStringList DayPlanDialog::namedPlaces() const {

@@ -48,6 +48,7 @@ class DayPlanDialog : public QDialog {
 
  private:
   void build(const QStringList& places, const QStringList& others);
+  [[nodiscard]] QLayout* placesRow(const QStringList& places, const QStringList& others);
   void read();
   [[nodiscard]] QStringList namedPlaces() const;
   /// Offers the places that are not named yet.
