@@ -155,7 +155,9 @@ void InstrumentPanel::reset(const ToolRequest& request, const std::filesystem::p
 
 InstrumentImportRequest InstrumentPanel::meshRequest() const {
   InstrumentImportRequest request;
-  static_cast<ToolPlaces&>(request) = this->request();
+  const ToolRequest scan = this->request();
+  const ToolPlaces& places = scan;
+  static_cast<ToolPlaces&>(request) = places;
   request.file = meshFile_;
   request.scale_m = kUnits_m[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
   request.drawnOpen_deg = drawnOpen_->value();
