@@ -171,6 +171,9 @@ void SceneView::forgetScene() {
   view_ = {};
   deformed_m_ = {};
   shown_.reset();
+  if (canvas_->drawn()) {
+    waiting_->show();
+  }
 }
 
 void SceneView::setOrgan(const OrganState& state) {
@@ -361,7 +364,9 @@ void SceneView::setTool(const Pose& pose, double grip) {
 
 void SceneView::applyCamera() {
   canvas_->setCamera(camera_, 8.0F * organRadius_);
-  canvas_->edgeOrgan(view_.surface);
+  if (!view_.surface.vertices().empty()) {
+    canvas_->edgeOrgan(view_.surface);
+  }
   Q_EMIT cameraChanged();
 }
 

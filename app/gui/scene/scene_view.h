@@ -43,7 +43,7 @@ class SceneView : public QWidget {
   [[nodiscard]] static bool platformCanRender();
 
   void setScene(const ViewScene& view);
-  /// Lets go of the scene, so that two are never in memory; what is drawn stays until the next one.
+  /// Lets go of the scene, so that two are never in memory; until the next one it says that one is loading.
   void forgetScene();
   void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
@@ -113,7 +113,7 @@ class SceneView : public QWidget {
 
   SceneCanvas* canvas_ = nullptr;
   StressLegend* legend_ = nullptr;
-  QWidget* waiting_ = nullptr;  // until the first scene is drawn
+  QWidget* waiting_ = nullptr;  // until a scene is drawn
   ThemeKind themeKind_ = ThemeKind::kLight;
 
   ViewScene view_;

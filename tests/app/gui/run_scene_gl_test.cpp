@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a trainee's own run draws of the instrument in the tissue: dents, the arrow of the force, jaws that
-// close, the hand that leads. On a virtual display; the scene graph itself is asked.
+// close, the hand that leads; and how one scene takes the place of another. On a virtual display; the scene
+// graph itself is asked.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -19,6 +20,7 @@
 #include "app/gui/scene/view_frame.h"
 #include "app/report/typeface.h"
 #include "tests/app/gui/trainee_station.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::gui {
 namespace {
@@ -117,6 +119,31 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
   EXPECT_LT(closed_deg, open_deg / 2.0);
   EXPECT_TRUE(handSeen);
   EXPECT_TRUE(shown("toolVisible"));
+}
+
+// Between two cases of a physician the organ of the first is let go, and the window changes meanwhile.
+TEST(SceneOfTheNextCase, TakesThePlaceOfTheLastInAWindowThatWasResized) {
+  if (!SceneView::platformCanRender()) {
+    GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
+  }
+  const auto organ = std::make_shared<const Scene>(barScene());
+  SceneView view;
+  view.resize(500, 400);
+  view.show();
+  view.setScene(makeViewScene(organ));
+  ASSERT_TRUE(soon([&] { return view.framesDrawn() > 0; }));
+  const auto* waiting = view.findChild<QWidget*>("waiting");
+  ASSERT_NE(waiting, nullptr);
+  ASSERT_TRUE(soon([&] { return !waiting->isVisible(); }));
+
+  view.forgetScene();
+  view.resize(640, 480);
+  EXPECT_TRUE(soon([&] { return waiting->isVisible(); })) << "the organ of the case before is not left there";
+  view.hide();
+  view.resize(520, 410);
+  view.show();
+  view.setScene(makeViewScene(organ));
+  EXPECT_TRUE(soon([&] { return !waiting->isVisible(); }));
 }
 
 }  // namespace
