@@ -147,8 +147,9 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   score.demonstration = run.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).addCalibrationScore(score);
-  session.note(
-      {.action = AuditAction::kWarmupScore, .objectKind = AuditObject::kRaterWarmup, .objectId = score.id});
+  session.note({.action = AuditAction::kCalibrationScore,
+                .objectKind = AuditObject::kRaterCalibration,
+                .objectId = score.id});
   transaction.commit();
 }
 

@@ -55,7 +55,7 @@ TEST(AuditTermTexts, OfTheFirstReleaseStay) {
   EXPECT_EQ(storedText(AuditAction::kMarkSubmit), "mark.submit");
   EXPECT_EQ(storedText(AuditAction::kUserSignInFailed), "user.sign_in_failed");
   EXPECT_EQ(storedText(AuditAction::kRetentionExtend), "retention.extend");
-  EXPECT_EQ(storedText(AuditAction::kAlignmentThird), "alignment.third");
+  EXPECT_EQ(storedText(AuditAction::kDiscrepancyAdjudicator), "alignment.third");
   EXPECT_EQ(storedText(AuditAction::kCurriculumClosed), "curriculum.closed");
   EXPECT_EQ(storedText(AuditAction::kDatabaseRestore), "database.restore");
   EXPECT_EQ(storedText(AuditAction::kDemonstrationRemove), "demonstration.remove");

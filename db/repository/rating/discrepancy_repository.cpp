@@ -28,11 +28,11 @@ DiscrepancyDecision decisionOf(RowReader& row) {
 AuditAction actionOf(DiscrepancyChoice choice) {
   switch (choice) {
     case DiscrepancyChoice::kKeep:
-      return AuditAction::kAlignmentKeep;
+      return AuditAction::kDiscrepancyKeep;
     case DiscrepancyChoice::kMove:
-      return AuditAction::kAlignmentMove;
+      return AuditAction::kDiscrepancyMove;
     case DiscrepancyChoice::kThird:
-      return AuditAction::kAlignmentThird;
+      return AuditAction::kDiscrepancyAdjudicator;
   }
   throw ContractError("no such decision");
 }
