@@ -37,7 +37,7 @@ constexpr double kShort_s = 10.0;
 const QSize kPanel{680, 600};
 constexpr double kAnswer_ms = 50.0;
 constexpr double kPictureWork_ms = 2.0 * kAnswer_ms;  // of the two cores of the smallest machine
-constexpr double kOpen_MB = 150.0;
+constexpr double kOpen_MB = 200.0;
 constexpr double kPatience_ms = 2000.0;
 constexpr int kScrubs = 400;
 constexpr int kWarmUp = 20;
