@@ -17,13 +17,22 @@ export function openContext(canvas) {
   return canvas.getContext('webgl2', options);
 }
 
-function drawnByProcessor() {
+let known = null;
+/// What draws, in the browser's words; empty where it has no WebGL 2.
+export function rendererName() {
+  if (known !== null) return known;
   const probe = document.createElement('canvas').getContext('webgl2');
-  if (!probe) return true;
-  const about = probe.getExtension('WEBGL_debug_renderer_info');
-  const name = about ? probe.getParameter(about.UNMASKED_RENDERER_WEBGL) : '';
-  probe.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+  const about = probe?.getExtension('WEBGL_debug_renderer_info');
+  known = about ? String(probe.getParameter(about.UNMASKED_RENDERER_WEBGL)) : '';
+  probe?.getExtension('WEBGL_lose_context')?.loseContext();
+  return known;
+}
+export function drawnByProcessor() {
+  return /swiftshader|llvmpipe|software|basic render/i.test(rendererName());
+}
+/// SwiftShader takes some 40 ms for what a script sums in 2 ms; llvmpipe is twice as fast as the script.
+export function shadersAreSlow() {
+  return /swiftshader/i.test(rendererName());
 }
 
 /// {use(); set(name, value): a number, three numbers each, or sixteen; setWhole(name, value): a whole number or some, or

@@ -2,10 +2,11 @@
 // The organ and the instrument in three dimensions. Draws only when something moved; draws fewer pixels when
 // pictures take too long.
 import { h } from './dom.js';
-import { joinedTexture, makeMesh, makeProgram, makeTexture, openContext } from './gl.js';
+import { drawnByProcessor, joinedTexture, makeMesh, makeProgram, makeTexture, openContext, shadersAreSlow } from './gl.js';
 import { addNormals, Morph } from './morph.js';
 import { OrbitCamera } from './orbit.js';
 import { OrganSum } from './organ_sum.js';
+import { ScriptSum } from './script_sum.js';
 import { kJoinShader, kJoinVertexShader, kLamps, kSteelShader, kVertexShader, tissueShader } from './shaders.js';
 import { jawOpening, poseMatrix, product, turnedAbout } from './tool_pose.js';
 
@@ -21,6 +22,7 @@ const kSlow_ms = 36;
 const kVerySlow_ms = 90;
 const kJudgedFrames = 8;
 const kStill_ms = 300; // after it the picture stands, and may take its time
+const kLoneShare = 2; // of a picture that follows none closely where the processor draws: what was sought is soon there
 
 export class Stage {
   camera = new OrbitCamera();
@@ -84,7 +86,7 @@ export class Stage {
   #map = null;
   #organMesh() {
     const { organ, skin } = this;
-    this.sum = new OrganSum(this.#gl, organ, skin?.corner);
+    this.sum = new (shadersAreSlow() ? ScriptSum : OrganSum)(this.#gl, organ, skin?.corner);
     const vertices = this.sum.buffer;
     if (!skin) return makeMesh(this.#gl, { vertices, index: organ.index, colour: organ.colour });
     const { place, width, height, index } = skin;
@@ -129,8 +131,11 @@ export class Stage {
     requestAnimationFrame((now_ms) => {
       this.#awaits = false;
       if (!this.#meshes || this.canvas.clientWidth === 0) return;
-      if (this.#still !== this.#sharpens) {
-        this.#still = this.#sharpens;
+      const lone = drawnByProcessor() && now_ms - this.#lastFrame_ms > kStill_ms;
+      const share = this.#sharpens ? 0 : Math.max(this.#share, lone ? kLoneShare : 0);
+      this.#still = this.#sharpens;
+      if (share !== this.#drawnShare) {
+        this.#drawnShare = share;
         this.#resize();
       }
       this.#sharpens = false;
@@ -138,13 +143,14 @@ export class Stage {
       if (!this.#still) this.#judge(now_ms);
     });
   }
+  #drawnShare = 0;
   #still = false;
   #sharpens = false;
   #later = null;
   /// What stands is drawn once more with all pixels.
   #sharpen() {
     clearTimeout(this.#later);
-    if (this.#share === 0 || this.#still) return;
+    if (this.#drawnShare === 0) return;
     this.#later = setTimeout(() => {
       if (this.#awaits) return;
       this.#sharpens = true;
@@ -152,8 +158,7 @@ export class Stage {
     }, kStill_ms);
   }
   #resize() {
-    const share = kShares[this.#still ? 0 : this.#share];
-    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * share;
+    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * kShares[this.#drawnShare];
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width === width && this.canvas.height === height) return;
@@ -172,7 +177,6 @@ export class Stage {
     if (middle_ms > kSlow_ms && this.#share + 1 < kShares.length) {
       const steps = middle_ms > kVerySlow_ms ? 2 : 1;
       this.#share = Math.min(this.#share + steps, kShares.length - 1);
-      this.#resize();
       this.redraw();
     }
   }
