@@ -402,8 +402,8 @@ void runTwist(TwistArguments arguments) {
   for (const OrganWarning& warning : scene.organWarnings) {
     std::cerr << "Warning: " << coded(warning) << '\n';
   }
-  if (scene.wall_m && !arguments.ends.empty() && !arguments.reference && arguments.wall.empty()) {
-    arguments.wall = std::to_string(1000.0 * *scene.wall_m);
+  if (!arguments.ends.empty() && !arguments.reference && arguments.wall.empty()) {
+    arguments.wall = wallWords(scene);
   }
   if (organFile) {
     checkWallArguments(arguments);

@@ -69,6 +69,17 @@ WallMap wallMap(const std::string& words) {
   return WallMap(places);
 }
 
+std::string wallWords(const Scene& scene) {
+  if (scene.wallAlong_m.empty()) {
+    return scene.wall_m ? std::to_string(1000.0 * *scene.wall_m) : std::string();
+  }
+  std::string words;
+  for (const auto& [share, thickness_m] : scene.wallAlong_m) {
+    words += (words.empty() ? "" : ",") + std::to_string(share) + ':' + std::to_string(1000.0 * thickness_m);
+  }
+  return words;
+}
+
 WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const WallTwistRequest& request) {
   const auto started = std::chrono::steady_clock::now();
   RodTwistRequest taut = rod;

@@ -33,6 +33,10 @@ struct WallTwistResult {
 /// the length and a thickness. Throws Error{kUsage} for anything else.
 [[nodiscard]] WallMap wallMap(const std::string& words);
 
+/// Returns the wall of a user's organ in the words of wallMap: what a scan showed, else its one thickness.
+/// Empty: it is not known.
+[[nodiscard]] std::string wallWords(const Scene& scene);
+
 /// Wrings the hollow organ of a scene that the rod `twist` has turned: the folded wall of a straight tube
 /// with the organ's perimeters, its torque scaled by what section and bend add to that of the rod. Throws
 /// Error{kBadParameter} for a wall or a pressure out of range.

@@ -15320,6 +15320,34 @@ audit trail %3</source>
         <translation>请选择长大于宽的器官，或指定其两端</translation>
     </message>
     <message>
+        <source>the stalk, the part that is wrung, is %1 times as long as wide; a twist needs a length of at least %2</source>
+        <translation>蒂（即被扭绞的部分）的长度是宽度的 %1 倍；扭转要求至少 %2 倍</translation>
+    </message>
+    <message>
+        <source>Name the ends of the organ: the root of its stalk is the held one</source>
+        <translation>请指定器官的两端：蒂的根部为固定端</translation>
+    </message>
+    <message>
+        <source>the organ hangs on no stalk: what is wrung of it is %1 times as wide as the rest</source>
+        <translation>器官没有蒂：被扭绞部分的宽度是其余部分的 %1 倍</translation>
+    </message>
+    <message>
+        <source>a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows the place where it stands</source>
+        <translation>侧面有一分支，宽 %1 毫米、长 %2 毫米，不属于任何截面：它随其所在部位一起移动</translation>
+    </message>
+    <message>
+        <source>Cut the branch off in a mesh editor if it is none of the organ</source>
+        <translation>若该分支不属于此器官，请在网格编辑软件中将其切除</translation>
+    </message>
+    <message>
+        <source>the map of the wall goes from %1 to %2 mm; %3 of its %4 places are seen in the scan, the others are filled in from those around them</source>
+        <translation>壁厚分布为 %1 至 %2 毫米；%4 处中有 %3 处在扫描中可见，其余由周围各处推算</translation>
+    </message>
+    <message>
+        <source>Give the thickness of the wall where you know it better</source>
+        <translation>若您更清楚壁厚，请直接给出</translation>
+    </message>
+    <message>
         <source>the organ branches: %1 of its surface stands off its section</source>
         <translation>器官有分支：其表面的 %1 偏离所属截面</translation>
     </message>

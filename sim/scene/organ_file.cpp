@@ -2,8 +2,11 @@
 #include "sim/scene/organ_file.h"
 
 #include <bit>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +26,8 @@ constexpr std::string_view kMagic = "torsio organ ";
 constexpr int kOrganFormat = 1;
 constexpr std::size_t kLongestHead = 1'000'000;
 constexpr std::size_t kDigestLength = 64;
+constexpr double kMicrometres = 1e6;
+constexpr long kThickest_um = 50'000;
 constexpr std::size_t kVertexBytes = 3 * sizeof(double);
 constexpr std::size_t kTriangleBytes = 3 * sizeof(std::uint32_t);
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
@@ -38,6 +43,34 @@ Json vectorJson(const Vec3& v) {
 
 Vec3 vectorFrom(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+/// Thickness in whole micrometres, below zero where it was filled in.
+Json mapJson(const OrganWallMap& map) {
+  Json cells = Json::array();
+  for (std::size_t n = 0; n < map.thickness_m.size(); ++n) {
+    const auto thickness_um = std::lround(kMicrometres * map.thickness_m[n]);
+    cells.push_back(map.seen[n] != 0 ? thickness_um : -thickness_um);
+  }
+  return {{"bands", map.bands}, {"ridges", map.ridges}, {"thickness_um", cells}};
+}
+
+std::optional<OrganWallMap> mapFrom(const Json& json) {
+  OrganWallMap map;
+  map.bands = json.at("bands").get<int>();
+  map.ridges = json.at("ridges").get<int>();
+  for (const auto& cell : json.at("thickness_um")) {
+    const long thickness_um = cell.get<long>();
+    if (thickness_um == 0 || std::abs(thickness_um) > kThickest_um) {
+      return std::nullopt;
+    }
+    map.thickness_m.push_back(static_cast<double>(std::abs(thickness_um)) / kMicrometres);
+    map.seen.push_back(thickness_um > 0 ? 1 : 0);
+  }
+  const bool whole =
+      map.bands > 0 && map.ridges > 0 && map.bands < kMostSections && map.ridges <= kMostRidges &&
+      map.thickness_m.size() == static_cast<std::size_t>(map.bands) * static_cast<std::size_t>(map.ridges);
+  return whole ? std::optional(std::move(map)) : std::nullopt;
 }
 
 std::string digestOf(std::string_view bytes) {
@@ -58,9 +91,19 @@ Json headOf(const OrganFile& organ) {
   }
   head["fixed_cut"] = vectorJson(organ.ends.fixedCut);
   head["free_cut"] = vectorJson(organ.ends.freeCut);
+  if (organ.ends.capRadius_m > 0.0) {
+    head["cap_radius_m"] = organ.ends.capRadius_m;
+  }
+  if (organ.ends.branchCut != Vec3{}) {
+    head["branch_root_m"] = vectorJson(organ.ends.branchRoot_m);
+    head["branch_cut"] = vectorJson(organ.ends.branchCut);
+  }
   head["anatomy"] = organ.anatomy;
   if (organ.wall_m) {
     head["wall_m"] = *organ.wall_m;
+  }
+  if (organ.wallMap) {
+    head["wall_map"] = mapJson(*organ.wallMap);
   }
   head["warnings"] = warningsJson(organ.warnings);
   return head;
@@ -75,9 +118,17 @@ OrganFile organOfHead(const Json& head) {
   }
   organ.ends.fixedCut = vectorFrom(head.at("fixed_cut"));
   organ.ends.freeCut = vectorFrom(head.at("free_cut"));
+  organ.ends.capRadius_m = head.value("cap_radius_m", 0.0);
+  if (head.contains("branch_cut")) {
+    organ.ends.branchRoot_m = vectorFrom(head.at("branch_root_m"));
+    organ.ends.branchCut = vectorFrom(head.at("branch_cut"));
+  }
   organ.anatomy = head.at("anatomy").get<std::string>();
   if (head.contains("wall_m")) {
     organ.wall_m = head.at("wall_m").get<double>();
+  }
+  if (head.contains("wall_map")) {
+    organ.wallMap = mapFrom(head.at("wall_map"));
   }
   organ.warnings = warningsOf(head.at("warnings"));
   return organ;

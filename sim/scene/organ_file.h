@@ -9,6 +9,7 @@
 #include "sim/base/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/scene/organ_finding.h"
+#include "sim/scene/organ_wall.h"
 
 namespace torsio {
 
@@ -18,16 +19,20 @@ struct OrganEnds {
   std::optional<Vec3> freeEnd_m;
   Vec3 fixedCut;  ///< outward direction of a cut through that end; zero: none
   Vec3 freeCut;
+  double capRadius_m = 0.0;  ///< > 0: discs on the surface about the ends instead of the rounded tips
+  Vec3 branchRoot_m{};       ///< of what hangs on the side, as LatticeOptions has it
+  Vec3 branchCut{};          ///< zero: nothing does
 };
 
 /// An organ that was checked and judged, as Torsio keeps it: what `torsio organ import` makes of a mesh.
 struct OrganFile {
   TriangleMesh mesh;  ///< of requireOrgan, metres, LPS
   OrganEnds ends;
-  std::string anatomy;                 ///< id of the scene whose patterns suit it; empty: not known
-  std::optional<double> wall_m;        ///< thickness of its wall
-  std::string source;                  ///< name of the mesh file, without its folder
-  std::vector<OrganWarning> warnings;  ///< with which it was accepted
+  std::string anatomy;                  ///< id of the scene whose patterns suit it; empty: not known
+  std::optional<double> wall_m;         ///< thickness of its wall
+  std::optional<OrganWallMap> wallMap;  ///< where it is so thick, on the lattice of `ends`
+  std::string source;                   ///< name of the mesh file, without its folder
+  std::vector<OrganWarning> warnings;   ///< with which it was accepted
 };
 
 /// Tells whether a file is named as an organ file: "liver.organ".

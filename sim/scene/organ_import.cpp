@@ -151,52 +151,19 @@ void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& impo
   addRepairs(import.repairs, import.findings);
   addIgnored(raw.ignored, import.findings);
   addVolume(request, *import.volume_ml, import.findings);
-  OrganJudgement judgement = judgeOrgan(import.organ.mesh, latticeFor(request.ends));
-  if (!twistsAsAWhole(request.assets, request.anatomy)) {
-    allowPartialTwist(judgement);
-  }
+  FittedOrgan fitted = fitOrgan(import.organ.mesh, request.ends, request.assets, request.anatomy);
+  const OrganJudgement& judgement = fitted.judgement;
+  import.organ.ends = fitted.ends;
   import.measures = judgement.measures;
   if (judgement.measures.length_m > 0.0) {
     import.leastDeterminant60 = judgement.measures.leastDeterminant60;
   }
-  for (OrganFinding& finding : judgement.findings) {
+  for (OrganFinding& finding : fitted.judgement.findings) {
     import.findings.push_back(std::move(finding));
   }
 }
 
 }  // namespace
-
-bool twistsAsAWhole(const std::filesystem::path& assets, const std::string& anatomy) {
-  if (anatomy.empty()) {
-    return true;
-  }
-  const SceneDescription scene = readSceneFile(assets, anatomy);
-  return std::any_of(scene.patterns.begin(), scene.patterns.end(),
-                     [](const PatternDescription& one) { return one.pattern.detorsion == nullptr; });
-}
-
-void allowPartialTwist(OrganJudgement& judgement) {
-  if (judgement.shapeless()) {
-    return;
-  }
-  for (OrganFinding& finding : judgement.findings) {
-    if (finding.weight == FindingWeight::kRefusal && finding.code >= "M22") {
-      finding.weight = FindingWeight::kWarning;
-    }
-  }
-}
-
-LatticeOptions latticeFor(const OrganEnds& ends) {
-  LatticeOptions lattice;
-  lattice.mode = LatticeMode::kAutomatic;
-  if (ends.fixedEnd_m && ends.freeEnd_m) {
-    lattice.fixedEnd_m = *ends.fixedEnd_m;
-    lattice.freeEnd_m = *ends.freeEnd_m;
-  }
-  lattice.fixedCut = ends.fixedCut;
-  lattice.freeCut = ends.freeCut;
-  return lattice;
-}
 
 std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& findings) {
   std::vector<OrganWarning> warnings;
@@ -225,6 +192,7 @@ OrganImport importOrgan(const OrganImportRequest& request) {
 OrganImport importOrgan(const OrganImportRequest& request, const std::function<RawMesh()>& read) {
   checkImportRequest(request);
   OrganImport import;
+  import.organ.ends = request.ends;
   try {
     judgeMesh(request, read(), import);
   } catch (const Error& refusal) {
@@ -235,7 +203,6 @@ OrganImport importOrgan(const OrganImportRequest& request, const std::function<R
     }
     import.findings.push_back(findingOf(refusal));
   }
-  import.organ.ends = request.ends;
   import.organ.anatomy = request.anatomy;
   import.organ.wall_m = request.wall_m;
   import.organ.source = request.file.filename().string();

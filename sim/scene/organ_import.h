@@ -10,6 +10,7 @@
 #include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/scene/organ_file.h"
+#include "sim/scene/organ_fit.h"
 #include "sim/scene/organ_judgement.h"
 
 namespace torsio {
@@ -52,15 +53,5 @@ void addFindings(OrganImport& import, std::vector<OrganFinding> found);
 
 /// Returns the warnings among findings, as a scene and a recording keep them.
 [[nodiscard]] std::vector<OrganWarning> warningsAmong(const std::vector<OrganFinding>& findings);
-
-/// Tells whether the patterns of a scene twist an organ along its whole length, as it is judged: not where it
-/// came twisted in parts of it. Of no scene: true.
-[[nodiscard]] bool twistsAsAWhole(const std::filesystem::path& assets, const std::string& anatomy);
-
-/// Makes warnings of the refusals about a twist along the whole length.
-void allowPartialTwist(OrganJudgement& judgement);
-
-/// Returns the lattice's options for an organ with these ends.
-[[nodiscard]] LatticeOptions latticeFor(const OrganEnds& ends);
 
 }  // namespace torsio

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "sim/base/angle.h"
+#include "sim/base/contracts.h"
 #include "sim/base/portable_math.h"
+#include "sim/base/pose.h"
 #include "sim/base/short_number.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
@@ -62,45 +64,64 @@ double meanWidth_m(double area_m2) {
   return 2.0 * std::sqrt(std::max(area_m2, 0.0) / kPi);
 }
 
-void measureSections(const SectionLattice& lattice, OrganMeasures& measures) {
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void measureSections(const SectionLattice& lattice, double wrung, OrganMeasures& measures) {
   std::vector<double> aspects;
+  std::vector<double> widths_m;
   double narrowest_m = 0.0;
   double widestInside_m = 0.0;
+  double widestBeyond_m = 0.0;
   for (int j = 0; j < lattice.sections(); ++j) {
     const OutlineMoments moments = momentsOf(lattice.outline_m(j));
     const double width_m = meanWidth_m(moments.area);
-    measures.widest_m = std::max(measures.widest_m, width_m);
-    const double share = lattice.sectionArc_m(j) / lattice.length_m();
+    const double place = lattice.sectionArc_m(j) / lattice.length_m();
+    const double share = place / wrung;
+    if (share > 1.0) {
+      widestBeyond_m = std::max(widestBeyond_m, width_m);
+      continue;
+    }
+    // A stalk goes over into what it carries: its last tenth is none of its width.
+    if (wrung == 1.0 || share <= 0.9) {
+      measures.widest_m = std::max(measures.widest_m, width_m);
+    }
     if (share < 0.1 || share > 0.9) {
       continue;
     }
+    widths_m.push_back(width_m);
     aspects.push_back(moments.aspect);
     if (narrowest_m == 0.0 || width_m < narrowest_m) {
       narrowest_m = width_m;
-      measures.narrowestAt = share;
+      measures.narrowestAt = place;
     }
     if (width_m > widestInside_m) {
       widestInside_m = width_m;
-      measures.widestAt = share;
+      measures.widestAt = place;
     }
   }
-  measures.elongation = measures.widest_m > 0.0 ? measures.length_m / measures.widest_m : 0.0;
+  measures.elongation = measures.widest_m > 0.0 ? wrung * measures.length_m / measures.widest_m : 0.0;
   measures.widthRatio = narrowest_m > 0.0 ? widestInside_m / narrowest_m : 1.0;
-  if (!aspects.empty()) {
-    std::nth_element(aspects.begin(), aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2),
-                     aspects.end());
-    measures.flatness = aspects[aspects.size() / 2];
+  measures.flatness = aspects.empty() ? measures.flatness : median(aspects);
+  if (wrung < 1.0 && !widths_m.empty() && widestBeyond_m > 0.0) {
+    measures.stalkWidth = median(widths_m) / widestBeyond_m;
   }
 }
 
 /// How far a place fixed in the section moves along the axis as the section does, as a share: below 0 where
 /// neighbouring sections run into each other, inside of a bend sharper than the organ is wide.
-void measureOverlap(const SectionLattice& lattice, OrganMeasures& measures) {
+void measureOverlap(const SectionLattice& lattice, double wrung, OrganMeasures& measures) {
   const double step_m = lattice.length_m() / 400.0;
   std::size_t places = 0;
   std::size_t overlapping = 0;
   for (int j = 1; j + 1 < lattice.sections(); ++j) {
     const double arc_m = lattice.sectionArc_m(j);
+    if (arc_m > wrung * lattice.length_m()) {
+      break;
+    }
     const AxisFrame before = lattice.frameAt(arc_m - step_m);
     const AxisFrame here = lattice.frameAt(arc_m);
     const AxisFrame behind = lattice.frameAt(arc_m + step_m);
@@ -147,7 +168,9 @@ bool isBeyond(const SectionLattice& lattice, LatticePart part, const Vec3& p, do
 }
 
 /// A branch hangs on one section: its surface stands off the plane of that section.
-void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, OrganMeasures& measures) {
+/// What a stalk carries turns as a whole, whatever its shape.
+void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, double wrung,
+                     OrganMeasures& measures) {
   const MeanRadius radius(lattice);
   double whole_m2 = 0.0;
   double branch_m2 = 0.0;
@@ -158,6 +181,10 @@ void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, Or
     const double area_m2 = 0.5 * norm(cross(mesh.vertices_m[t[1]] - p, mesh.vertices_m[t[2]] - p));
     whole_m2 += area_m2;
     const LatticePart part = lattice.vertexParts()[v];
+    if (wrung < 1.0 && (part == LatticePart::kFreeCap ||
+                        lattice.vertexCoordinates()[v].arc_m > wrung * lattice.length_m())) {
+      continue;
+    }
     if (part != LatticePart::kSide) {
       beyond_m2 += isBeyond(lattice, part, p, measures.widest_m) ? area_m2 : 0.0;
       continue;
@@ -172,15 +199,41 @@ void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, Or
   measures.beyond = beyond_m2 / whole_m2;
 }
 
-void twistBothWays(const TriangleMesh& mesh, const SectionLattice& lattice, OrganMeasures& measures) {
+/// Where a point goes when a stalk is wrung and what it carries turns on it as a whole (docs/model.md H.8).
+class StalkTurn {
+ public:
+  StalkTurn(const TwistModel& model, const TwistState& state)
+      : model_(model), state_(state), top_(model.lattice().frameAt(state.graspArc_m)) {}
+  [[nodiscard]] Vec3 operator()(const Vec3& p) const {
+    const double arc_m = model_.lattice().nearestArc_m(p);
+    const AxisFrame axis = arc_m < state_.graspArc_m ? model_.lattice().frameAt(arc_m) : top_;
+    return axis.centre_m + rotateAbout(p - axis.centre_m, axis.tangent,
+                                       model_.angleAt(std::min(arc_m, state_.graspArc_m), state_));
+  }
+
+ private:
+  const TwistModel& model_;
+  TwistState state_;
+  AxisFrame top_;
+};
+
+void twistBothWays(const TriangleMesh& mesh, const SectionLattice& lattice, double wrung,
+                   OrganMeasures& measures) {
   const TwistModel model(mesh, lattice, Material{}, TwistModelOptions{});
   const FoldCheck check(mesh, lattice);
   std::vector<Vec3> turned(mesh.vertices_m.size());
   for (const double angle_rad : {kTrialTurn_rad, -kTrialTurn_rad}) {
-    const TwistState state{lattice.length_m(), angle_rad};
-    model.deform(state, turned);
-    const FoldReport report = check.judge(
-        turned, [&model, &state](const Vec3& rest_m) { return model.toDeformed_m(rest_m, state); });
+    const TwistState state{wrung * lattice.length_m(), angle_rad};
+    const StalkTurn onStalk(model, state);
+    const auto map = [&](const Vec3& rest_m) {
+      return wrung < 1.0 ? onStalk(rest_m) : model.toDeformed_m(rest_m, state);
+    };
+    if (wrung < 1.0) {
+      std::transform(mesh.vertices_m.begin(), mesh.vertices_m.end(), turned.begin(), map);
+    } else {
+      model.deform(state, turned);
+    }
+    const FoldReport report = check.judge(turned, map);
     measures.leastDeterminant60 = std::min(measures.leastDeterminant60, report.minDeterminant);
     measures.crossings60 = std::max(measures.crossings60, report.crossings);
   }
@@ -226,13 +279,28 @@ Text askForEnds() {
   return Text::tr("Name the ends of the organ, or cut off what is none of it");
 }
 
-void judgeShape(const OrganMeasures& m, const OrganLimits& limits, Findings& findings) {
-  findings.atLeast(
-      m.elongation, limits.leastElongation, limits.usualElongation,
+OrganFinding tooShort(const OrganMeasures& m, const OrganLimits& limits, double wrung) {
+  if (wrung < 1.0) {
+    return finding("M20",
+                   Text::tr("the stalk, the part that is wrung, is %1 times as long as wide; a twist needs "
+                            "a length of at least %2",
+                            shortNumber(m.elongation), shortNumber(limits.usualElongation)),
+                   Text::tr("Name the ends of the organ: the root of its stalk is the held one"));
+  }
+  return finding("M20",
+                 Text::tr("the organ is %1 times as long as wide; a twist needs a length of at least %2",
+                          shortNumber(m.elongation), shortNumber(limits.usualElongation)),
+                 Text::tr("Choose an organ that is longer than wide, or name its ends"));
+}
+
+void judgeShape(const OrganMeasures& m, const OrganLimits& limits, double wrung, Findings& findings) {
+  findings.atLeast(m.elongation, limits.leastElongation, limits.usualElongation, tooShort(m, limits, wrung));
+  findings.atMost(
+      m.stalkWidth, limits.mostStalkWidth, limits.mostStalkWidth,
       finding("M20",
-              Text::tr("the organ is %1 times as long as wide; a twist needs a length of at least %2",
-                       shortNumber(m.elongation), shortNumber(limits.usualElongation)),
-              Text::tr("Choose an organ that is longer than wide, or name its ends")));
+              Text::tr("the organ hangs on no stalk: what is wrung of it is %1 times as wide as the rest",
+                       shortNumber(m.stalkWidth)),
+              Text::tr("Name the ends of the organ: the root of its stalk is the held one")));
   findings.atMost(
       m.branch, limits.mostBranch, limits.usualBranch,
       finding("M20",
@@ -290,8 +358,9 @@ void judgeTwist(const OrganMeasures& m, std::size_t triangles, std::size_t turne
 
 }  // namespace
 
-OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
+OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options, double wrung,
                           const OrganLimits& limits) {
+  TORSIO_EXPECTS(wrung > 0.0 && wrung <= 1.0);
   OrganJudgement judgement;
   OrganMeasures& measures = judgement.measures;
   std::size_t triangles = whole.triangles.size();
@@ -302,10 +371,10 @@ OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& optio
     triangles = mesh.triangles.size();
     const SectionLattice lattice(mesh, options);
     measures.length_m = lattice.length_m();
-    measureSections(lattice, measures);
-    measureOverlap(lattice, measures);
-    measureBranches(mesh, lattice, measures);
-    twistBothWays(mesh, lattice, measures);
+    measureSections(lattice, wrung, measures);
+    measureOverlap(lattice, wrung, measures);
+    measureBranches(mesh, lattice, wrung, measures);
+    twistBothWays(mesh, lattice, wrung, measures);
     measures.crossingsAtRest = crossingTriangles(whole).size();
   } catch (const Error& refusal) {
     OrganFinding none = findingOf(refusal);
@@ -315,7 +384,7 @@ OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& optio
     return judgement;
   }
   Findings findings(judgement.findings);
-  judgeShape(measures, limits, findings);
+  judgeShape(measures, limits, wrung, findings);
   judgeTwist(measures, whole.triangles.size(), triangles, limits, findings);
   std::stable_sort(judgement.findings.begin(), judgement.findings.end(),
                    [](const OrganFinding& a, const OrganFinding& b) { return a.code < b.code; });

@@ -16,7 +16,7 @@ inline constexpr std::size_t kJudgedTriangles = 100'000;
 
 /// Limits of what the lattice of ridges and sections can describe; docs/organs.md says what organs measure.
 struct OrganLimits {
-  double leastElongation = 1.8;     ///< length over largest mean width; below: refused
+  double leastElongation = 2.0;     ///< length over largest mean width; below: refused
   double usualElongation = 2.2;     ///< below: a warning
   double mostFlatness = 4.0;        ///< long over short side of the sections; above: refused
   double usualFlatness = 2.5;       ///< above: a warning
@@ -30,13 +30,14 @@ struct OrganLimits {
   double leastDeterminant = 0.2;    ///< of det F at 60 degrees either way; below: a warning
   double foldedDeterminant = 0.0;   ///< below: tissue would turn inside out; refused
   double mostCrossingShare = 1e-3;  ///< of the triangles that cross others, at rest or turned; refused
+  double mostStalkWidth = 0.6;      ///< of a stalk over what it carries; above: refused
 };
 
-/// Measures of an organ as the lattice sees it.
+/// Measures of an organ as the lattice sees it; of one on a stalk those of the stalk, but for its length.
 struct OrganMeasures {
-  double length_m = 0.0;
+  double length_m = 0.0;    ///< of the whole organ
   double widest_m = 0.0;    ///< diameter of the round section of the same area
-  double elongation = 0.0;  ///< length over widest
+  double elongation = 0.0;  ///< length of what is wrung over widest
   double flatness = 1.0;    ///< long over short side, median over the sections
   double overlap = 0.0;     ///< share of the places on the sections that run into the next one
   double branch = 0.0;      ///< share of the surface farther off its section than its radius
@@ -47,6 +48,7 @@ struct OrganMeasures {
   double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
   std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
   std::size_t crossingsAtRest = 0;
+  double stalkWidth = 0.0;  ///< median width of the stalk over the widest of what it carries; 0: no stalk
 };
 
 /// What the lattice makes of an organ.
@@ -60,8 +62,9 @@ struct OrganJudgement {
 /// Judges an organ before it is accepted: builds its lattice, measures it and twists it by 60 degrees either
 /// way about its own axis, its free end gripped. A surface of more than kJudgedTriangles is thinned to so
 /// many for that. `whole`: of requireOrgan. A mesh without a lattice is refused with what the lattice says.
-/// Some seconds for a million triangles.
+/// `wrung`: share of the length, from the fixed end, that is wrung: below 1 a stalk, which alone is judged,
+/// while the rest turns on it as a whole. Some seconds for a million triangles.
 [[nodiscard]] OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
-                                        const OrganLimits& limits = {});
+                                        double wrung = 1.0, const OrganLimits& limits = {});
 
 }  // namespace torsio

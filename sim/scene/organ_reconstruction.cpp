@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/scene/organ_reconstruction.h"
 
+#include <algorithm>
 #include <ctime>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/base/short_number.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/imaging/apart/scan_process.h"
 
@@ -27,9 +30,33 @@ OrganImportRequest requestFor(OrganImportRequest request, const ScanRequest& sca
   return request;
 }
 
+/// Where the wall is how thick, on the lattice of an organ that was not refused.
+void addWallMap(const ScanSurface& surface, OrganImport& import, std::vector<OrganFinding>& found) {
+  if (!import.accepted || surface.wallRays.empty()) {
+    return;
+  }
+  const SectionLattice lattice(import.organ.mesh, latticeFor(import.organ.ends));
+  import.organ.wallMap = wallMapOf(surface.wallRays, import.organ.mesh, lattice);
+  if (!import.organ.wallMap) {
+    return;
+  }
+  const OrganWallMap& map = *import.organ.wallMap;
+  const auto [least, most] = std::minmax_element(map.thickness_m.begin(), map.thickness_m.end());
+  const std::size_t seen = map.seenPatches();
+  const bool whole = 2 * seen >= map.seen.size();
+  found.push_back({"D18", whole ? FindingWeight::kNote : FindingWeight::kWarning,
+                   Text::tr("the map of the wall goes from %1 to %2 mm; %3 of its %4 places are seen in the "
+                            "scan, the others are filled in from those around them",
+                            shortNumber(1000.0 * *least), shortNumber(1000.0 * *most), std::to_string(seen),
+                            std::to_string(map.seen.size())),
+                   Text::tr("the scan"), static_cast<double>(seen) / static_cast<double>(map.seen.size()),
+                   whole ? Text{} : Text::tr("Give the thickness of the wall where you know it better")});
+}
+
 /// What only the scan knows of the organ.
 void addScan(const ScanSurface& surface, OrganImport& import) {
   std::vector<OrganFinding> found;
+  addWallMap(surface, import, found);
   for (const ScanRemark& remark : surface.remarks) {
     found.push_back(findingOfScan(remark));
   }

@@ -49,13 +49,11 @@ struct UsersOrgan {
   bool anatomyKnown = false;  ///< an organ file says what it is, or that nothing is known
 };
 
-/// Judges a mesh; its faults are warnings, or the reason to refuse it.
-std::vector<OrganWarning> judged(const OrganFile& organ, const SceneRequest& request) {
-  OrganJudgement judgement = judgeOrgan(organ.mesh, latticeFor(organ.ends));
-  if (!twistsAsAWhole(request.assets, organ.anatomy)) {
-    allowPartialTwist(judgement);
-  }
-  for (OrganFinding& finding : judgement.findings) {
+/// Judges a mesh and finds its ends; its faults are warnings, or the reason to refuse it.
+std::vector<OrganWarning> judged(OrganFile& organ, const SceneRequest& request) {
+  FittedOrgan fitted = fitOrgan(organ.mesh, organ.ends, request.assets, organ.anatomy);
+  organ.ends = fitted.ends;
+  for (OrganFinding& finding : fitted.judgement.findings) {
     if (finding.weight == FindingWeight::kRefusal) {
       if (!request.tellOnly) {
         throw refusalOf(finding, request.organFile->string());
@@ -63,7 +61,7 @@ std::vector<OrganWarning> judged(const OrganFile& organ, const SceneRequest& req
       finding.weight = FindingWeight::kWarning;
     }
   }
-  return warningsAmong(judgement.findings);
+  return warningsAmong(fitted.judgement.findings);
 }
 
 UsersOrgan loadUsersOrgan(const SceneRequest& request) {
@@ -85,7 +83,8 @@ UsersOrgan loadUsersOrgan(const SceneRequest& request) {
   }
   const bool endsGiven = request.fixedEnd_m.has_value();
   if (endsGiven) {
-    organ.file.ends = {request.fixedEnd_m, request.freeEnd_m, request.fixedCut, request.freeCut};
+    organ.file.ends = {request.fixedEnd_m,  request.freeEnd_m,    request.fixedCut, request.freeCut,
+                       request.capRadius_m, request.branchRoot_m, request.branchCut};
   }
   if (request.asRecorded) {
     organ.file.warnings = request.organWarnings;
@@ -139,6 +138,15 @@ void replaceOrgan(SceneDescription& scene, const SceneRequest& request, const Us
   lattice.sections = scene.lattice.sections;
   scene.lattice = lattice;
   scene.organWarnings = organ.file.warnings;
+  if (organ.file.wallMap) {
+    for (PatternDescription& one : scene.patterns) {
+      if (one.pattern.detorsion && !one.pattern.detorsion->wall.thickness_m.empty()) {
+        auto detorsion = std::make_shared<Detorsion>(*one.pattern.detorsion);
+        detorsion->wall.thickness_m = thicknessAlong_m(*organ.file.wallMap);
+        one.pattern.detorsion = std::move(detorsion);
+      }
+    }
+  }
   for (Restraint& restraint : scene.restraints) {
     restraint.point_m.reset();  // landmarks of the shipped organ
     restraint.anchor_m.reset();
@@ -283,6 +291,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
                std::move(hollow),
                description.organWarnings,
                own.file.wall_m,
+               own.file.wallMap ? thicknessAlong_m(*own.file.wallMap) : std::vector<std::array<double, 2>>{},
                former};
 }
 

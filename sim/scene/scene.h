@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -79,6 +80,9 @@ struct SceneRequest {
   std::optional<Vec3> freeEnd_m;
   Vec3 fixedCut;  ///< of organFile, as LatticeOptions::fixedCut
   Vec3 freeCut;
+  double capRadius_m = 0.0;  ///< of organFile, as OrganEnds has them
+  Vec3 branchRoot_m;
+  Vec3 branchCut;
   bool tellOnly = false;    ///< take a mesh of the user's that is refused, its faults as warnings
   bool asRecorded = false;  ///< of a recording: the organ is taken as it was then, with organWarnings
   std::vector<OrganWarning> organWarnings;  ///< with asRecorded
@@ -119,6 +123,8 @@ struct Scene {
   std::shared_ptr<const HollowOrgan> hollow{};
   std::vector<OrganWarning> organWarnings{};  ///< with which a user's organ was accepted
   std::optional<double> wall_m{};             ///< of a user's organ file that says it
+  /// Its wall along the organ, HollowWall::thickness_m; empty: no scan showed it.
+  std::vector<std::array<double, 2>> wallAlong_m{};
   bool former = false;                        ///< the former state of the scene: SceneRequest::former
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }

@@ -297,6 +297,11 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
       }
       request.fixedCut = vectorOf(lattice.at("fixed_cut"));
       request.freeCut = vectorOf(lattice.at("free_cut"));
+      request.capRadius_m = lattice.at("cap_radius_m").get<double>();
+      if (lattice.contains("branch_cut")) {
+        request.branchRoot_m = vectorOf(lattice.at("branch_root_m"));
+        request.branchCut = vectorOf(lattice.at("branch_cut"));
+      }
       const Vec3 fixedEnd = vectorOf(lattice.at("fixed_end_m"));
       const Vec3 freeEnd = vectorOf(lattice.at("free_end_m"));
       if (fixedEnd != freeEnd) {

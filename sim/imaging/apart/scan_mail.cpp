@@ -252,6 +252,11 @@ std::string mailOf(const ScanSurface& surface) {
     facts.number(number);
   }
   packRemarks(surface.remarks, facts);
+  facts.number(static_cast<double>(surface.wallRays.size()));
+  for (const WallRay& ray : surface.wallRays) {
+    packVector(ray.place_mm, facts);
+    facts.number(ray.thickness_mm);
+  }
   return mailHead(kScanMail, facts) + mailOf(RawMesh{surface.mesh, {}});
 }
 
@@ -300,6 +305,11 @@ ScanSurface scanOfMail(std::span<const char> bytes, const std::string& where) {
   wall.seen = facts.number();
   surface.wall = walled ? std::optional(wall) : std::nullopt;
   unpackRemarks(facts, surface.remarks);
+  surface.wallRays.resize(facts.count(mail.facts.size() / sizeof(WallRay)));
+  for (WallRay& ray : surface.wallRays) {
+    ray.place_mm = unpackVector(facts);
+    ray.thickness_mm = facts.number();
+  }
   surface.mesh = meshOfMail(mail.rest, where).mesh;
   return surface;
 }

@@ -83,6 +83,12 @@ struct WallThickness {
   double seen = 0.0;       ///< share of the rays that end in fat or gas; elsewhere another organ lies behind
 };
 
+/// The wall where one ray leaves the lumen.
+struct WallRay {
+  Vec3 place_mm;  ///< on the lumen, LPS
+  double thickness_mm = 0.0;
+};
+
 /// What became of it.
 struct ScanSurface {
   TriangleMesh mesh;  ///< metres, LPS; closed, outwards
@@ -93,6 +99,7 @@ struct ScanSurface {
   double step_mm = 0.0;               ///< side of the voxels that the surface was drawn on
   std::optional<double> level_HU;     ///< at which it was drawn
   std::optional<WallThickness> wall;  ///< as the scan shows it, of a kGasLumen or a kWall
+  std::vector<WallRay> wallRays;      ///< those that see an end of it
   std::optional<double> ownWall_mm;   ///< of a kWall: given, measured, or assumed with a warning
   std::size_t rawTriangles = 0;       ///< before thinning
 };

@@ -187,6 +187,13 @@ void tellWall(const std::optional<WallThickness>& wall, std::vector<ScanRemark>&
        wall->median_mm, ""});
 }
 
+void measureWall(const ScanVolume& scan, const TriangleMesh& lumen, const FoundPiece& found,
+                 ScanSurface& result) {
+  result.wallRays = wallRays(scan, lumen, found.level.level);
+  result.wall = wallThickness(result.wallRays, lumen.vertices_m.size());
+  tellWall(result.wall, result.remarks);
+}
+
 std::string tissueName(const ScanRequest& request) {
   switch (request.tissue) {
     case ScanTissue::kSkin:
@@ -247,8 +254,7 @@ OrganShares wallRound(const ScanWork& work, const WorkGrid& grid, const FoundPie
   const VoxelMask whole = organ.organ;
   const TriangleMesh mesh = finished(std::move(organ), grid.step_mm, work.progress, work.result.rawTriangles);
   tell(work.progress, ScanStep::kMeasuring, 0.0);
-  work.result.wall = wallThickness(work.scan.volume, mesh, found.level.level);
-  tellWall(work.result.wall, work.result.remarks);
+  measureWall(work.scan.volume, mesh, found, work.result);
   return wallShares(grid, whole, wallReach_mm(work.request, work.result));
 }
 
@@ -315,8 +321,7 @@ ScanSurface surfaceOfScan(ScanRead scan, const ScanRequest& request, const std::
   }
   if (request.tissue == ScanTissue::kGasLumen) {
     tell(progress, ScanStep::kMeasuring, 0.0);
-    result.wall = wallThickness(scan.volume, result.mesh, tissue.found.level.level);
-    tellWall(result.wall, result.remarks);
+    measureWall(scan.volume, result.mesh, tissue.found, result);
   }
   if (const auto cut = cutOff(grid, whole)) {
     result.remarks.push_back(*cut);

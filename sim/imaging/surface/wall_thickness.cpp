@@ -131,32 +131,39 @@ void spreadDistances(std::vector<float>& squares, const std::array<std::size_t, 
 
 }  // namespace
 
-std::optional<WallThickness> wallThickness(const ScanVolume& scan, const TriangleMesh& lumen,
-                                           double level_HU) {
+std::vector<WallRay> wallRays(const ScanVolume& scan, const TriangleMesh& lumen, double level_HU) {
   for (const std::size_t side : scan.count) {
     if (side < 2) {
-      return std::nullopt;
+      return {};
     }
   }
   const double step_mm =
       kStepShare * std::min({norm(scan.step_mm[0]), norm(scan.step_mm[1]), norm(scan.step_mm[2])});
   const std::vector<Vec3> normals = vertexNormals(lumen);
-  std::vector<double> thicknesses_mm;
+  std::vector<WallRay> rays;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3 from_mm = kMillimetresPerMetre * lumen.vertices_m[v];
     if (const auto thickness_mm = thicknessAlong(scan, from_mm, normals[v], level_HU, step_mm)) {
-      thicknesses_mm.push_back(*thickness_mm);
+      rays.push_back({from_mm, *thickness_mm});
     }
   }
-  if (thicknesses_mm.empty()) {
+  return rays;
+}
+
+std::optional<WallThickness> wallThickness(const std::vector<WallRay>& rays, std::size_t all) {
+  if (rays.empty()) {
     return std::nullopt;
+  }
+  std::vector<double> thicknesses_mm;
+  for (const WallRay& ray : rays) {
+    thicknesses_mm.push_back(ray.thickness_mm);
   }
   std::sort(thicknesses_mm.begin(), thicknesses_mm.end());
   const auto quantile = [&thicknesses_mm](double share) {
     return thicknesses_mm[static_cast<std::size_t>(share * static_cast<double>(thicknesses_mm.size() - 1))];
   };
   return WallThickness{quantile(0.5), quantile(0.1), quantile(0.9),
-                       static_cast<double>(thicknesses_mm.size()) / static_cast<double>(normals.size())};
+                       static_cast<double>(rays.size()) / static_cast<double>(all)};
 }
 
 OrganShares wallShares(const WorkGrid& grid, const VoxelMask& lumen, double wall_mm) {
