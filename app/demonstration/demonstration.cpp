@@ -164,9 +164,8 @@ class Demonstration {
 
   void record(const Scene& scene, ScriptedTrial trial, const DemonstrationTrainee* trainee, double fraction) {
     RecordingSpec& recording = trial.recording;
-    meter_.show(
-        "Recording " + (trainee != nullptr ? trainee->code : "the example") + ", " + recording.phaseLabel,
-        fraction);
+    meter_.show("Recording " + (trainee != nullptr ? trainee->code + ", " : "the ") + recording.phaseLabel,
+                fraction);
     recording.trialId = ids_.newUuid();
     recording.traineeCode = trainee != nullptr ? trainee->code : "";
     recording.startedUtc_us = options_.simulatedUtc_us;

@@ -8,7 +8,8 @@ namespace torsio {
 
 std::string percentText(double share) {
   constexpr double kLeast = 0.0005;
-  return share < kLeast ? "< 0.1 %" : formatFixed(100.0 * share, 1) + " %";
+  const std::string number = share < kLeast ? "<\u00A00.1" : formatFixed(100.0 * share, 1);
+  return number + "\u00A0%";  // no line ends between number and sign
 }
 
 Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
@@ -31,7 +32,7 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
 
 Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
   return Text::tr(
-      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false "
+      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false "
       "pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.",
       errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
       percentText(errors.falseFail), percentText(design.adequate), percentText(errors.falseAlarm));

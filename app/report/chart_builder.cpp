@@ -266,7 +266,7 @@ class Builder {
         through(series, axis);
         continue;
       }
-      auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
+      auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 5.0 : 8.0);
       dots->setColor(paled(seriesColour(lookOf(s), style_), kCloud, style_));
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i]) {

@@ -15608,7 +15608,7 @@ audit trail %3</source>
         <translation>误报警的概率</translation>
     </message>
     <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are held to be able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.</source>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.</source>
         <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
     </message>
     <message>
@@ -18860,7 +18860,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>专家为同一器官复位</translation>
     </message>
     <message>
-        <source>When you are held to be able</source>
+        <source>When you are judged able</source>
         <translation>何时被认为胜任</translation>
     </message>
     <message numerus="yes">
@@ -19140,7 +19140,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Raters of %1</source>
-        <translation>%1 的评分者</translation>
+        <translation>评分者：%1</translation>
     </message>
     <message>
         <source>done</source>
@@ -19897,7 +19897,7 @@ MSM = 质点弹簧</translation>
         <translation>取自专家(&amp;E)</translation>
     </message>
     <message>
-        <source>When trainees are held to be able</source>
+        <source>When trainees are judged able</source>
         <translation>学员何时被认为胜任</translation>
     </message>
     <message>

@@ -32,6 +32,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   rowsLayout_->setContentsMargins(0, 0, kSpace, 0);
   rowsLayout_->setSpacing(kSpace / 2);
   scroll_->setWidget(ground);
+  ground->installEventFilter(this);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setMinimumHeight(6 * kSpace);  // a row or two where a screen is small
@@ -47,6 +48,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   comment_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2 * kSpace);
   column->addWidget(commentLabel_);
   column->addWidget(comment_);
+  column->addStretch();  // a tall page leaves its room below the sheet, not within it
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
     if (filling_ || editor_ == nullptr) {
       return;
@@ -57,7 +59,19 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   });
 }
 
+/// No taller than its rows: the overall mark follows them.
+void SheetPanel::fitRows() {
+  const int wide = scroll_->viewport()->width();
+  const int high = rowsLayout_->hasHeightForWidth() ? rowsLayout_->totalHeightForWidth(wide)
+                                                    : rowsLayout_->totalSizeHint().height();
+  scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), high + 2 * scroll_->frameWidth()));
+}
+
 bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == scroll_->widget() &&
+      (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize)) {
+    QTimer::singleShot(0, this, &SheetPanel::fitRows);
+  }
   if (watched == scroll_ && event->type() == QEvent::Resize) {
     QTimer::singleShot(0, this, &SheetPanel::showCurrentRow);  // when the rows have their places
   }

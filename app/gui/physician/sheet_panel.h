@@ -74,6 +74,7 @@ class SheetPanel : public QWidget {
 
  private:
   void build();
+  void fitRows();
   void step(int direction);
   void adjust(std::int64_t steps);
   void digit(int value);

@@ -36,8 +36,9 @@ namespace {
 
 constexpr double kShownPoses_per_s = 30.0;  ///< of simulated time
 constexpr int kReplayFrame_ms = 33;
-constexpr int kViewHeight = 250;
-constexpr int kLabelRoom = 4;  ///< the width of a label with a mnemonic is told a little too small
+constexpr int kLeastViewHeight = 250;
+constexpr double kViewShare = 0.35;  // of the height of the page, where that is more
+constexpr int kLabelRoom = 4;        ///< the width of a label with a mnemonic is told a little too small
 constexpr int kTableHeight = 330;
 constexpr int kFigureHeight = 400;
 constexpr int kFirstMarkerOfCourse = 8;  ///< the second knuckle, as in Fig. 14
@@ -127,6 +128,13 @@ ModelComparison::ModelComparison(ShellContext& shell, QWidget* parent) : QWidget
   connect(&replayTimer_, &QTimer::timeout, this, &ModelComparison::replayFrame);
 }
 
+void ModelComparison::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  for (const Side& side : sides_) {
+    side.view->setMinimumHeight(std::max(kLeastViewHeight, static_cast<int>(kViewShare * height())));
+  }
+}
+
 QWidget* ModelComparison::createBar() {
   auto* bar = new QWidget(this);
   auto* row = new QHBoxLayout(bar);
@@ -181,7 +189,7 @@ QWidget* ModelComparison::createSide(Side& side) {
   side.card = new Card(QString(), this);
   side.poses = std::make_shared<std::vector<ModelPose>>();
   side.view = new SceneView(side.card);
-  side.view->setMinimumHeight(kViewHeight);
+  side.view->setMinimumHeight(kLeastViewHeight);
   side.view->setToolVisible(false);
   side.view->setMarkersVisible(true);
   auto* turn = new ViewTurn(*side.view);

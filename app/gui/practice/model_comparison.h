@@ -63,6 +63,9 @@ class ModelComparison : public QWidget {
   void retranslate();
   void setTheme(const Theme& theme);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  Q_SIGNALS:
   void organChanged();
   void compared();

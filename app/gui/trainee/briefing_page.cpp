@@ -127,6 +127,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   left->addWidget(scene_, 1);
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
+  bar->setSpacing(kSpace);
   caption_ = plainLabel(this, "quiet");
   caption_->setObjectName(QStringLiteral("caption"));
   slow_ = new QPushButton(this);
@@ -296,7 +297,7 @@ void BriefingPage::fill() {
   }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
-  able_->setTitle(tr("When you are held to be able"));
+  able_->setTitle(tr("When you are judged able"));
   able_->setVisible(competence_.errors.attempts > 0);
   if (competence_.errors.attempts > 0) {
     design_->setText(StationLabels::competenceDesign(competence_));

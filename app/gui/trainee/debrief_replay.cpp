@@ -27,7 +27,7 @@ constexpr int kReplayFrame_ms = 33;
 constexpr double kLongestReplayFrame_s = 0.25;
 constexpr double kSliderSteps_per_s = 100.0;
 constexpr int kSliderPage = 100;  // a second
-constexpr int kLeastReplayHeight = 220;
+constexpr int kLeastReplayHeight = 260;
 
 std::int64_t inMicroseconds(double time_s) noexcept {
   return std::llround(time_s * 1e6);

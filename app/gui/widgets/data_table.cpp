@@ -17,11 +17,11 @@
 #include <QMetaMethod>
 #include <QScrollBar>
 #include <QSettings>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
+#include "app/gui/widgets/row_view.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -54,7 +54,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
       name_(name),
       model_(new Model(this)),
       proxy_(new SortedRows(this)),
-      view_(new QTableView(this)),
+      view_(new RowView(this)),
       filter_(new QLineEdit(this)),
       count_(new QLabel(this)),
       empty_(new QLabel(view_)),
@@ -190,6 +190,7 @@ void DataTable::setRows(std::vector<Row> rows) {
 /// still.
 void DataTable::fitColumns(bool first) {
   QHeaderView* header = view_->horizontalHeader();
+  header->setStretchLastSection(false);  // a last column that fills the list is wider than what is in it
   view_->resizeColumnsToContents();
   wanted_.resize(static_cast<std::size_t>(header->count()), 0);
   for (int column = 0; column < header->count(); ++column) {
@@ -197,8 +198,6 @@ void DataTable::fitColumns(bool first) {
     wanted = first ? header->sectionSize(column) : std::max(wanted, header->sectionSize(column));
   }
   shareWidth();
-  // Sizing to contents shrinks the last column too: it takes the rest again.
-  header->setStretchLastSection(false);
   letLastFill(*header, model_->columns());
 }
 

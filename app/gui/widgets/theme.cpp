@@ -183,9 +183,9 @@ QTableView, QTreeView, QListView { background: %surface; alternate-background-co
 QTableView::item, QListView::item, QTreeView::item { padding: 4px 8px; }
 QListView[checkable="true"]::item { padding: 4px 0; }
 QFileDialog QTreeView::item, QFileDialog QListView::item { padding: 4px 0; }
-QHeaderView { background: %window; border: none; }
-QHeaderView::section { background: %window; color: %quietText; border: none; border-bottom: 1px solid %line;
-  padding: 7px 8px; font-weight: 600; }
+QHeaderView { background: %window; border: none; border-bottom: 1px solid %line; }
+QHeaderView::section { background: %window; color: %quietText; border: none; padding: 7px 8px;
+  font-weight: 600; }
 QSplitter::handle { background: transparent; }
 QGroupBox { border: 1px solid %line; border-radius: 8px; margin-top: 12px; padding: 12px; }
 QGroupBox::title { subcontrol-origin: margin; left: 12px; padding: 0 4px; color: %quietText; }

@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
 
@@ -317,6 +318,26 @@ TEST(CasePage, TheOverallMarkIsSeenWithoutScrollingAndRowsAreSliders) {
   }
   const QRect shown(overall->mapTo(&page, QPoint(0, 0)), overall->size());
   EXPECT_TRUE(page.rect().contains(shown)) << shown.bottom() << " of " << page.height();
+}
+
+TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.resize(3600, 2000);
+  page.show();
+  const auto gap_px = [&page] {
+    int end = 0;
+    int overall = 0;
+    for (const ScoreRow* row : page.findChildren<ScoreRow*>()) {
+      const int top = row->mapTo(&page, QPoint(0, 0)).y();
+      (row->code() == kOverallRow ? overall : end) =
+          row->code() == kOverallRow ? top : std::max(end, top + row->height());
+    }
+    return overall - end;
+  };
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
 }
 
 TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {

@@ -78,6 +78,41 @@ TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
   EXPECT_TRUE(words.view().horizontalHeader()->stretchLastSection());
 }
 
+TEST(DataTable, RowsGoOnInTheirColoursWhereTheColumnsEnd) {
+  Shown shown;
+  shown.table.resize(1200, 300);
+  shown.table.show();
+  QApplication::processEvents();
+  QTableView& view = shown.table.view();
+  view.clearSelection();
+  const int end = view.horizontalHeader()->length();
+  ASSERT_LT(end + 40, view.viewport()->width());
+  const auto seen = [&view](int x, int row) {
+    return view.viewport()->grab().toImage().pixelColor(x, view.rowViewportPosition(row) + 2);
+  };
+
+  EXPECT_EQ(seen(end + 20, 1), seen(end - 2, 1));
+  EXPECT_NE(seen(end + 20, 1), seen(end + 20, 0)) << "every second row";
+  view.selectRow(0);
+  EXPECT_EQ(seen(end + 20, 0), seen(end - 2, 0)) << "chosen";
+  EXPECT_NE(seen(end + 20, 0), seen(end + 20, 2));
+}
+
+TEST(DataTable, AShortLastColumnLeavesTheOthersTheirRoom) {
+  DataTable table{QString()};
+  table.resize(1200, 200);  // the last column fills it before there are rows
+  table.setColumns({{"Name"}, {"State"}});
+  table.show();
+  QApplication::processEvents();
+  const QString name(40, QLatin1Char('m'));
+  table.setRows({{"a", {{name}, {"running"}}}});
+  table.resize(table.wholeWidth(), 200);
+  QApplication::processEvents();
+
+  EXPECT_LT(table.wholeWidth(), 900);
+  EXPECT_GE(table.view().horizontalHeader()->sectionSize(0), table.fontMetrics().horizontalAdvance(name));
+}
+
 TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
   for (const bool touched : {false, true}) {
     DataTable table{QString()};

@@ -117,7 +117,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.open(PageId::kNextStep);
   EXPECT_TRUE(station.allText().contains(QStringLiteral("First master: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("are held to be able (false pass)")));  // beside it
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged able (false pass)")));  // beside it
   station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
   station.press("begin");
@@ -149,7 +149,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station
                   .find<QLabel>("competence")  // no verdict without its error rates
                   ->text()
-                  .contains(QStringLiteral("are held to be able (false pass)")));
+                  .contains(QStringLiteral("are judged able (false pass)")));
   station.press("trend");
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
@@ -157,7 +157,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station.find<QLabel>("level")->text().endsWith(QStringLiteral("until a level is shown")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
-                  .contains(QStringLiteral("are held to be able (false pass)")));
+                  .contains(QStringLiteral("are judged able (false pass)")));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 

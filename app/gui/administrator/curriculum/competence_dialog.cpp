@@ -71,7 +71,7 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
 }
 
 void CompetenceDialog::build() {
-  setWindowTitle(tr("When trainees are held to be able"));
+  setWindowTitle(tr("When trainees are judged able"));
   setMinimumWidth(kDialogWidth);
   exercise_->setObjectName(QStringLiteral("exercise"));
   source_->setObjectName(QStringLiteral("source"));

@@ -125,7 +125,7 @@ void CurriculaPage::resizeEvent(QResizeEvent* event) {
   shareWidth();
 }
 
-/// The list shows its names whole where a quarter of the page is enough for that and the editor keeps its
+/// The list shows its names whole where a third of the page is enough for that and the editor keeps its
 /// room.
 void CurriculaPage::shareWidth() {
   if (moved_) {
@@ -133,7 +133,7 @@ void CurriculaPage::shareWidth() {
   }
   const int all = width();
   const int list = std::clamp(table_->wholeWidth(), kListWidth,
-                              std::max(kListWidth, std::min(all / 4, all - kEditorWidth)));
+                              std::max(kListWidth, std::min(all / 3, all - kEditorWidth)));
   halves_->setSizes({list, all - list});
 }
 

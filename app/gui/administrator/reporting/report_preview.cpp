@@ -11,6 +11,7 @@
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QTextTable>
 #include <QUrl>
 
@@ -26,6 +27,7 @@ constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
 constexpr char kRows[] = "rows:";
 constexpr std::size_t kRowsShown = 15;  // of a long table, until all are asked for
+constexpr int kTableRoom = 1000;        // pixels that a wide table keeps
 constexpr int kLine = 86;  // average signs, some 95 of running text: the eye finds its way back from there
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
@@ -172,17 +174,24 @@ void ReportPreview::resizeEvent(QResizeEvent* event) {
   keepLinesShort();
 }
 
-/// Tables may be as wide as the page; paragraphs wrap before their lines get too long to be read.
+/// Paragraphs wrap before their lines get too long to be read and stand in the middle of a wide page; tables
+/// may go on to its right edge.
 void ReportPreview::keepLinesShort() {
-  const int page = viewport()->width() - 2 * static_cast<int>(document()->documentMargin());
+  const int margin = static_cast<int>(document()->documentMargin());
+  const int page = viewport()->width() - 2 * margin;
   const int beside = std::max(0, page - kLine * fontMetrics().averageCharWidth());
   if (beside == std::exchange(besideText_, beside)) {
     return;
   }
+  const int left = std::min(beside / 2, std::max(0, page - kTableRoom));
+  QTextFrame* frame = document()->rootFrame();
+  QTextFrameFormat edges = frame->frameFormat();
+  edges.setLeftMargin(margin + left);
+  frame->setFrameFormat(edges);
   QTextCursor cursor(document());
   cursor.beginEditBlock();
   QTextBlockFormat narrow;
-  narrow.setRightMargin(beside);
+  narrow.setRightMargin(beside - left);
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     cursor.setPosition(block.position());
     if (cursor.currentTable() == nullptr) {
