@@ -163,11 +163,19 @@ HandedInvitation confirmInvitation(SessionContext& session, const std::string& r
 }
 
 Text invitationSubject(const std::string& centre) {
-  return Text::tr("Invitation to Torsio at %1", centre);
+  return centre.empty() ? Text::tr("Invitation to Torsio") : Text::tr("Invitation to Torsio at %1", centre);
 }
 
 Text invitationWords(const std::string& centre, const std::string& login, const std::string& link,
                      const std::string& until) {
+  if (centre.empty()) {
+    return Text::tr(
+        "You are asked to work with Torsio, in the browser of any computer. Open this link and choose a "
+        "password:\n%1\nYour sign-in name is %2. The link is good once, until %3, and for you alone: please "
+        "do "
+        "not pass it on.",
+        link, login, until);
+  }
   return Text::tr(
       "You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a "
       "password:\n%2\nYour sign-in name is %3. The link is good once, until %4, and for you alone: please do "
@@ -176,6 +184,10 @@ Text invitationWords(const std::string& centre, const std::string& login, const 
 }
 
 Text invitationCodeWords(const std::string& centre, const std::string& code) {
+  if (centre.empty()) {
+    return Text::tr("The code that goes with your invitation to Torsio is %1. The link comes by another way.",
+                    code);
+  }
   return Text::tr(
       "The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.", centre,
       code);

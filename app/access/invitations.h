@@ -62,7 +62,7 @@ struct HandedInvitation {
 /// confirmRequest().
 [[nodiscard]] HandedInvitation confirmInvitation(SessionContext& session, const std::string& requestId);
 /// The words that go with a link or with a code, to be sent or read out. `until`: as the reader writes a
-/// time.
+/// time. `centre` may be empty: the sentences then name none.
 [[nodiscard]] Text invitationSubject(const std::string& centre);
 [[nodiscard]] Text invitationWords(const std::string& centre, const std::string& login,
                                    const std::string& link, const std::string& until);

@@ -17208,6 +17208,22 @@ audit trail %3</source>
         <translation>已没有人申请此登录邀请</translation>
     </message>
     <message>
+        <source>Invitation to Torsio</source>
+        <translation>Torsio 登录邀请</translation>
+    </message>
+    <message>
+        <source>You are asked to work with Torsio, in the browser of any computer. Open this link and choose a password:
+%1
+Your sign-in name is %2. The link is good once, until %3, and for you alone: please do not pass it on.</source>
+        <translation>邀请您使用 Torsio，任何电脑的浏览器均可。请打开此链接并设置密码：
+%1
+您的登录名是 %2。链接仅供您本人使用一次，有效期至 %3：请勿转发。</translation>
+    </message>
+    <message>
+        <source>The code that goes with your invitation to Torsio is %1. The link comes by another way.</source>
+        <translation>您的 Torsio 登录邀请代码是 %1。链接通过其他途径送达。</translation>
+    </message>
+    <message>
         <source>Invitation to Torsio at %1</source>
         <translation>%1 的 Torsio 登录邀请</translation>
     </message>

@@ -82,7 +82,8 @@ QString TranscriptPage::html(bool paper) const {
   const QString name = toQString(t.fullName);
   const QString code = toQString(t.traineeCode);
   line(name.isEmpty() ? tr("Trainee %1").arg(code) : tr("%1 (trainee %2)").arg(name, code));
-  line(tr("%1, %2").arg(toQString(t.centre), toQString(Text(t.cohortName))));
+  const QString cohort = toQString(Text(t.cohortName));
+  line(t.centre.empty() ? cohort : tr("%1, %2").arg(toQString(t.centre), cohort));
   if (!t.armLabel.empty()) {
     line(tr("Programme: %1").arg(toQString(t.armLabel)));
   }

@@ -118,6 +118,20 @@ TEST_F(Invitations, EndWithAnotherPasswordOtherRolesAndADisabledAccount) {
   EXPECT_THROW((void)invite(centre.as("administrator"), own), Error) << "the own account";
 }
 
+TEST(InvitationWords, NameACentreOnlyWhereItHasAName) {
+  for (const std::string& centre : {std::string("Hospital A"), std::string()}) {
+    for (const Text& text :
+         {invitationSubject(centre), invitationWords(centre, "rater", "https://desk/join#2.abc", "noon"),
+          invitationCodeWords(centre, "abcde-abcde")}) {
+      const std::string words = text.str();
+      EXPECT_EQ(words.find("at Hospital A") != std::string::npos, !centre.empty()) << words;
+      EXPECT_EQ(words.find(" at ,"), std::string::npos) << words;
+      EXPECT_EQ(words.find("  "), std::string::npos) << words;
+      EXPECT_NE(words.back(), ' ') << words;
+    }
+  }
+}
+
 TEST_F(Invitations, OfTwoAtOnceOneSucceeds) {
   const std::string secret = linkFor("rater");
   AccessRepository access(centre.connection(), PasswordCost::kTest);

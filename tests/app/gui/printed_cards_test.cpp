@@ -53,6 +53,16 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
   EXPECT_FALSE(words.contains(QChar(0x2026)));
 }
 
+TEST(PrintedCards, BearTheProgramsNameWhereTheCentreHasNone) {
+  QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";
+  for (const std::string& centre : {std::string("Hospital A"), std::string()}) {
+    writeKioskCards({{"R-1", "rater", "1234567890123456"}}, centre, file);
+    EXPECT_TRUE(
+        wordsOfPdf(file).startsWith(centre.empty() ? QStringLiteral("Torsio") : QStringLiteral("HospitalA")));
+  }
+}
+
 TEST(PrintedCards, AnInvitationHoldsTheWholeLinkOrTheCode) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "invitations.pdf";

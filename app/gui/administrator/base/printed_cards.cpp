@@ -16,6 +16,7 @@
 #include "app/access/qr_code.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/barcode.h"
+#include "app/gui/administrator/base/centre_headline.h"
 #include "app/report/typeface.h"
 #include "sim/base/file_io.h"
 
@@ -166,7 +167,7 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
   for (const StartAccount& account : accounts) {
     const QString code = toQString(account.personCode);
     printed.push_back(
-        {.label = {{{toQString(centre)},
+        {.label = {{{centreHeadline(toQString(centre))},
                     account.personName.empty() ? CardLine{code, 24.0, true}
                                                : CardLine{toQString(account.personName), 18.0, true},
                     {account.personName.empty()
@@ -176,7 +177,7 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
                      {toQString(account.startPassword), 15.0, true},
                      {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
   }
-  writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(toQString(centre)), file);
+  writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(centreHeadline(toQString(centre))), file);
 }
 
 void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string& centre,
@@ -187,7 +188,7 @@ void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string&
     for (qsizetype i = spaced.size() - 4; i > 0; i -= 4) {
       spaced.insert(i, QLatin1Char(' '));
     }
-    printed.push_back({.label = {{{toQString(centre)},
+    printed.push_back({.label = {{{centreHeadline(toQString(centre))},
                                   {toQString(card.personCode), 24.0, true},
                                   {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},
                        .inside = {{{PrintedCards::tr("%1: hold the card to the scanner, or type the code")
@@ -196,7 +197,8 @@ void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string&
                                    {spaced, 11.0}}},
                        .barcode = card.code});
   }
-  writeCards(printed, PrintedCards::tr("Cards for the kiosk: %1").arg(toQString(centre)), file);
+  writeCards(printed, PrintedCards::tr("Cards for the kiosk: %1").arg(centreHeadline(toQString(centre))),
+             file);
 }
 
 void writeInvitationCards(const std::vector<InvitationCardText>& cards, const std::string& centre,
@@ -210,13 +212,13 @@ void writeInvitationCards(const std::vector<InvitationCardText>& cards, const st
     const std::array<CardLine, 3> code{{{PrintedCards::tr("The code that goes with your link")},
                                         {toQString(card.code), 15.0, true},
                                         {PrintedCards::tr("The link comes by another way.")}}};
-    printed.push_back({.label = {{{toQString(centre)},
+    printed.push_back({.label = {{{centreHeadline(toQString(centre))},
                                   {toQString(card.personCode), 24.0, true},
                                   {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},
                        .inside = card.link.empty() ? code : link,
                        .forPhone = card.link});
   }
-  writeCards(printed, PrintedCards::tr("Invitations: %1").arg(toQString(centre)), file);
+  writeCards(printed, PrintedCards::tr("Invitations: %1").arg(centreHeadline(toQString(centre))), file);
 }
 
 }  // namespace torsio::gui

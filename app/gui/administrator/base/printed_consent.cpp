@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/administrator/base/centre_headline.h"
 #include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/base/translated_text.h"
 
@@ -33,7 +34,7 @@ QString formHtml(const ConsentVersion& version, const ConsentWords& words, const
           .arg(first ? QString() : QStringLiteral(" style='page-break-before:always'"),
                PrintedConsent::tr("Consent"),
                PrintedConsent::tr("%1. Code: %2")
-                   .arg(centre.toHtmlEscaped(),
+                   .arg(centreHeadline(centre).toHtmlEscaped(),
                         code.empty() ? QStringLiteral("______________") : printable(code)),
                PrintedConsent::tr("Mark one box in each row. Nothing is recorded before you agree to the "
                                   "training record; the other answers are free. You can withdraw each of "

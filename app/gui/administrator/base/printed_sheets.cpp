@@ -12,6 +12,7 @@
 #include <QTextDocument>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/centre_headline.h"
 #include "app/report/typeface.h"
 #include "assessment/rating/rubric.h"
 #include "sim/base/file_io.h"
@@ -80,7 +81,7 @@ QString sheetHtml(const PaperSheet& sheet, const QString& centre, bool first) {
               first ? QString() : QStringLiteral(" style='page-break-before:always'"),
               PrintedSheets::tr("Sheet: case %1, rater %2").arg(safe(sheet.caseLabel), safe(sheet.raterCode)),
               PrintedSheets::tr("%1. Mark one box in each row. Do not write any name on this sheet.")
-                  .arg(centre.toHtmlEscaped()));
+                  .arg(centreHeadline(centre).toHtmlEscaped()));
   for (const RubricLine& row : sheet.rubric.rows) {
     html += criterion(safeTranslated(row.label), row.scale, row.anchors);
   }
