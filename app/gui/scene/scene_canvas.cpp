@@ -183,6 +183,9 @@ void SceneCanvas::edgeSolids() {
 }
 
 void SceneCanvas::edgeOrgan(const OrganSurface& organ) {
+  if (organ.vertices().empty()) {
+    return;  // its scene was let go of: what is drawn stays until the next one
+  }
   if (parts_.organEdge != nullptr && eye_.pixel_share > 0.0F) {
     parts_.organEdge->setQuads(parts_.organ->softEdge(organ, eye_));
   }

@@ -17,6 +17,7 @@
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/scene/view_scene.h"
 #include "app/report/typeface.h"
 #include "tests/app/gui/trainee_station.h"
 
@@ -117,6 +118,36 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
   EXPECT_LT(closed_deg, open_deg / 2.0);
   EXPECT_TRUE(handSeen);
   EXPECT_TRUE(shown("toolVisible"));
+}
+
+// A case is submitted: its scene goes, the bar that asked goes too, and the view has another size.
+TEST(SceneViewOnADisplay, MayBeResizedAndTurnedWhileItHasNoScene) {
+  if (!SceneView::platformCanRender()) {
+    GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
+  }
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = "forearm";
+  const auto scene = std::make_shared<const Scene>(loadScene(request));
+  SceneView view;
+  view.resize(640, 480);
+  view.show();
+  view.setScene(makeViewScene(scene));
+  ASSERT_TRUE(soon([&] { return view.framesDrawn() > 0; }));
+
+  view.forgetScene();
+  view.resize(640, 400);
+  view.frameOrgan();
+  QApplication::processEvents();
+  view.hide();
+  view.resize(500, 300);
+  view.show();
+  QApplication::processEvents();
+  view.setScene(makeViewScene(scene));
+  view.frameOrgan();
+
+  const std::int64_t before = view.framesDrawn();
+  EXPECT_TRUE(soon([&] { return view.framesDrawn() > before; }));
 }
 
 }  // namespace
