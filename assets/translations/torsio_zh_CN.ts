@@ -20390,8 +20390,8 @@ MSM = 质点弹簧</translation>
         <translation>名称</translation>
     </message>
     <message>
-        <source>Newest version</source>
-        <translation>最新版本</translation>
+        <source>Version</source>
+        <translation>版本</translation>
     </message>
     <message>
         <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
@@ -27861,6 +27861,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Bring the jaw to the marked band. The wheel moves it nearer.</source>
         <translation>将钳口移到标记的环带处。滚轮可使其靠近。</translation>
+    </message>
+    <message>
+        <source>All twists are done. End the run, or twist again.</source>
+        <translation>扭转次数已完成。可结束本次操作，也可继续扭转。</translation>
     </message>
     <message>
         <source>Touching. Close the jaw.</source>

@@ -168,7 +168,7 @@ QString ScoreRow::allAnchors() const {
   for (const RubricAnchor& anchor : anchors_) {
     all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
   }
-  return all.join(QStringLiteral("   \u00b7   "));
+  return all.join(QStringLiteral("\u00a0\u00a0\u00a0\u00b7   "));
 }
 
 void ScoreRow::showAnchor() {

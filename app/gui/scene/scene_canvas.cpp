@@ -183,7 +183,8 @@ void SceneCanvas::edgeSolids() {
 }
 
 void SceneCanvas::edgeOrgan(const OrganSurface& organ) {
-  if (parts_.organEdge != nullptr && eye_.pixel_share > 0.0F) {
+  const bool gone = organ.vertices().empty();  // its scene was let go of
+  if (!gone && parts_.organEdge != nullptr && eye_.pixel_share > 0.0F) {
     parts_.organEdge->setQuads(parts_.organ->softEdge(organ, eye_));
   }
 }

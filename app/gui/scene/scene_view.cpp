@@ -364,9 +364,7 @@ void SceneView::setTool(const Pose& pose, double grip) {
 
 void SceneView::applyCamera() {
   canvas_->setCamera(camera_, 8.0F * organRadius_);
-  if (!view_.surface.vertices().empty()) {
-    canvas_->edgeOrgan(view_.surface);
-  }
+  canvas_->edgeOrgan(view_.surface);
   Q_EMIT cameraChanged();
 }
 

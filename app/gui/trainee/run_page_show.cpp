@@ -159,6 +159,10 @@ QString RunPage::cue(const LiveState& state) const {
   }
   const TrainingModule& module = runSession_->step().module;
   const double target = module.targetAngle_rad;
+  const bool open = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
+  if (open && twists_.completed() > 0 && twists_.completed() >= module.leastTwists) {
+    return tr("All twists are done. End the run, or twist again.");
+  }
   switch (state.phase) {
     case ExercisePhase::kTracking:
       return haptic_ ? tr("Bring the jaw to the marked band.")

@@ -439,6 +439,14 @@ TEST(StationPages, TheRunCountsItsTwists) {
     station.find<LiveScene>("scene")->frame(0.04);
   }
   EXPECT_EQ(count->text(), QStringLiteral("2 of 3 twists"));
+  auto* cue = station.find<QLabel>("cue");
+  EXPECT_FALSE(cue->text().startsWith(QStringLiteral("All twists are done"))) << cue->text().toStdString();
+  for (int i = 0; i < 40 && !cue->text().startsWith(QStringLiteral("All twists are done")); ++i) {
+    station.train(kSecond_us);
+    station.find<LiveScene>("scene")->frame(0.04);
+  }
+  EXPECT_EQ(cue->text(), QStringLiteral("All twists are done. End the run, or twist again."));
+  EXPECT_EQ(count->text(), QStringLiteral("3 of 3 twists"));
 
   auto* warning = station.find<QLabel>("warning");
   LiveState pressing;

@@ -334,7 +334,7 @@ void CurriculaPage::retranslate() {
   begin_->setText(tr("&Begin"));
   competence_->setText(tr("Co&mpetence\u2026"));
   standard_->setText(tr("Where to draw the &line\u2026"));
-  table_->setColumns({{tr("Name")}, {tr("Newest version")}});
+  table_->setColumns({{tr("Name")}, {tr("Version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();
   showContent();

@@ -91,6 +91,8 @@ void ExportDialog::build() {
   rows_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   rows_->setMinimumHeight(kTableHeight);
   rows_->verticalHeader()->hide();
+  rows_->setShowGrid(false);
+  rows_->setAlternatingRowColors(true);
   rows_->setAccessibleName(tr("First rows"));
 
   auto* form = new QFormLayout;
@@ -289,6 +291,12 @@ void ExportDialog::showTable() {
                  (column.unit.empty() ? QString() : QStringLiteral(", ") + toQString(column.unit));
   }
   rows_->setHorizontalHeaderLabels(heads);
+  for (int c = 0; c < heads.size(); ++c) {  // a title stands over its values
+    const bool number =
+        count > 0 && !std::holds_alternative<std::string>(shown.rows[0][static_cast<std::size_t>(c)]);
+    rows_->horizontalHeaderItem(c)->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) |
+                                                     Qt::AlignVCenter);
+  }
   for (int r = 0; r < count; ++r) {
     const auto& cells = shown.rows[static_cast<std::size_t>(r)];
     for (std::size_t c = 0; c < cells.size(); ++c) {
