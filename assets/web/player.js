@@ -31,13 +31,18 @@ export class Player {
       button(t('Top'), () => this.stage.look('top')),
       button(t('Side'), () => this.stage.look('side')),
       button(t('Fit'), () => this.stage.fit()));
-    this.stagePlace = h('div', { class: 'stage' }, this.stage.canvas, this.views);
+    this.waiting = h('p', { class: 'waiting', role: 'status' });
+    this.stagePlace = h('div', { class: 'stage' }, this.stage.canvas, this.waiting, this.views);
     this.asked = h('p', { class: 'task' }, opened.task ? taskText(opened.task) : '');
     this.element = h('section', { class: 'player', 'aria-label': t('Recording') },
       this.asked, this.stagePlace, this.sentence, this.traces.canvas,
       this.#transport());
-    show(this.stagePlace, false);
+    this.#showOrgan(false);
     this.#showState();
+  }
+  #showOrgan(shown) {
+    if (shown) say(this.waiting, '');
+    for (const one of [this.stage.canvas, this.views]) show(one, shown);
   }
   get ready() {
     return this.recording !== undefined;
@@ -48,7 +53,20 @@ export class Player {
 
   /// Brings the recording, then the organ. Throws Refusal, NoConnection.
   async load() {
-    say(this.sentence, t('The recording is being opened. You may score meanwhile.'));
+    // Its place is kept free, so that nothing moves away under the pointer.
+    show(this.stagePlace, true);
+    say(this.sentence, '');
+    say(this.waiting, t('The recording is being opened. You may score meanwhile.'));
+    try {
+      await this.#bring();
+    } catch (error) {
+      show(this.stagePlace, false);
+      throw error;
+    } finally {
+      say(this.waiting, '');
+    }
+  }
+  async #bring() {
     const recording = readContainer(await api.file(`${this.path}/recording`));
     this.playback.length_us = recording.meta.length_us;
     this.recording = recording;
@@ -58,13 +76,14 @@ export class Player {
     if (this.opened.digest) this.digest.textContent = t('Recording %1, unchanged', this.opened.digest);
     this.#showState();
     if (!recording.meta.picture) {
+      show(this.stagePlace, false);
       say(this.sentence, t('The organ of this recording is not on this machine; the traces are complete.'));
       return;
     }
     const tissue = api.file('/quick_tissue.frag').then((bytes) => new TextDecoder().decode(bytes));
     tissue.catch(() => {}); // heard of where it is needed
     const organ = await organOf(this.path);
-    show(this.stagePlace, true);
+    this.#showOrgan(true);
     if (!this.stage.open()) {
       this.film = new FilmStrip(recording, organ, (position_us) => this.seek(position_us));
       this.stagePlace.replaceWith(this.film.element);
@@ -72,7 +91,6 @@ export class Player {
       this.#showState();
       return;
     }
-    say(this.sentence, '');
     this.stage.canvas.setAttribute('role', 'application');
     this.stage.canvas.setAttribute('aria-label', t('The organ in three dimensions. Arrows turn it, plus and minus zoom'));
     followInput(this.stage);

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of the player, for a person to read: `measure.py [--firefox] [--size 1280x800] [--whole]`. An organ of 20,320 triangles
-with a painted skin, on the mock server: pictures a second while it turns and twists, processor time a picture, what
-the page itself chose to draw fewer pixels, and how long a seek takes until its picture is there. No test: a busy
-machine has other figures."""
+"""Figures of the player, for a person to read: `measure.py [--firefox] [--size 1280x800] [--whole] [--browser PROGRAM]
+[--display]`. An organ of 20,320 triangles with a painted skin, on the mock server: pictures a second while it turns and
+twists, processor time a picture, what the page itself chose to draw fewer pixels, and how long a seek takes until its
+picture is there. No test: a busy machine has other figures."""
 import argparse
 import os
 import sys
@@ -111,12 +111,12 @@ def processor_s(root):
     return total
 
 
-def measure(kind, width, height, whole):
+def measure(kind, width, height, whole, **options):
     mock_recording.ROUND, mock_recording.ALONG = 80, 128
     organ, body = mock_recording.organ()
     files = {"recording": mock_recording.recording(), "organ": organ, "body": body}
     server, _ = mock_server.start(measured=files)
-    with kind(size=(width, height)) as browser:
+    with kind(size=(width, height), **options) as browser:
         browser.open(f"http://127.0.0.1:{server.server_address[1]}/")
         browser.there("[name=login]")
         browser.run(SCRIPT, width, height, SECONDS, SEEKS, whole)
@@ -140,9 +140,11 @@ def main():
     arguments.add_argument("--firefox", action="store_true")
     arguments.add_argument("--size", default="1280x800")
     arguments.add_argument("--whole", action="store_true", help="all pixels, however long a picture takes")
+    arguments.add_argument("--browser", metavar="PROGRAM", help="this one in place of Debian's; Chromium's driver has to fit")
+    arguments.add_argument("--display", action="store_true", help="on the screen that is there, with the machine's own renderer")
     given = arguments.parse_args()
     width, height = map(int, given.size.split("x"))
-    measure(Firefox if given.firefox else Browser, width, height, given.whole)
+    measure(Firefox if given.firefox else Browser, width, height, given.whole, program=given.browser, display=given.display)
 
 
 if __name__ == "__main__":

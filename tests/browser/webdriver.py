@@ -26,7 +26,9 @@ class Browser:
     """One window. Use as `with Browser() as browser`."""
     PROGRAM = "chromedriver"
 
-    def __init__(self, size=(1280, 800), language="en-GB", dark=False, webgl=True):
+    def __init__(self, size=(1280, 800), language="en-GB", dark=False, webgl=True, program=None, display=False):
+        """`program`: another browser than Debian's. `display`: on the screen that is there, drawn by what the machine has."""
+        self.program, self.display = program, display
         self.size, self.language, self.dark, self.webgl = size, language, dark, webgl
 
     def __enter__(self):
@@ -36,15 +38,17 @@ class Browser:
             if "started successfully on port" in line:
                 self.base = f"http://127.0.0.1:{line.split('port')[1].strip(' .') .strip()}".rstrip(".")
                 break
-        arguments = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", f"--lang={self.language}",
+        arguments = [*([] if self.display else ["--headless=new"]), "--no-sandbox", "--disable-dev-shm-usage", f"--lang={self.language}",
                      f"--window-size={self.size[0]},{self.size[1]}", "--hide-scrollbars"]
-        if self.webgl:
+        if self.webgl and not self.display:
             arguments += ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        else:
+        if not self.webgl:
             arguments.append("--disable-3d-apis")
         if self.dark:
             arguments.append("--blink-settings=preferredColorScheme=0")
         options = {"args": arguments, "prefs": {"intl.accept_languages": self.language}}
+        if self.program:
+            options["binary"] = self.program
         answer = self.call("POST", "/session", {"capabilities": {"alwaysMatch": {
             "browserName": "chrome", "acceptInsecureCerts": True, "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL"}}}})
         self.base += f"/session/{answer['sessionId']}"
@@ -156,9 +160,9 @@ class Firefox(Browser):
 
     def __enter__(self):
         read, write = os.pipe()
-        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "3840x2160x24"], pass_fds=[write],
-                                       stderr=subprocess.DEVNULL)
-        display = os.read(read, 16).decode().strip()
+        self.screen = None if self.display else subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "3840x2160x24"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        display = os.environ["DISPLAY"] if self.display else f":{os.read(read, 16).decode().strip()}"
         self.profile = tempfile.TemporaryDirectory(prefix="torsio-firefox-")
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
@@ -170,8 +174,8 @@ class Firefox(Browser):
         with open(f"{self.profile.name}/user.js", "w") as file:
             file.writelines(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
         self.driver = subprocess.Popen(
-            ["firefox-esr", "--marionette", "--no-remote", "--profile", self.profile.name, "about:blank"],
-            env={**os.environ, "DISPLAY": f":{display}", "HOME": self.profile.name, "MOZ_CRASHREPORTER_DISABLE": "1"},
+            [self.program or "firefox-esr", "--marionette", "--no-remote", "--profile", self.profile.name, "about:blank"],
+            env={**os.environ, "DISPLAY": display, "HOME": self.profile.name, "MOZ_CRASHREPORTER_DISABLE": "1"},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
         self.socket = self.connected(port)
@@ -195,8 +199,9 @@ class Firefox(Browser):
     def __exit__(self, *_):
         self.driver.terminate()
         self.driver.wait()
-        self.screen.terminate()
-        self.screen.wait()
+        if self.screen:
+            self.screen.terminate()
+            self.screen.wait()
         self.profile.cleanup()
 
     def receive(self):
