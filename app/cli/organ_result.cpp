@@ -103,6 +103,19 @@ nlohmann::ordered_json organJson(const OrganImport& import, const std::string& o
   json["crossings_60"] = m.crossings60;
   json["crossings_at_rest"] = m.crossingsAtRest;
   json["anatomy"] = import.organ.anatomy;
+  if (m.stalkWidth > 0.0) {
+    json["stalk_width"] = m.stalkWidth;
+  }
+  if (const auto& map = import.organ.wallMap) {
+    nlohmann::ordered_json thickness_mm = nlohmann::ordered_json::array();
+    for (const double thickness_m : map->thickness_m) {
+      thickness_mm.push_back(1000.0 * thickness_m);
+    }
+    json["wall_map"] = {{"bands", map->bands},
+                        {"ridges", map->ridges},
+                        {"seen", map->seenPatches()},
+                        {"thickness_mm", thickness_mm}};
+  }
   if (import.accepted && !out.empty()) {
     json["out"] = out;
   }

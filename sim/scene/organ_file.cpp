@@ -94,6 +94,9 @@ Json headOf(const OrganFile& organ) {
   if (organ.ends.capRadius_m > 0.0) {
     head["cap_radius_m"] = organ.ends.capRadius_m;
   }
+  if (organ.ends.straight) {
+    head["straight"] = true;
+  }
   if (organ.ends.branchCut != Vec3{}) {
     head["branch_root_m"] = vectorJson(organ.ends.branchRoot_m);
     head["branch_cut"] = vectorJson(organ.ends.branchCut);
@@ -119,6 +122,7 @@ OrganFile organOfHead(const Json& head) {
   organ.ends.fixedCut = vectorFrom(head.at("fixed_cut"));
   organ.ends.freeCut = vectorFrom(head.at("free_cut"));
   organ.ends.capRadius_m = head.value("cap_radius_m", 0.0);
+  organ.ends.straight = head.value("straight", false);
   if (head.contains("branch_cut")) {
     organ.ends.branchRoot_m = vectorFrom(head.at("branch_root_m"));
     organ.ends.branchCut = vectorFrom(head.at("branch_cut"));

@@ -20,6 +20,7 @@ struct OrganEnds {
   Vec3 fixedCut;  ///< outward direction of a cut through that end; zero: none
   Vec3 freeCut;
   double capRadius_m = 0.0;  ///< > 0: discs on the surface about the ends instead of the rounded tips
+  bool straight = false;     ///< sections are parallel planes between the ends (LatticeMode::kStraightAxis)
   Vec3 branchRoot_m{};       ///< of what hangs on the side, as LatticeOptions has it
   Vec3 branchCut{};          ///< zero: nothing does
 };

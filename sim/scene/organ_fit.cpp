@@ -88,6 +88,14 @@ struct Fitting {
     return std::nullopt;
   }
 
+  /// With planes for sections, where that leaves nothing to say: a cut through a fine mesh is jagged, and the
+  /// axis that is found bends towards it.
+  [[nodiscard]] std::optional<FittedOrgan> withPlanes(OrganEnds ends) const {
+    ends.straight = true;
+    FittedOrgan fitted = with(ends);
+    return fitted.judgement.findings.empty() ? std::optional(std::move(fitted)) : std::nullopt;
+  }
+
   /// Without what hangs on its side between the named ends.
   [[nodiscard]] std::optional<FittedOrgan> withoutBranch(const OrganEnds& ends) const {
     const bool large = mesh.triangles.size() > kJudgedTriangles;
@@ -146,6 +154,12 @@ FittedOrgan fitOrgan(const TriangleMesh& mesh, const OrganEnds& ends, const std:
   const double wrung = wrungShare(assets, anatomy);
   const Fitting fitting{mesh, wrung, wrung == 1.0 && !twistsAsAWhole(assets, anatomy)};
   FittedOrgan asNamed = fitting.with(ends);
+  const bool cut = ends.fixedCut != Vec3{} || ends.freeCut != Vec3{};
+  if (cut && !asNamed.judgement.findings.empty() && !ends.straight) {
+    if (std::optional<FittedOrgan> straight = fitting.withPlanes(ends)) {
+      return std::move(*straight);
+    }
+  }
   if (!refused(asNamed.judgement)) {
     return asNamed;
   }
@@ -160,7 +174,7 @@ FittedOrgan fitOrgan(const TriangleMesh& mesh, const OrganEnds& ends, const std:
 
 LatticeOptions latticeFor(const OrganEnds& ends) {
   LatticeOptions lattice;
-  lattice.mode = LatticeMode::kAutomatic;
+  lattice.mode = ends.straight ? LatticeMode::kStraightAxis : LatticeMode::kAutomatic;
   if (ends.fixedEnd_m && ends.freeEnd_m) {
     lattice.fixedEnd_m = *ends.fixedEnd_m;
     lattice.freeEnd_m = *ends.freeEnd_m;

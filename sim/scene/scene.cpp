@@ -83,8 +83,14 @@ UsersOrgan loadUsersOrgan(const SceneRequest& request) {
   }
   const bool endsGiven = request.fixedEnd_m.has_value();
   if (endsGiven) {
-    organ.file.ends = {request.fixedEnd_m,  request.freeEnd_m,    request.fixedCut, request.freeCut,
-                       request.capRadius_m, request.branchRoot_m, request.branchCut};
+    organ.file.ends = {.fixedEnd_m = request.fixedEnd_m,
+                       .freeEnd_m = request.freeEnd_m,
+                       .fixedCut = request.fixedCut,
+                       .freeCut = request.freeCut,
+                       .capRadius_m = request.capRadius_m,
+                       .straight = false,
+                       .branchRoot_m = request.branchRoot_m,
+                       .branchCut = request.branchCut};
   }
   if (request.asRecorded) {
     organ.file.warnings = request.organWarnings;

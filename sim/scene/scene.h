@@ -123,7 +123,8 @@ struct Scene {
   std::shared_ptr<const HollowOrgan> hollow{};
   std::vector<OrganWarning> organWarnings{};  ///< with which a user's organ was accepted
   std::optional<double> wall_m{};             ///< of a user's organ file that says it
-  /// Its wall along the organ, HollowWall::thickness_m; empty: no scan showed it.
+  /// The wall of a user's organ along it, as a scan showed it: pairs of a share of the length and a thickness
+  /// in metres; empty: no scan did.
   std::vector<std::array<double, 2>> wallAlong_m{};
   bool former = false;                        ///< the former state of the scene: SceneRequest::former
 

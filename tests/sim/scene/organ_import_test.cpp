@@ -240,6 +240,10 @@ TEST(OrganFile, IsReadAsItWasWritten) {
   OrganFile organ;
   organ.mesh = bar();
   organ.ends = {Vec3{0, 0, 0}, Vec3{0, 0, 0.2}, {}, {0, 0, 1}};
+  organ.ends.capRadius_m = 0.006;
+  organ.ends.straight = true;
+  organ.ends.branchRoot_m = {0.03, 0, 0.1};
+  organ.ends.branchCut = {1, 0, 0};
   organ.anatomy = "stomach";
   organ.wall_m = 0.003;
   organ.source = "bar.ply";
@@ -251,6 +255,10 @@ TEST(OrganFile, IsReadAsItWasWritten) {
   EXPECT_EQ(contentHash(read.mesh), contentHash(organ.mesh));
   EXPECT_EQ(read.ends.freeEnd_m, organ.ends.freeEnd_m);
   EXPECT_EQ(read.ends.freeCut, organ.ends.freeCut);
+  EXPECT_EQ(read.ends.capRadius_m, 0.006);
+  EXPECT_TRUE(read.ends.straight);
+  EXPECT_EQ(read.ends.branchRoot_m, organ.ends.branchRoot_m);
+  EXPECT_EQ(read.ends.branchCut, organ.ends.branchCut);
   EXPECT_EQ(read.anatomy, "stomach");
   EXPECT_EQ(read.wall_m, 0.003);
   EXPECT_EQ(read.source, "bar.ply");
