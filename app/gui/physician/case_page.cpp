@@ -111,6 +111,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
     watched_.played(from, to, speed);
     noteWork();
     replay_->setWatched(watched_.spans());
+    if (sheet_->asking() && !amending_) {
+      showCheck();  // who watches on while the question stands sees it answered
+    }
     const bool crossed = from / kSaveWatchedEvery_us != to / kSaveWatchedEvery_us;
     if (crossed && opened_.state != SheetState::kSubmitted) {
       save();
@@ -158,6 +161,7 @@ QWidget* CasePage::createStrip() {
   stripReason_ = new QLineEdit(strip_);
   stripReason_->setMaxLength(static_cast<int>(kLongestReason));
   stripGo_ = primaryButton(strip_);
+  stripGo_->setObjectName(QStringLiteral("stripGo"));
   stripBack_ = new QPushButton(strip_);
   auto* row = new QHBoxLayout(strip_);
   row->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);

@@ -62,6 +62,7 @@ class CasePage : public Page {
   void startAmending();
   void finishAmending();
   void showAll();
+  void showCheck();
   void showHistory();
   /// What was sealed when and why, a line a version.
   [[nodiscard]] QString versionsText() const;

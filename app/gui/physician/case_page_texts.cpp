@@ -182,15 +182,19 @@ void CasePage::showAll() {
     stripGo_->setText(tr("Seal the new version"));
     stripGo_->setEnabled(true);
   } else if (sheet_->asking()) {
-    const SheetCheck check =
-        checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
-    stripText_->setText(checkText(check));
-    setLook(stripText_, "caution", !check.mayBeSubmitted());
-    stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));
-    stripGo_->setEnabled(check.mayBeSubmitted());
+    showCheck();
   }
   showHistory();
   showRemarks();
+}
+
+void CasePage::showCheck() {
+  const SheetCheck check =
+      checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
+  stripText_->setText(checkText(check));
+  setLook(stripText_, "caution", !check.mayBeSubmitted());
+  stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));
+  stripGo_->setEnabled(check.mayBeSubmitted());
 }
 
 void CasePage::showHistory() {

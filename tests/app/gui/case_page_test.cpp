@@ -340,6 +340,25 @@ TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
 }
 
+TEST(CasePage, WhatIsWatchedWhileTheQuestionStandsCounts) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  replay.setRealTime(false);
+  for (const Qt::Key key : {Qt::Key_7, Qt::Key_Down, Qt::Key_6, Qt::Key_Down, Qt::Key_5}) {
+    desk.press(key);
+  }
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  auto& submit = child<QPushButton>(page, "stripGo");
+  EXPECT_FALSE(submit.isEnabled());
+
+  desk.press(Qt::Key_Space);
+  watchAll(replay);
+
+  EXPECT_TRUE(submit.isEnabled());
+}
+
 TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
