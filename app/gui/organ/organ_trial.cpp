@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kAxisPoints = 96;
 
-/// The organ as it is judged: twisted about its own axis, whatever its anatomy is, or on its stalk. Null where
-/// it has no axis.
+/// The organ as it is judged: twisted about its own axis, whatever its anatomy is, or on its stalk. Null
+/// where it has no axis.
 std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMesh shown,
                                           const std::filesystem::path& assets) {
   if (import.measures.length_m == 0.0) {
