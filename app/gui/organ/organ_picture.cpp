@@ -17,6 +17,7 @@
 #include "app/gui/scene/view_turn.h"
 #include "app/gui/widgets/form.h"
 #include "sim/base/angle.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
@@ -124,7 +125,11 @@ OrganState OrganPicture::state() const {
   if (trial_.scene == nullptr) {
     return {};
   }
-  return {{trial_.scene->lattice().length_m(), radians(static_cast<double>(twist_->value()))}, {}};
+  const double angle_rad = radians(static_cast<double>(twist_->value()));
+  if (trial_.scene->hollow != nullptr) {
+    return trial_.scene->hollow->stateAt(angle_rad);
+  }
+  return {{trial_.scene->lattice().length_m(), angle_rad}, {}};
 }
 
 void OrganPicture::showAxis() {

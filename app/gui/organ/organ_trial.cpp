@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kAxisPoints = 96;
 
-/// The organ as it is judged: twisted about its own axis, whatever its anatomy is. Null where it has none.
+/// The organ as it is judged: twisted about its own axis, whatever its anatomy is, or on its stalk. Null
+/// where it has no axis.
 std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMesh shown,
                                           const std::filesystem::path& assets) {
   if (import.measures.length_m == 0.0) {
@@ -27,7 +28,9 @@ std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMes
   }
   OrganFile organ = import.organ;
   organ.mesh = std::move(shown);
-  organ.anatomy.clear();
+  if (wrungShare(assets, organ.anatomy) == 1.0) {
+    organ.anatomy.clear();
+  }
   SceneRequest request;
   request.assets = assets;
   request.organFile = import.organ.source;

@@ -2,11 +2,13 @@
 // Bringing an organ in the window: a mesh is judged, looked at, named, saved and opened.
 #include "app/gui/organ/organ_wizard.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,6 +30,7 @@
 #include "app/organs/person_arm.h"
 #include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/scene.h"
 #include "tests/app/gui/organ_desk.h"
@@ -69,6 +72,31 @@ TEST(OrganWizard, JudgesAMeshShowsItsAxisAndKeepsItAsAnOrganFile) {
   request.assets = desk.wizard.assets();
   request.organFile = opened.first().first().toString().toStdString();
   EXPECT_EQ(loadScene(request).organHash, contentHash(trial.import.organ.mesh));
+}
+
+TEST(OrganWizard, TurnsAPackOnItsStalkOnTrial) {
+  OrganImportRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.file = request.assets / "organs" / "midgut.ply";
+  request.anatomy = "midgut";
+  const OrganTrial trial = trialOf(importOrgan(request), request.assets);
+  ASSERT_TRUE(trial.import.accepted);
+  ASSERT_NE(trial.scene, nullptr);
+  ASSERT_NE(trial.scene->hollow, nullptr);
+
+  std::vector<Vec3> turned_m(trial.scene->mesh.vertices_m.size());
+  trial.view.deform(trial.scene->hollow->stateAt(radians(60.0)), turned_m);
+
+  // The front of the pack keeps its shape and is turned.
+  const std::vector<Vec3>& rest_m = trial.scene->mesh.vertices_m;
+  const auto front =
+      std::min_element(rest_m.begin(), rest_m.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
+  const auto side =
+      std::max_element(rest_m.begin(), rest_m.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+  const Vec3& frontNow_m = turned_m[static_cast<std::size_t>(front - rest_m.begin())];
+  const Vec3& sideNow_m = turned_m[static_cast<std::size_t>(side - rest_m.begin())];
+  EXPECT_NEAR(norm(sideNow_m - frontNow_m), norm(*side - *front), 1e-4);
+  EXPECT_GT(norm(sideNow_m - *side), 0.04);
 }
 
 TEST(OrganWizard, TwistsOnTrialAsItWasJudged) {
