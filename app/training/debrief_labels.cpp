@@ -177,8 +177,11 @@ Text findingText(const DebriefFinding& finding, bool strength) {
   if (strength && finding.merit >= 0.0) {
     return Text::tr("%1: %2, as good as the expert (%3)", name, own, expert);
   }
-  if (strength) {
+  if (strength && finding.merit >= -kClearlyBetter) {
     return Text::tr("%1: %2, close to the expert (%3)", name, own, expert);
+  }
+  if (strength) {
+    return Text::tr("%1: %2, what came nearest to the expert (%3)", name, own, expert);
   }
   return Text::tr("%1: %2, the expert had %3", name, own, expert);
 }

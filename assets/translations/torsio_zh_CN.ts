@@ -17500,6 +17500,10 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>%1：%2，接近专家（%3）</translation>
     </message>
     <message>
+        <source>%1: %2, what came nearest to the expert (%3)</source>
+        <translation>%1：%2，各项中最接近专家（%3）</translation>
+    </message>
+    <message>
         <source>%1: %2, the expert had %3</source>
         <translation>%1：%2，专家为 %3</translation>
     </message>

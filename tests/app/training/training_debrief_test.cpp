@@ -9,6 +9,7 @@
 #include "app/recording/expert_run.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
+#include "app/training/debrief_labels.h"
 #include "app/training/trend.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/metrics/metric_cards.h"
@@ -166,6 +167,18 @@ TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
   EXPECT_EQ(streakOf(first).streak, 1);
   EXPECT_EQ(streakOf(second).streak, 2);
   EXPECT_EQ(streakOf(second).consecutive, 2);
+}
+
+// Twenty peaks are not close to twelve, although nothing else of the run came nearer.
+TEST(Debrief, CallsCloseOnlyWhatIs) {
+  DebriefFinding finding{.metric = "twist.peaks", .value = 20.0, .expert = 12.0, .merit = -0.45};
+  EXPECT_NE(findingText(finding, true).str().find("came nearest"), std::string::npos);
+  finding.value = 13.0;
+  finding.merit = -0.07;
+  EXPECT_NE(findingText(finding, true).str().find("close to the expert"), std::string::npos);
+  finding.value = 8.0;
+  finding.merit = 0.3;
+  EXPECT_NE(findingText(finding, true).str().find("better than the expert"), std::string::npos);
 }
 
 TEST(Debrief, GoesWithoutAnExpertWhenTheOrganIsGone) {
