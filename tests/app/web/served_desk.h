@@ -22,13 +22,18 @@ namespace torsio::testing {
 /// Of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
 
+/// Gives everybody of a centre kWebPassword.
+inline void setWebPasswords(ReviewCentre& centre) {
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  for (const UserAccount& user : access.users()) {
+    access.setPassword(user.id, access.sealPassword(user.login, kWebPassword), false);
+  }
+}
+
 /// A centre with short recordings, and its desk behind a port of this machine.
 struct ServedDesk {
   explicit ServedDesk(const ReviewCentre::Setup& setup = {.trial_s = 0.5}) : centre(setup) {
-    AccessRepository access(centre.connection(), PasswordCost::kTest);
-    for (const UserAccount& user : access.users()) {
-      access.setPassword(user.id, access.sealPassword(user.login, kWebPassword), false);
-    }
+    setWebPasswords(centre);
     desk = std::make_unique<web::WebDesk>(web::DeskSettings{.locator = centre.locator(),
                                                             .assets = assetsFolder(),
                                                             .workers = 2,

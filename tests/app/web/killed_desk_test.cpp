@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The desk as a program of its own, killed in the middle of a sheet and started again, with the clock of the
+// machine set back meanwhile: what was answered is found, nothing is doubled. TORSIO_KILL_INSTANTS says how
+// often it is killed.
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <netinet/in.h>
+#include <string>
+#include <sys/socket.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/file_io.h"
+#include "sim/base/random.h"
+#include "tests/app/record_safety/killed_program.h"
+#include "tests/app/support/review_centre.h"
+#include "tests/app/web/served_desk.h"
+#include "tests/app/web/web_client.h"
+
+namespace torsio::web {
+namespace {
+
+using nlohmann::json;
+using torsio::testing::firstCase;
+using torsio::testing::ReviewCentre;
+using torsio::testing::sheetBody;
+using torsio::testing::WebAnswer;
+using torsio::testing::WebClient;
+
+using namespace std::chrono_literals;
+
+/// A port of this machine that nobody listens at.
+std::uint16_t freePort() {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in at{};
+  at.sin_family = AF_INET;
+  at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof at;
+  const bool bound = bind(socket, reinterpret_cast<const sockaddr*>(&at), length) == 0 &&
+                     getsockname(socket, reinterpret_cast<sockaddr*>(&at), &length) == 0;
+  close(socket);
+  return bound ? ntohs(at.sin_port) : 0;
+}
+
+/// `torsio serve` behind a proxy that is not there.
+class ServingProgram {
+ public:
+  ServingProgram(const ReviewCentre& centre, const std::vector<std::string>& environment)
+      : port_(freePort()), state_(centre.folder() / "desk.json") {
+    child_ = test::startSilent(
+        {"serve", "--database", centre.locator(), "--listen", "127.0.0.1:" + std::to_string(port_),
+         "--public-url", "https://desk.example.org", "--state", state_.string(), "--quiet"},
+        TORSIO_PROGRAM, environment);
+  }
+  ServingProgram(const ServingProgram&) = delete;
+  ServingProgram& operator=(const ServingProgram&) = delete;
+  ~ServingProgram() { die(); }
+
+  /// 0: it does not serve.
+  [[nodiscard]] std::uint16_t port() const {
+    for (int tries = 0; tries < 1200; ++tries) {
+      if (waitpid(child_, nullptr, WNOHANG) == child_) {
+        return 0;
+      }
+      std::error_code none;
+      const json state =
+          std::filesystem::exists(state_, none) ? json::parse(readFile(state_), nullptr, false) : json();
+      if (state.is_object() && state.value("process", 0) == child_) {
+        return port_;
+      }
+      std::this_thread::sleep_for(50ms);
+    }
+    return 0;
+  }
+  void die() {
+    if (child_ > 0) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+      child_ = -1;
+    }
+  }
+
+ private:
+  std::uint16_t port_;
+  std::filesystem::path state_;
+  pid_t child_ = -1;
+};
+
+WebClient physicianAt(std::uint16_t port) {
+  WebClient client(port);
+  client.headers = {{"Sec-Fetch-Site", "same-origin"}};
+  EXPECT_TRUE(client.signIn("physician0", testing::kWebPassword));
+  return client;
+}
+
+json sheetOf(WebClient& client) {
+  return client.get("/api/cases/" + firstCase(client)).json().at("sheet");
+}
+
+/// What the sheet gives in each row, and over all.
+std::map<std::string, int> marksOf(const json& sheet) {
+  std::map<std::string, int> marks{{"overall", sheet.at("overall_steps")}};
+  for (const json& row : sheet.at("rows")) {
+    marks[row.at("code")] = row.at("score_steps");
+  }
+  return marks;
+}
+
+/// Marks that tell which of the savings they are.
+json savedAs(std::int64_t revision, int step) {
+  return sheetBody(revision, step % 100, (step + 1) % 100, (step + 2) % 100);
+}
+
+TEST(KilledDesk, LosesNoAnsweredMarkAndDoublesNone) {
+  ReviewCentre centre({.trial_s = 0.5});
+  testing::setWebPasswords(centre);
+  Random random(20'26);
+  std::int64_t revision = 0;
+  int step = 0;
+  int kept = 0;  // the step of this revision
+
+  for (long round = 0; round < test::instantsOf("TORSIO_KILL_INSTANTS", 5); ++round) {
+    ServingProgram served(centre, {});
+    const std::uint16_t port = served.port();
+    ASSERT_NE(port, 0);
+    WebClient client = physicianAt(port);
+    const std::string path = "/api/cases/" + firstCase(client) + "/sheet";
+    const auto later = std::chrono::microseconds(static_cast<long>(2e5 * random.uniform()));
+    std::thread killer([&served, later] {
+      std::this_thread::sleep_for(later);
+      served.die();
+    });
+    WebAnswer answer;
+    do {
+      ++step;
+      answer = client.send("PUT", path, savedAs(revision, step));
+      EXPECT_TRUE(answer.status == 200 || answer.status == 0) << answer.status << answer.body;
+      if (answer.status == 200) {
+        ++revision;
+        kept = step;
+      }
+    } while (answer.status == 200);
+    killer.join();
+
+    ServingProgram again(centre, {});
+    const std::uint16_t newPort = again.port();
+    ASSERT_NE(newPort, 0) << "what the killed one left behind is in the way";
+    WebClient back = physicianAt(newPort);
+    const json sheet = sheetOf(back);
+    const std::int64_t found = sheet.at("revision");
+    ASSERT_TRUE(found == revision || found == revision + 1) << "answered " << revision << ", found " << sheet;
+    kept = found == revision ? kept : step;  // the one that it died over is whole, and once
+    revision = found;
+    if (revision > 0) {
+      EXPECT_EQ(marksOf(sheet), marksOf(savedAs(0, kept)));
+    }
+  }
+}
+
+TEST(KilledDesk, FindsADraftAndSealsItWithTheClockSetBack) {
+  ReviewCentre centre({.trial_s = 0.5});
+  testing::setWebPasswords(centre);
+  std::int64_t revision = 0;
+  {
+    ServingProgram served(centre, {});
+    WebClient client = physicianAt(served.port());
+    const WebAnswer saved =
+        client.send("PUT", "/api/cases/" + firstCase(client) + "/sheet", sheetBody(0, 70, 80, 75));
+    ASSERT_EQ(saved.status, 200) << saved.body;
+    revision = saved.json().at("revision");
+  }
+  ServingProgram served(centre, {"LD_PRELOAD=" TORSIO_FAULT_POINTS, "TORSIO_FAULT_CLOCK_S=-90000"});
+  const std::uint16_t port = served.port();
+  ASSERT_NE(port, 0);
+  WebClient client = physicianAt(port);
+  const std::string path = "/api/cases/" + firstCase(client);
+  const json opened = client.get(path).json();
+
+  EXPECT_EQ(opened.at("sheet").at("overall_steps"), 75);
+  EXPECT_EQ(client.send("PUT", path + "/sheet", sheetBody(revision - 1, 1, 1, 1)).status, 409)
+      << "what is older is older, whatever the clock says";
+  const WebAnswer saved = client.send("PUT", path + "/sheet", sheetBody(revision, 72, 80, 75));
+  ASSERT_EQ(saved.status, 200) << saved.body;
+  ASSERT_EQ(client
+                .send("POST", path + "/viewing",
+                      {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}})
+                .status,
+            200);
+  const WebAnswer sealed =
+      client.send("POST", path + "/submit", {{"sheet", sheetBody(revision + 1, 72, 80, 75)}});
+  ASSERT_EQ(sealed.status, 200) << sealed.body;
+  EXPECT_EQ(client.get(path).json().at("state"), "submitted");
+}
+
+}  // namespace
+}  // namespace torsio::web
