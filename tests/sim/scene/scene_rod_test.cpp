@@ -178,6 +178,33 @@ TEST(SceneRod, TheStomachStaysWholeUnderEveryTurnWithinItsTorqueLimit) {
   }
 }
 
+// What a hand that keeps to no limit does to it: the last rows of the stomach in docs/model.md R.9.
+TEST(SceneRod, TheStomachIsPressedButNotFoldedByTurnsBeyondItsLimits) {
+  const HeldOrgan stomach = heldStomach();
+  const HandTurn organoAxial{
+      .grip = 0.5, .angle_deg = -180.0, .from_m = kPylorus_m, .direction = kCardia_m - kPylorus_m};
+  const HandTurn across{.grip = 0.25,
+                        .angle_deg = -90.0,
+                        .from_m = kLesserCurvature_m,
+                        .direction = kGreaterCurvature_m - kLesserCurvature_m};
+  const std::vector<std::vector<HandTurn>> tasks{{{.grip = 0.7, .angle_deg = 180.0}}, {organoAxial, across}};
+  int task = 0;
+  for (const std::vector<HandTurn>& turns : tasks) {
+    const HandResult result = stomach.turned(turns);
+    const double cardia = norm(stomach.skin.toDeformed_m(kCardia_m, result.curve) - kCardia_m);
+    RecordProperty("task" + std::to_string(++task),
+                   "volume " + std::to_string(result.fold.volumeRatio) + ", det F " +
+                       std::to_string(result.fold.minDeterminant) + ", crossings " +
+                       std::to_string(result.fold.crossings) + ", torque " +
+                       std::to_string(norm(result.balance.load.torque_Nm)) + " N m, cardia " +
+                       std::to_string(1000.0 * cardia) + " mm");
+    EXPECT_FALSE(result.fold.folded());
+    EXPECT_EQ(result.fold.crossings, 0U);
+    EXPECT_GT(result.fold.minDeterminant, 0.4);
+    EXPECT_LT(result.fold.minDeterminant, 0.6) << "tissue inside a bend is pressed to half of its length";
+  }
+}
+
 TEST(SceneRod, AnOrganoAxialTurnIsASwingThatCostsLittleTorque) {
   const HeldOrgan stomach = heldStomach();
   const HandResult result = stomach.turned(
