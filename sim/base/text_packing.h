@@ -12,26 +12,42 @@
 
 namespace torsio {
 
+/// How deep texts may lie in one another, how many in a list, how many bytes each.
+inline constexpr int kDeepestPackedText = 24;
+inline constexpr std::size_t kMostPackedParts = 64;
+inline constexpr std::size_t kLongestPackedText = 8'192;
+
 /// Writes numbers and texts as bytes, for another process of this program on this machine.
 class TextPacker {
  public:
   void number(double value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value)); }
+  /// At most kLongestPackedText bytes of it.
   void text(const std::string& value) {
-    number(static_cast<double>(value.size()));
-    bytes_ += value;
+    const std::size_t size = std::min(value.size(), kLongestPackedText);
+    number(static_cast<double>(size));
+    bytes_.append(value, 0, size);
   }
-  void text(const Text& value) {
+  /// What lies deeper than kDeepestPackedText, and lists are as deep as long, comes in English.
+  void text(const Text& value, int depth = 0) {
+    if (depth == kDeepestPackedText) {
+      text(value.str());
+      number(0.0);
+      return;
+    }
     text(value.pattern());
-    number(static_cast<double>(value.arguments().size()));
-    for (const Text& argument : value.arguments()) {
-      text(argument);
+    const std::size_t told = std::min(value.arguments().size(), kMostPackedParts);
+    number(static_cast<double>(told));
+    for (std::size_t n = 0; n < told; ++n) {
+      text(value.arguments()[n], depth + 1);
     }
   }
+  /// At most kMostPackedParts of them.
   template <typename Part>
   void list(const std::vector<Part>& parts) {
-    number(static_cast<double>(parts.size()));
-    for (const Part& part : parts) {
-      text(part);
+    const std::size_t told = std::min(parts.size(), kMostPackedParts);
+    number(static_cast<double>(told));
+    for (std::size_t n = 0; n < told; ++n) {
+      text(parts[n]);
     }
   }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -58,7 +74,7 @@ class TextUnpacker {
     return value > 0.0 && value <= static_cast<double>(most) ? static_cast<std::size_t>(value) : 0;
   }
   void text(std::string& value) {
-    const std::size_t wanted = count(kLongestText);
+    const std::size_t wanted = count(kLongestPackedText);
     const std::size_t size = std::min(wanted, bytes_.size() - at_);
     value = bytes_.substr(at_, size);
     at_ += size;
@@ -66,8 +82,8 @@ class TextUnpacker {
   void text(Text& value, int depth = 0) {
     std::string pattern;
     text(pattern);
-    const std::size_t size = depth < kDeepestText ? count(kMostParts) : 0;
-    std::vector<Text> arguments(size);
+    const std::size_t parts = count(kMostPackedParts);
+    std::vector<Text> arguments(depth < kDeepestPackedText ? parts : 0);
     for (Text& argument : arguments) {
       text(argument, depth + 1);
     }
@@ -75,17 +91,13 @@ class TextUnpacker {
   }
   template <typename Part>
   void list(std::vector<Part>& parts) {
-    parts.resize(count(kMostParts));
+    parts.resize(count(kMostPackedParts));
     for (Part& part : parts) {
       text(part);
     }
   }
 
  private:
-  static constexpr std::size_t kMostParts = 64;
-  static constexpr int kDeepestText = 6;
-  static constexpr std::size_t kLongestText = 8'192;
-
   const std::string& bytes_;
   std::size_t at_ = 0;
 };

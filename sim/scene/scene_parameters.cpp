@@ -297,7 +297,7 @@ SceneRequest sceneRequestFor(const std::string& parametersJson) {
       }
       request.fixedCut = vectorOf(lattice.at("fixed_cut"));
       request.freeCut = vectorOf(lattice.at("free_cut"));
-      request.capRadius_m = lattice.at("cap_radius_m").get<double>();
+      request.capRadius_m = lattice.value("cap_radius_m", 0.0);
       if (lattice.contains("branch_cut")) {
         request.branchRoot_m = vectorOf(lattice.at("branch_root_m"));
         request.branchCut = vectorOf(lattice.at("branch_cut"));

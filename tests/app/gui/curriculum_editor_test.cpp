@@ -373,12 +373,12 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   auto* preview = &child<QLabel>(dialog, "preview");
   auto* store = &child<QPushButton>(dialog, "register");
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("4.9 %")));
+  EXPECT_TRUE(preview->text().contains(QStringLiteral("4.9\u00a0%")));
   EXPECT_TRUE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
 
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3 %")));  // of the able would not pass
+  EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3\u00a0%")));  // of the able would not pass
   EXPECT_FALSE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
   EXPECT_LE(dialog.height(), 700);                            // on a small screen

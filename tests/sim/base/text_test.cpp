@@ -4,10 +4,13 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/base/text_list.h"
+#include "sim/base/text_packing.h"
 
 namespace torsio {
 namespace {
@@ -87,6 +90,36 @@ TEST(Error, SpeaksEnglishOnItsOwnAndKeepsItsPatterns) {
   EXPECT_EQ(error.happened(), "row C2 is not answered");
   EXPECT_EQ(error.happenedText().pattern(), "row %1 is not answered");
   EXPECT_EQ(error.whereText().arguments().front().str(), "7F");
+}
+
+// A list of pieces lies as deep as it is long: what follows it is read where it stands.
+TEST(TextPacking, GivesBackWhatFollowsALongListOrText) {
+  for (const std::size_t items : {1U, 5U, 7U, 24U, 25U, 60U}) {
+    std::vector<Text> pieces;
+    for (std::size_t n = 0; n < items; ++n) {
+      pieces.push_back(Text::verbatim("%1 ml (%2)", n, std::string("1,2,3")));
+    }
+    const Text told = Text::verbatim("the largest of several pieces was taken: %1", listed(pieces));
+    TextPacker packer;
+    packer.text(told);
+    packer.number(0.25);
+    packer.text(std::string(10'000, 'x'));
+    packer.list(std::vector<std::string>(100, "y"));
+    packer.number(0.5);
+
+    TextUnpacker unpacker(packer.bytes());
+    Text text;
+    std::string longest;
+    std::vector<std::string> list;
+    unpacker.text(text);
+    EXPECT_EQ(text.str(), told.str()) << items;
+    EXPECT_EQ(unpacker.number(), 0.25) << items;
+    unpacker.text(longest);
+    EXPECT_GT(longest.size(), 8'000U);
+    unpacker.list(list);
+    EXPECT_EQ(list.size(), 64U);
+    EXPECT_EQ(unpacker.number(), 0.5) << items;
+  }
 }
 
 }  // namespace
