@@ -112,6 +112,9 @@ std::optional<OrganWallMap> wallMapOf(std::span<const WallRay> rays, const Trian
   std::vector<std::vector<double>> found_m(patches);
   const NearestVertex nearest(mesh);
   for (const WallRay& ray : rays) {
+    if (!isFinite(ray.place_mm) || !std::isfinite(ray.thickness_mm) || ray.thickness_mm <= 0.0) {
+      continue;  // it comes from another process
+    }
     const std::uint32_t v = nearest.to(1e-3 * ray.place_mm);
     if (lattice.vertexParts()[v] != LatticePart::kSide) {
       continue;  // the flat end of an organ is no wall round its axis

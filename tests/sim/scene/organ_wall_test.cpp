@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -152,6 +153,16 @@ TEST(OrganWall, FillsInWhatAnotherOrganHidesAndSaysHowMuch) {
                    static_cast<double>(map.seenPatches()) / static_cast<double>(map.seen.size()));
 }
 
+TEST(OrganWall, TakesNoThicknessThatIsNoNumber) {
+  const OrganImport import = importOfCt(tubeInFat(false), ScanTissue::kGasLumen, "", "broken-ct");
+  std::vector<WallRay> rays;
+  for (const Vec3& vertex_m : import.organ.mesh.vertices_m) {
+    rays.push_back({1000.0 * vertex_m, std::numeric_limits<double>::quiet_NaN()});
+  }
+  EXPECT_FALSE(
+      wallMapOf(rays, import.organ.mesh, SectionLattice(import.organ.mesh, latticeFor(import.organ.ends))));
+}
+
 TEST(OrganWall, IsKeptInTheFileAndTakenByTheHollowModel) {
   const OrganImport import = importOfCt(tubeInFat(false), ScanTissue::kWall, "small-bowel-loop", "bowel-ct");
   ASSERT_TRUE(import.accepted) << findingsOf(import);
@@ -173,8 +184,10 @@ TEST(OrganWall, IsKeptInTheFileAndTakenByTheHollowModel) {
   const auto& along_m = scene.hollow->detorsion().wall.thickness_m;
   EXPECT_EQ(along_m, thicknessAlong_m(*read.wallMap));
   ASSERT_EQ(along_m.size(), static_cast<std::size_t>(read.wallMap->bands));
-  EXPECT_NEAR(along_m[4][1], 0.001 * wall_mm(Vec3{0, 0, (2.0 * along_m[4][0] - 1.0) * kHalfLength_mm}), 0.0006);
-  EXPECT_NEAR(along_m[19][1], 0.001 * wall_mm(Vec3{0, 0, (2.0 * along_m[19][0] - 1.0) * kHalfLength_mm}), 0.0006);
+  EXPECT_NEAR(along_m[4][1], 0.001 * wall_mm(Vec3{0, 0, (2.0 * along_m[4][0] - 1.0) * kHalfLength_mm}),
+              0.0006);
+  EXPECT_NEAR(along_m[19][1], 0.001 * wall_mm(Vec3{0, 0, (2.0 * along_m[19][0] - 1.0) * kHalfLength_mm}),
+              0.0006);
 }
 
 TEST(OrganWall, CarriesTheShearOfAThinPlaceRoundTheSection) {
