@@ -125,20 +125,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   left->addWidget(scene_, 1);
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
-  bar->setSpacing(kSpace);
-  caption_ = plainLabel(this, "quiet");
-  caption_->setObjectName(QStringLiteral("caption"));
-  slow_ = new QPushButton(this);
-  slow_->setObjectName(QStringLiteral("slow"));
-  slow_->setCheckable(true);
-  again_ = new QPushButton(this);
-  again_->setObjectName(QStringLiteral("again"));
-  bar->addWidget(caption_, 1);
-  bar->addWidget(slow_);
-  bar->addWidget(again_);
-  left->addLayout(bar);
+  left->addLayout(createBar());
   row->addLayout(left, 1);
 
   auto* panel = new QWidget(this);
@@ -198,6 +185,23 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   });
   connect(&scene_->controller(), &SimulationController::failed, this,
           [this](const QString& happened, const QString&, const QString&) { shell().notify(happened); });
+}
+
+QLayout* BriefingPage::createBar() {
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
+  bar->setSpacing(kSpace);
+  caption_ = plainLabel(this, "quiet");
+  caption_->setObjectName(QStringLiteral("caption"));
+  slow_ = new QPushButton(this);
+  slow_->setObjectName(QStringLiteral("slow"));
+  slow_->setCheckable(true);
+  again_ = new QPushButton(this);
+  again_->setObjectName(QStringLiteral("again"));
+  bar->addWidget(caption_, 1);
+  bar->addWidget(slow_);
+  bar->addWidget(again_);
+  return bar;
 }
 
 BriefingPage::~BriefingPage() = default;

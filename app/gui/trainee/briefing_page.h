@@ -6,6 +6,7 @@
 #include "app/training/trend.h"
 
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace torsio::gui {
@@ -35,6 +36,8 @@ class BriefingPage : public Page {
  private:
   StationDesk& desk_;
 
+  /// What stands below the picture.
+  QLayout* createBar();
   void showExpert();
   /// Says below the picture what the expert does at this moment, and plays as slowly as is wanted.
   void follow(const LiveState& state);
