@@ -21,8 +21,8 @@ struct FittedOrgan {
 /// stalk. Where that refuses it the ends are taken another way: of an organ on a stalk, that which is
 /// narrower is held, with discs in place of rounded tips; of one whose ends are named, a branch on its side
 /// is taken for none of its sections, with a warning. Where something is to be said of one that is cut at a
-/// named end, and nothing with planes for sections, those are taken. `anatomy`: id of a scene, empty: not known. Throws as
-/// readSceneFile().
+/// named end, and nothing with planes for sections, those are taken. `anatomy`: id of a scene, empty: not
+/// known. Throws as readSceneFile().
 [[nodiscard]] FittedOrgan fitOrgan(const TriangleMesh& mesh, const OrganEnds& ends,
                                    const std::filesystem::path& assets, const std::string& anatomy);
 

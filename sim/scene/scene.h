@@ -126,7 +126,7 @@ struct Scene {
   /// The wall of a user's organ along it, as a scan showed it: pairs of a share of the length and a thickness
   /// in metres; empty: no scan did.
   std::vector<std::array<double, 2>> wallAlong_m{};
-  bool former = false;                        ///< the former state of the scene: SceneRequest::former
+  bool former = false;  ///< the former state of the scene: SceneRequest::former
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 

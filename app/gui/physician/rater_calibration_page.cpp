@@ -241,7 +241,8 @@ QString RaterCalibrationPage::anchorText() const {
       points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
     }
     if (!points.isEmpty()) {
-      lines << tr("%1. %2").arg(toQString(Text(row.label)), points.join(QStringLiteral("\u00a0\u00a0\u00b7  ")));
+      lines << tr("%1. %2").arg(toQString(Text(row.label)),
+                                points.join(QStringLiteral("\u00a0\u00a0\u00b7  ")));
     }
   }
   return lines.join(QStringLiteral("\n\n"));
