@@ -2510,6 +2510,10 @@
         <translation>请关闭其他程序；在 Linux 上请为该用户启用实时调度（docs/devices.md）</translation>
     </message>
     <message>
+        <source>Take --close-holes (in the window: Close holes and open ends), or a mesh editor</source>
+        <translation>请使用 --close-holes（窗口中为“封闭孔洞和开放的端部”），或用网格编辑器处理</translation>
+    </message>
+    <message>
         <source>Close the holes in a mesh editor</source>
         <translation>请在网格编辑器中封闭孔洞</translation>
     </message>

@@ -201,7 +201,12 @@ OrganImport importOrgan(const OrganImportRequest& request, const std::function<R
     if (!aboutTheMesh) {
       throw;
     }
-    import.findings.push_back(findingOf(refusal));
+    OrganFinding finding = findingOf(refusal);
+    if (finding.code == "M11" && !request.closeHoles) {
+      finding.remedy =
+          Text::tr("Take --close-holes (in the window: Close holes and open ends), or a mesh editor");
+    }
+    import.findings.push_back(std::move(finding));
   }
   import.organ.anatomy = request.anatomy;
   import.organ.wall_m = request.wall_m;

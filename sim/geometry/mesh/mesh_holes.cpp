@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "sim/geometry/mesh/mesh_repair.h"
@@ -13,11 +15,9 @@ namespace {
 
 constexpr std::uint32_t kNowhere = 0xffffffffU;
 
-/// The vertex after each on a rim, in the direction of the faces that are to be made; kNowhere off the rims,
-/// and where rims meet.
-std::vector<std::uint32_t> rimsOf(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> next(mesh.vertices_m.size(), kNowhere);
-  std::vector<std::uint32_t> met;
+/// The edges of the rims, in the direction of the faces that are to be made, by their first vertices.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> rimEdges(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rims;
   const std::vector<EdgeUse> edges = sortedEdges(mesh);
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i + 1;
@@ -25,33 +25,67 @@ std::vector<std::uint32_t> rimsOf(const TriangleMesh& mesh) {
       ++end;
     }
     if (end - i == 1) {
-      const std::uint32_t from = edges[i].ascending ? edges[i].high : edges[i].low;
-      const std::uint32_t to = edges[i].ascending ? edges[i].low : edges[i].high;
-      if (next[from] != kNowhere) {
-        met.push_back(from);
-      }
-      next[from] = to;
+      rims.emplace_back(edges[i].ascending ? edges[i].high : edges[i].low,
+                        edges[i].ascending ? edges[i].low : edges[i].high);
     }
     i = end;
   }
-  for (const std::uint32_t v : met) {
-    next[v] = kNowhere;
-  }
-  return next;
+  std::sort(rims.begin(), rims.end());
+  return rims;
 }
 
-/// The rim through a vertex; empty where it does not come back to it.
-std::vector<std::uint32_t> rimFrom(std::uint32_t start, std::vector<std::uint32_t>& next) {
-  std::vector<std::uint32_t> rim;
-  std::uint32_t v = start;
-  do {
-    rim.push_back(v);
-    const std::uint32_t following = next[v];
-    next[v] = kNowhere;
-    v = following;
-  } while (v != kNowhere && v != start);
-  return v == start ? rim : std::vector<std::uint32_t>{};
-}
+/// Walks along rims and hands each that comes back to a vertex over, so that two which meet in a vertex are
+/// two rims. Edges that lead nowhere, since the faces along them disagree, are none of any.
+class RimWalk {
+ public:
+  explicit RimWalk(const TriangleMesh& mesh)
+      : edges_(rimEdges(mesh)), place_(mesh.vertices_m.size(), kNowhere) {
+    next_.resize(mesh.vertices_m.size() + 1, 0);
+    for (const auto& [from, to] : edges_) {
+      ++next_[from + 1];
+    }
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    ends_.assign(next_.begin() + 1, next_.end());
+  }
+
+  template <typename Take>
+  void walk(const Take& take) {
+    for (std::uint32_t v = 0; v < place_.size(); ++v) {
+      while (next_[v] < ends_[v]) {
+        walkFrom(v, take);
+      }
+    }
+  }
+
+ private:
+  template <typename Take>
+  void walkFrom(std::uint32_t start, const Take& take) {
+    std::vector<std::uint32_t> path{start};
+    place_[start] = 0;
+    while (next_[path.back()] < ends_[path.back()]) {
+      const std::uint32_t to = edges_[next_[path.back()]++].second;
+      if (place_[to] == kNowhere) {
+        place_[to] = static_cast<std::uint32_t>(path.size());
+        path.push_back(to);
+        continue;
+      }
+      const auto rim = path.begin() + place_[to];
+      take(std::vector<std::uint32_t>(rim, path.end()));
+      for (auto behind = rim + 1; behind != path.end(); ++behind) {
+        place_[*behind] = kNowhere;
+      }
+      path.erase(rim + 1, path.end());
+    }
+    for (const std::uint32_t v : path) {
+      place_[v] = kNowhere;
+    }
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
+  std::vector<std::uint32_t> place_;  ///< of a vertex on the path
+  std::vector<std::size_t> next_;     ///< edge that leaves a vertex and was not walked yet
+  std::vector<std::size_t> ends_;
+};
 
 double widthOf_m(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {
   Vec3 low = mesh.vertices_m[rim.front()];
@@ -84,19 +118,13 @@ void closeRim(TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {
 
 ClosedHoles closeHoles(TriangleMesh& mesh) {
   ClosedHoles closed;
-  std::vector<std::uint32_t> next = rimsOf(mesh);
-  const auto vertices = static_cast<std::uint32_t>(next.size());
-  for (std::uint32_t v = 0; v < vertices; ++v) {
-    if (next[v] == kNowhere) {
-      continue;
-    }
-    const std::vector<std::uint32_t> rim = rimFrom(v, next);
+  RimWalk(mesh).walk([&](const std::vector<std::uint32_t>& rim) {
     if (rim.size() >= 3) {
       ++closed.count;
       closed.widest_m = std::max(closed.widest_m, widthOf_m(mesh, rim));
       closeRim(mesh, rim);
     }
-  }
+  });
   return closed;
 }
 

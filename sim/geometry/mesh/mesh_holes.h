@@ -14,8 +14,8 @@ struct ClosedHoles {
 };
 
 /// Closes each hole of a welded surface by a fan about the middle of its rim: small gaps, and the flat ends
-/// of a tube that was drawn without them. A rim that meets another, or itself, in a vertex is left as it is.
-/// The faces along a rim must agree in their orientation for it to be found.
+/// of a tube that was drawn without them; where rims meet in a vertex, each by itself. The faces along a rim
+/// must agree in their orientation for it to be found.
 [[nodiscard]] ClosedHoles closeHoles(TriangleMesh& mesh);
 
 }  // namespace torsio

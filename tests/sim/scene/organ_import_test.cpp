@@ -163,6 +163,33 @@ TEST(OrganImport, ClosesHolesWhenAskedAndSaysSo) {
   EXPECT_NEAR(import.volume_ml.value(), whole_ml, 0.01 * whole_ml);
 }
 
+// As in a mesh that lost triangles here and there.
+TEST(OrganImport, ClosesHolesThatMeetInAVertex) {
+  TriangleMesh open = bar();
+  const TriangleMesh::Triangle first = open.triangles[open.triangles.size() / 2];
+  const auto shared = [&first](const TriangleMesh::Triangle& t) {
+    return std::count_if(t.begin(), t.end(), [&first](std::uint32_t v) {
+      return std::find(first.begin(), first.end(), v) != first.end();
+    });
+  };
+  const auto second = std::find_if(open.triangles.begin(), open.triangles.end(),
+                                   [&](const TriangleMesh::Triangle& t) { return shared(t) == 1; });
+  ASSERT_NE(second, open.triangles.end());
+  open.triangles.erase(second);
+  open.triangles.erase(std::find(open.triangles.begin(), open.triangles.end(), first));
+  OrganImportRequest request = importOf(open, "meeting.ply");
+  const OrganImport refused = importOrgan(request);
+  ASSERT_NE(found(refused, "M11"), nullptr);
+  EXPECT_THAT(found(refused, "M11")->remedy.str(), HasSubstr("--close-holes"));
+  request.closeHoles = true;
+
+  const OrganImport import = importOrgan(request);
+
+  EXPECT_TRUE(import.accepted);
+  ASSERT_NE(found(import, "M11"), nullptr);
+  EXPECT_EQ(found(import, "M11")->value, 2.0);
+}
+
 TEST(OrganImport, ComparesTheVolumeWithThatOfItsAnatomy) {
   OrganImportRequest request =
       importOf(testing::prism(testing::circleOutline(0.008, 36), 0.1, 24), "thin.ply");
