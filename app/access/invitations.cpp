@@ -172,8 +172,7 @@ Text invitationWords(const std::string& centre, const std::string& login, const 
     return Text::tr(
         "You are asked to work with Torsio, in the browser of any computer. Open this link and choose a "
         "password:\n%1\nYour sign-in name is %2. The link is good once, until %3, and for you alone: please "
-        "do "
-        "not pass it on.",
+        "do not pass it on.",
         link, login, until);
   }
   return Text::tr(

@@ -6,7 +6,7 @@ import { kCorner_B } from './gl.js';
 const kFloatsACorner = kCorner_B / 4;
 
 export class ScriptSum {
-  /// As OrganSum; `places` holds the corners' places, too.
+  /// As OrganSum; `buffer` holds the same corners.
   constructor(gl, morph, corner = null) {
     Object.assign(this, { gl, morph });
     this.corner = corner ?? Uint32Array.from({ length: morph.meta.vertices }, (_, i) => i);
