@@ -11,6 +11,7 @@
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_cut.h"
 #include "sim/geometry/mesh/mesh_holes.h"
+#include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 
 namespace torsio {

@@ -96,19 +96,23 @@ void addIgnored(const MeshExtras& ignored, std::vector<OrganFinding>& findings) 
   findings.push_back(std::move(finding));
 }
 
-/// Closes holes where that was asked for: small ones are told, large ones warned of.
-void mendHoles(const OrganImportRequest& request, TriangleMesh& mesh, std::vector<OrganFinding>& findings) {
+/// Closes holes where that was asked for: small ones are told, large ones warned of. A face along a rim that
+/// disagrees with its neighbours would hide the hole: faces are turned first. Returns what else was mended.
+MeshRepairs mendHoles(const OrganImportRequest& request, TriangleMesh& mesh,
+                      std::vector<OrganFinding>& findings) {
   constexpr double kSmallHole = 0.05;  // of the largest side
+  MeshRepairs done;
   if (!request.closeHoles) {
-    return;
+    return done;
   }
   requireSound(mesh, request.file.string());
   const double side_m = checkMesh(mesh).largestSide_m();
-  MeshRepairs ignored;
-  weldVertices(mesh, 1e-6 * side_m, ignored);  // as checkedMesh does
+  weldVertices(mesh, 1e-6 * side_m, done);  // as checkedMesh does
+  removeDegenerateFaces(mesh, done);
+  static_cast<void>(orientFaces(mesh, done));  // one-sided: checkedMesh refuses it
   const ClosedHoles closed = closeHoles(mesh);
   if (closed.count == 0) {
-    return;
+    return done;
   }
   OrganFinding finding =
       note("M11", Text::tr("%1 {hole|holes} closed, the largest %2 mm across", std::to_string(closed.count),
@@ -119,6 +123,7 @@ void mendHoles(const OrganImportRequest& request, TriangleMesh& mesh, std::vecto
     finding.remedy = Text::tr("Look whether the organ ends there, or close it in a mesh editor");
   }
   findings.push_back(std::move(finding));
+  return done;
 }
 
 /// A volume that no such organ has: most often a wrong unit.
@@ -145,8 +150,9 @@ void sortFindings(std::vector<OrganFinding>& findings) {
 void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& import) {
   MeshImportOptions options;
   options.scale_m = request.scale_m;
-  mendHoles(request, raw.mesh, import.findings);
+  const MeshRepairs before = mendHoles(request, raw.mesh, import.findings);
   import.organ.mesh = checkedMesh(std::move(raw.mesh), request.file.string(), options, &import.repairs);
+  import.repairs.add(before);
   import.volume_ml = 1e6 * signedVolume_m3(import.organ.mesh);
   addRepairs(import.repairs, import.findings);
   addIgnored(raw.ignored, import.findings);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/geometry/mesh/mesh_pieces.h"
 
 namespace torsio {
 

@@ -9,8 +9,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "sim/base/portable_math.h"
-
 namespace torsio {
 
 namespace {
@@ -20,34 +18,6 @@ using Triangle = TriangleMesh::Triangle;
 constexpr double kFlatRatio = 1e-6;  // twice the area over the longest side squared
 constexpr int kSliverPasses = 8;
 constexpr std::uint32_t kNone = 0xffffffffU;
-
-double twiceArea(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3& a = mesh.vertices_m[t[0]];
-  return norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
-}
-
-// Union-find with path halving.
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) {
-      i = parent_[i] = parent_[parent_[i]];
-    }
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) {
-      parent_[std::max(a, b)] = std::min(a, b);
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // A hash grid whose cells are wider than the tolerance, so that mostly one cell is searched.
 class WeldGrid {
@@ -180,35 +150,6 @@ std::size_t turnSlivers(TriangleMesh& mesh) {
   return turned;
 }
 
-// Solid angle of the surface seen from `p` over 4 pi (van Oosterom and Strackee): +-1 inside, 0 outside.
-double windingNumber(const TriangleMesh& mesh, const std::vector<std::uint32_t>& component,
-                     std::uint32_t which, const Vec3& p) {
-  double twice = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (component[t] != which) {
-      continue;
-    }
-    const Vec3 a = mesh.vertices_m[mesh.triangles[t][0]] - p;
-    const Vec3 b = mesh.vertices_m[mesh.triangles[t][1]] - p;
-    const Vec3 c = mesh.vertices_m[mesh.triangles[t][2]] - p;
-    const double na = norm(a), nb = norm(b), nc = norm(c);
-    twice +=
-        portableAtan2(dot(a, cross(b, c)), na * nb * nc + dot(a, b) * nc + dot(b, c) * na + dot(c, a) * nb);
-  }
-  return twice / (2.0 * kPi);
-}
-
-void keepComponents(TriangleMesh& mesh, const std::vector<std::uint32_t>& component,
-                    const std::vector<bool>& keep) {
-  std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (keep[component[t]]) {
-      kept.push_back(mesh.triangles[t]);
-    }
-  }
-  mesh.triangles = std::move(kept);
-}
-
 void plural(std::vector<std::string>& lines, std::size_t count, const char* one, const char* many) {
   if (count > 0) {
     lines.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
@@ -222,6 +163,17 @@ bool MeshRepairs::any() const noexcept {
                  unusedVertices >
              0 ||
          insideOut;
+}
+
+void MeshRepairs::add(const MeshRepairs& earlier) noexcept {
+  weldedVertices += earlier.weldedVertices;
+  degenerateFaces += earlier.degenerateFaces;
+  duplicateFaces += earlier.duplicateFaces;
+  turnedFaces += earlier.turnedFaces;
+  insideOut = insideOut != earlier.insideOut;
+  droppedComponents += earlier.droppedComponents;
+  droppedShells += earlier.droppedShells;
+  unusedVertices += earlier.unusedVertices;
 }
 
 std::vector<std::string> MeshRepairs::lines() const {
@@ -280,25 +232,6 @@ std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
   return edges;
 }
 
-std::vector<std::uint32_t> componentOfTriangles(const TriangleMesh& mesh) {
-  Partition partition(mesh.vertices_m.size());
-  for (const Triangle& t : mesh.triangles) {
-    partition.join(t[0], t[1]);
-    partition.join(t[0], t[2]);
-  }
-  std::vector<std::uint32_t> number(mesh.vertices_m.size(), kNone);
-  std::vector<std::uint32_t> component(mesh.triangles.size());
-  std::uint32_t next = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::uint32_t& n = number[partition.find(mesh.triangles[t][0])];
-    if (n == kNone) {
-      n = next++;
-    }
-    component[t] = n;
-  }
-  return component;
-}
-
 void weldVertices(TriangleMesh& mesh, double tolerance_m, MeshRepairs& repairs) {
   WeldGrid grid(mesh.vertices_m, tolerance_m);
   std::size_t welded = 0;
@@ -339,50 +272,6 @@ void removeDegenerateFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
       return;
     }
   }
-}
-
-double keepMainComponent(TriangleMesh& mesh, double smallShare, MeshRepairs& repairs) {
-  const std::vector<std::uint32_t> component = componentOfTriangles(mesh);
-  const std::size_t count =
-      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t{1};
-  if (count < 2) {
-    return 0.0;
-  }
-  std::vector<double> area(count, 0.0);
-  std::vector<Vec3> somePoint(count);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    area[component[t]] += twiceArea(mesh, mesh.triangles[t]);
-    somePoint[component[t]] = mesh.vertices_m[mesh.triangles[t][0]];
-  }
-  const auto main = static_cast<std::uint32_t>(std::max_element(area.begin(), area.end()) - area.begin());
-  const double total = std::accumulate(area.begin(), area.end(), 0.0);
-
-  constexpr double kWorthTesting = 1e-3;  // the inside test costs a pass over the mesh
-  constexpr double kInside = 0.5;
-  std::size_t shells = 0;
-  double outside = 0.0;
-  for (std::uint32_t c = 0; c < count; ++c) {
-    if (c == main) {
-      continue;
-    }
-    const bool inner = area[c] > kWorthTesting * total &&
-                       std::abs(windingNumber(mesh, component, main, somePoint[c])) > kInside;
-    if (inner) {
-      ++shells;
-    } else {
-      outside += area[c];
-    }
-  }
-  const double share = total > 0.0 ? outside / total : 0.0;
-  if (share > smallShare) {
-    return share;
-  }
-  std::vector<bool> keep(count, false);
-  keep[main] = true;
-  keepComponents(mesh, component, keep);
-  repairs.droppedShells += shells;
-  repairs.droppedComponents += count - 1 - shells;
-  return 0.0;
 }
 
 bool orientFaces(TriangleMesh& mesh, MeshRepairs& repairs) {

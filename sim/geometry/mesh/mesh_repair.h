@@ -22,6 +22,8 @@ struct MeshRepairs {
   std::size_t unusedVertices = 0;
 
   [[nodiscard]] bool any() const noexcept;
+  /// Counts what an earlier pass repaired in. A surface that both turned inside out is as it was.
+  void add(const MeshRepairs& earlier) noexcept;
   /// Describes the repairs, one of a kind a line: "2 faces turned".
   [[nodiscard]] std::vector<std::string> lines() const;
   /// Describes the repairs in one line, empty when nothing was repaired.
@@ -41,10 +43,6 @@ struct EdgeUse {
 /// in range.
 [[nodiscard]] std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh);
 
-/// Returns for each triangle the index of its connected piece (through shared vertices), numbered from 0 in
-/// the order of their first triangle.
-[[nodiscard]] std::vector<std::uint32_t> componentOfTriangles(const TriangleMesh& mesh);
-
 /// Joins vertices not further apart than `tolerance_m` >= 0 to the first of them, keeping the order.
 /// Importers split vertices at seams of normals and textures; nothing works on the result otherwise.
 void weldVertices(TriangleMesh& mesh, double tolerance_m, MeshRepairs& repairs);
@@ -52,11 +50,6 @@ void weldVertices(TriangleMesh& mesh, double tolerance_m, MeshRepairs& repairs);
 /// Removes faces with a repeated corner and repeated faces, and turns the long edge of flat slivers so that
 /// no face without area is left where that can be done without opening the surface.
 void removeDegenerateFaces(TriangleMesh& mesh, MeshRepairs& repairs);
-
-/// Drops separate pieces: those inside the largest, and the rest when together they have at most
-/// `smallShare` of the area. Returns the share of the area that lies in pieces too large to drop, 0 when
-/// one piece is left.
-[[nodiscard]] double keepMainComponent(TriangleMesh& mesh, double smallShare, MeshRepairs& repairs);
 
 /// Turns faces so that neighbours agree, then the whole surface so that it encloses a positive volume.
 /// Edges must not be used more than twice. False when the surface is one-sided; then nothing is changed.

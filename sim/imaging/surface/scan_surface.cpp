@@ -13,6 +13,7 @@
 #include "sim/base/short_number.h"
 #include "sim/base/text_list.h"
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/mesh_smoothing.h"
 #include "sim/geometry/mesh/mesh_thinning.h"

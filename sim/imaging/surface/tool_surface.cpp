@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/base/short_number.h"
+#include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/mesh_smoothing.h"
 #include "sim/geometry/mesh/mesh_thinning.h"

@@ -190,6 +190,30 @@ TEST(OrganImport, ClosesHolesThatMeetInAVertex) {
   EXPECT_EQ(found(import, "M11")->value, 2.0);
 }
 
+// As exporters leave it that lost track of a face's side where the surface breaks off.
+TEST(OrganImport, ClosesAHoleWithATurnedFaceAtItsRim) {
+  TriangleMesh open = bar();
+  const TriangleMesh::Triangle lost = open.triangles[open.triangles.size() / 2];
+  open.triangles.erase(open.triangles.begin() + static_cast<std::ptrdiff_t>(open.triangles.size() / 2));
+  const auto beside = std::find_if(open.triangles.begin(), open.triangles.end(), [&lost](const auto& t) {
+    return std::count_if(t.begin(), t.end(), [&lost](std::uint32_t v) {
+             return std::find(lost.begin(), lost.end(), v) != lost.end();
+           }) == 2;
+  });
+  ASSERT_NE(beside, open.triangles.end());
+  std::swap((*beside)[0], (*beside)[1]);
+  OrganImportRequest request = importOf(open, "turned_rim.ply");
+  request.closeHoles = true;
+
+  const OrganImport import = importOrgan(request);
+
+  EXPECT_TRUE(import.accepted);
+  ASSERT_NE(found(import, "M11"), nullptr);
+  EXPECT_EQ(found(import, "M11")->value, 1.0);
+  EXPECT_EQ(import.repairs.turnedFaces, 1U);
+  EXPECT_FALSE(import.repairs.insideOut);
+}
+
 TEST(OrganImport, ComparesTheVolumeWithThatOfItsAnatomy) {
   OrganImportRequest request =
       importOf(testing::prism(testing::circleOutline(0.008, 36), 0.1, 24), "thin.ply");
