@@ -372,6 +372,27 @@ TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
   EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kSubmitted);
 }
 
+TEST(CasePage, PlayThatIsAskedForWhileTheRecordingIsBeingOpenedBeginsWithIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0)[0]));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  replay.setRealTime(false);
+  page.enter(inputOf(centre.cases(0)[1]));
+  ASSERT_FALSE(replay.ready());
+
+  desk.press(Qt::Key_Space);
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.playing());
+
+  page.enter(inputOf(centre.cases(0)[0]));
+  desk.press(Qt::Key_Space);
+  desk.press(Qt::Key_K);  // thought better of
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.ready());
+  EXPECT_FALSE(replay.playing());
+}
+
 TEST(CasePage, WhatIsWatchedWhileTheQuestionStandsCounts) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
