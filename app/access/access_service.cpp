@@ -214,20 +214,29 @@ SignInAnswer checkOwnPassword(SessionContext& session, const std::string& passwo
   return {result.outcome, {}, result.waitUntilUtc_us};
 }
 
-Actor simulatedTrainee(SessionContext& session) {
+Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
   session.require(Operation::kUserManage);
+  const bool physician = role == SimulatedRole::kPhysician;
+  const std::vector<std::string> wanted{physician ? "rater" : "trainee"};
   for (const UserAccount& user : repository(session).users()) {
-    const bool trainee = std::find(user.roles.begin(), user.roles.end(), "trainee") != user.roles.end();
-    if (!user.demonstration || !user.active || !trainee || user.roles.size() != 1) {
+    if (!user.demonstration || !user.active || user.roles != wanted) {
       continue;
     }
     session.note({.action = AuditAction::kUserSignIn,
                   .objectKind = AuditObject::kAppUser,
                   .objectId = user.id,
-                  .reason = "an administrator entered as a simulated trainee"});
-    return {.userId = user.id, .login = user.login, .personId = user.personId, .roles = user.roles};
+                  .reason = physician ? "an administrator entered as a simulated physician"
+                                      : "an administrator entered as a simulated trainee"});
+    return {.userId = user.id,
+            .login = user.login,
+            .personId = user.personId,
+            .roles = user.roles,
+            .passwordShownUtc_us = physician ? kNoPasswordToShow : 0};
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("there is no simulated trainee here"), Text::tr("people"),
+  throw Error(ErrorCode::kBadParameter,
+              physician ? Text::tr("there is no simulated physician here")
+                        : Text::tr("there is no simulated trainee here"),
+              Text::tr("people"),
               Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
 }
 

@@ -50,10 +50,13 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
 /// audited as at the sign-in.
 [[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);
 void signOut(SessionContext& session);
-/// A simulated trainee, for an administrator who wants to see what trainees see; the session stays as it is
-/// until the caller gives it this actor. What they do stays among the simulated people. Audited. kUserManage.
-/// Throws Error{kBadParameter} when nobody is simulated.
-[[nodiscard]] Actor simulatedTrainee(SessionContext& session);
+/// Whose desk an administrator may see.
+enum class SimulatedRole { kTrainee, kPhysician };
+/// A simulated person with this role and no other, for an administrator who wants to see what such people
+/// see; the session stays as it is until the caller gives it this actor. What they do stays among the
+/// simulated people; a physician signs without a password (signing.h, kNoPasswordToShow). Audited.
+/// kUserManage. Throws Error{kBadParameter} when nobody is simulated.
+[[nodiscard]] Actor simulatedPerson(SessionContext& session, SimulatedRole role);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage. Throws
 /// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) where roles are given

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/signing.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <nlohmann/json.hpp>
@@ -51,6 +52,9 @@ void setSignMinutes(SessionContext& session, int minutes) {
 
 bool passwordIsDue(SessionContext& session) {
   const std::int64_t shown_us = session.actor().passwordShownUtc_us;
+  if (shown_us == kNoPasswordToShow) {
+    return !AccessRepository(session.connectionWithoutRight()).isOfDemonstration(session.actor().userId);
+  }
   const std::int64_t since_us = session.now_us() - shown_us;
   const int minutes = signMinutes(session.connectionWithoutRight());
   // Where each signature asks, a password that was shown is good for the act that follows at once.
@@ -86,6 +90,7 @@ void sign(SessionContext& session, const SignedObject& object) {
     throw PasswordDue();
   }
   const Actor& actor = session.actor();
+  const std::int64_t shown_us = std::max<std::int64_t>(actor.passwordShownUtc_us, 0);
   if (!object.demonstration && AccessRepository(session.connection()).isOfDemonstration(actor.userId)) {
     throw Error(ErrorCode::kPermission,
                 Text::tr("an account of the demonstration signs only what is simulated"),
@@ -99,19 +104,20 @@ void sign(SessionContext& session, const SignedObject& object) {
             .meaning = object.meaning,
             .reason = object.reason,
             .signedUtc_us = session.now_us(),
-            .passwordShownUtc_us = actor.passwordShownUtc_us,
+            .passwordShownUtc_us = shown_us,
             .demonstration = object.demonstration});
-  session.note({.action = AuditAction::kSignatureGive,
-                .objectKind = auditObjectOf(object.kind),
-                .objectId = object.objectId,
-                .newJson = nlohmann::json{{"meaning", storedText(object.meaning)},
-                                          {"password_shown_utc_us", actor.passwordShownUtc_us}}
-                               .dump(),
-                .reason = object.reason});
+  session.note(
+      {.action = AuditAction::kSignatureGive,
+       .objectKind = auditObjectOf(object.kind),
+       .objectId = object.objectId,
+       .newJson = nlohmann::json{{"meaning", storedText(object.meaning)}, {"password_shown_utc_us", shown_us}}
+                      .dump(),
+       .reason = object.reason});
 }
 
 void endSigning(SessionContext& session) {
-  if (signMinutes(session.connectionWithoutRight()) == 0) {
+  const bool shown = session.actor().passwordShownUtc_us != kNoPasswordToShow;
+  if (shown && signMinutes(session.connectionWithoutRight()) == 0) {
     session.forgetPasswordShown();
   }
 }

@@ -17,6 +17,10 @@ inline constexpr const char* kSignMinutesSetting = "sign_minutes";
 inline constexpr int kUsualSignMinutes = 15;
 inline constexpr int kLongestSignMinutes = 60;
 
+/// Actor::passwordShownUtc_us of an administrator who entered as a simulated person: there is no password
+/// that anybody knows, and such an account signs only what is simulated.
+inline constexpr std::int64_t kNoPasswordToShow = -1;
+
 /// For how many minutes a password that was shown signs; 0: each signature asks anew, also the first one
 /// after a sign-in.
 [[nodiscard]] int signMinutes(Connection& connection);

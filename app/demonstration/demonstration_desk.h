@@ -27,7 +27,7 @@ struct DemonstrationDeskOptions {
   std::uint64_t seed = 1;
   std::int64_t utc_us = 0;  ///< stamped on every row
   double trial_s = 20.0;    ///< length of each recording
-  int cases = 10;           ///< recorded and live ones each
+  int cases = 14;  ///< recorded and live ones each: ten are left to the first physician; no multiple of 3
 };
 
 /// A rubric with anchors; a second cohort of simulated trainees with one short recording each, twice assigned

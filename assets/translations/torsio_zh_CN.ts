@@ -13140,6 +13140,10 @@ audit trail %3</source>
         <translation>区间未按配对数校正。</translation>
     </message>
     <message>
+        <source>there is no simulated physician here</source>
+        <translation>这里没有模拟医师</translation>
+    </message>
+    <message>
         <source>there is no simulated trainee here</source>
         <translation>这里没有模拟学员</translation>
     </message>
@@ -19246,6 +19250,10 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::CasePage</name>
     <message>
+        <source>This is the next case. Watch it, or change its sheet, first</source>
+        <translation>这是下一个案例。请先观看录制或修改评分表</translation>
+    </message>
+    <message>
         <source>The recording could not be opened.</source>
         <translation>无法打开录制。</translation>
     </message>
@@ -20940,6 +20948,10 @@ MSM = 质点弹簧</translation>
         <source>Enter as a simulated trainee</source>
         <translation>以模拟学员身份进入</translation>
     </message>
+    <message>
+        <source>Enter as a simulated physician</source>
+        <translation>以模拟医师身份进入</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionCard</name>
@@ -21797,6 +21809,10 @@ MSM = 质点弹簧</translation>
 </context>
 <context>
     <name>torsio::gui::EvaluationPage</name>
+    <message>
+        <source>This is the next model. Change its sheet first</source>
+        <translation>这是下一个模型。请先修改其评分表</translation>
+    </message>
     <message>
         <source>Saved</source>
         <translation>已保存</translation>
@@ -23177,6 +23193,10 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::LivePage</name>
     <message>
+        <source>This is the next case. Change its sheet first</source>
+        <translation>这是下一个案例。请先修改其评分表</translation>
+    </message>
+    <message>
         <source>The timer is running. Stop it first</source>
         <translation>计时器正在运行，请先停止</translation>
     </message>
@@ -23504,8 +23524,12 @@ Leave it empty to remove it.</source>
         <translation>浏览：模拟人员</translation>
     </message>
     <message>
-        <source>Everybody here is simulated. Sign out, and all of it is gone</source>
-        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
+        <source>Everybody here is simulated. The menu of your account leads to the desks of a trainee and a physician. Sign out, and all of it is gone</source>
+        <translation>此处所有人员均为模拟。可从您的账户菜单进入学员或医师的工作页面。退出登录后全部删除</translation>
+    </message>
+    <message>
+        <source>You are a simulated physician. Sign out to become yourself again</source>
+        <translation>您现在是模拟医师。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
         <source>You are a simulated trainee. Sign out to become yourself again</source>

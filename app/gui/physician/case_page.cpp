@@ -2,6 +2,7 @@
 #include "app/gui/physician/case_page.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -97,6 +98,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);
   connect(sheet_, &SheetEditorPanel::finishWanted, this,
           [this] { amending_ ? finishAmending() : askSubmit(); });
+  connect(sheet_, &SheetEditorPanel::heldBack, this, [this] {
+    this->shell().notify(tr("This is the next case. Watch it, or change its sheet, first"));
+  });
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (sheet_->editor() != nullptr && !opened_.shown.live && !replay_->ready()) {
@@ -109,6 +113,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
           [this](const QString& id) { editRemark(id.toStdString()); });
   connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
     watched_.played(from, to, speed);
+    sheet_->touched();
     noteWork();
     replay_->setWatched(watched_.spans());
     if (sheet_->asking() && !amending_) {
@@ -194,6 +199,9 @@ void CasePage::enter(const QVariant& argument) {
   caseRemarks_ = caseRemarks(shell().session(), id);
   versions_ = sheetVersions(shell().session(), id);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
+  if (std::exchange(sealed_, false)) {
+    sheet_->waitForTouch();
+  }
   advance_->setChecked(QSettings().value(advanceKey(shell())).toBool());
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
@@ -293,26 +301,6 @@ void CasePage::askRemark() {
   remarkField_->setFocus(Qt::OtherFocusReason);
 }
 
-void CasePage::editRemark(const RemarkId& id) {
-  const CaseRemark* chosen = nullptr;
-  const auto distance = [this](const CaseRemark& one) {
-    return std::abs(one.time_us - replay_->position_us());
-  };
-  for (const CaseRemark& one : caseRemarks_) {
-    const bool nearer = chosen == nullptr || distance(one) < distance(*chosen);
-    if (!one.text.empty() && (id.empty() ? nearer : one.id == id)) {
-      chosen = &one;
-    }
-  }
-  if (chosen == nullptr) {
-    return;
-  }
-  askRemark();
-  edited_ = chosen->id;
-  remarkField_->setText(toQString(chosen->text));
-  remarkField_->selectAll();
-}
-
 void CasePage::storeRemark() {
   const QString text = remarkField_->text().trimmed();
   if (text.isEmpty()) {
@@ -366,6 +354,7 @@ void CasePage::submit() {
     opened_.state = SheetState::kSubmitted;
     const auto next = reviewQueue(shell().session()).next;
     if (next) {
+      sealed_ = true;
       shell().open(PageId::kCase, toQString(*next));
     } else {
       shell().open(PageId::kQueue);

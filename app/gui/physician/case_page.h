@@ -103,6 +103,7 @@ class CasePage : public Page {
   QElapsedTimer sinceKey_;
   std::uint64_t loads_ = 0;
   bool amending_ = false;
+  bool sealed_ = false;  ///< the case before was sealed here just now
 };
 
 }  // namespace torsio::gui

@@ -239,4 +239,24 @@ void CasePage::showRemarks() {
                                              .replace(QLatin1Char('\n'), QStringLiteral("<br>")));
 }
 
+void CasePage::editRemark(const RemarkId& id) {
+  const CaseRemark* chosen = nullptr;
+  const auto distance = [this](const CaseRemark& one) {
+    return std::abs(one.time_us - replay_->position_us());
+  };
+  for (const CaseRemark& one : caseRemarks_) {
+    const bool nearer = chosen == nullptr || distance(one) < distance(*chosen);
+    if (!one.text.empty() && (id.empty() ? nearer : one.id == id)) {
+      chosen = &one;
+    }
+  }
+  if (chosen == nullptr) {
+    return;
+  }
+  askRemark();
+  edited_ = chosen->id;
+  remarkField_->setText(toQString(chosen->text));
+  remarkField_->selectAll();
+}
+
 }  // namespace torsio::gui

@@ -67,6 +67,8 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
   connect(sheet_, &SheetPanel::rowChanged, this, &EvaluationPage::showDefinition);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &EvaluationPage::submit);
+  connect(sheet_, &SheetEditorPanel::heldBack, this,
+          [this] { this->shell().notify(tr("This is the next model. Change its sheet first")); });
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
     campaign_ = static_cast<std::size_t>(at);
@@ -210,6 +212,7 @@ void EvaluationPage::submit() {
     shell().notify(tr("Model %1 is submitted and sealed").arg(toQString(one->hiddenLabel)));
     read();
     openFirst();
+    sheet_->waitForTouch();
   });
 }
 

@@ -93,6 +93,8 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   group_->setExclusive(true);
   connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &LivePage::submit);
+  connect(sheet_, &SheetEditorPanel::heldBack, this,
+          [this] { this->shell().notify(tr("This is the next case. Change its sheet first")); });
   connect(submit_, &QPushButton::clicked, this, &LivePage::submit);
   connect(amend_, &QPushButton::clicked, this, &LivePage::amend);
   connect(older_, &QPushButton::clicked, this, [this] {
@@ -371,6 +373,7 @@ void LivePage::submit() {
     submitSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(), opened_.watched);
     shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     enter({});
+    sheet_->waitForTouch();
   });
 }
 

@@ -222,6 +222,9 @@ void ReplayPanel::show(std::shared_ptr<LoadedRecording> recording) {
   showTask();
   showState();
   showTransport();
+  if (std::exchange(playAsked_, false) && ready()) {
+    togglePlay();
+  }
 }
 
 void ReplayPanel::setSpeeds(std::vector<double> speeds) {
@@ -240,6 +243,7 @@ void ReplayPanel::seek_us(std::int64_t position_us) {
 
 void ReplayPanel::togglePlay() {
   if (!ready()) {
+    playAsked_ = !playAsked_;
     return;
   }
   recording_->playback.setPlaying(!playing());
@@ -253,6 +257,7 @@ void ReplayPanel::togglePlay() {
 }
 
 void ReplayPanel::pause() {
+  playAsked_ = false;
   if (playing()) {
     togglePlay();
   }
@@ -282,6 +287,7 @@ bool ReplayPanel::handleKey(int key) {
       return true;
     case Qt::Key_L:
       if (!ready()) {
+        playAsked_ = true;
         return true;
       }
       if (playing()) {

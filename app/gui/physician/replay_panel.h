@@ -110,6 +110,7 @@ class ReplayPanel : public QWidget {
   QTimer timer_;
   QElapsedTimer sinceFrame_;
   bool realTime_ = true;
+  bool playAsked_ = false;                    ///< before the recording was there
   std::optional<QElapsedTimer> awaitsFrame_;  // since when; then what stands beside the picture follows
   std::optional<std::vector<std::pair<std::int64_t, std::int64_t>>> watched_us_;  // waits for the frame too
 };

@@ -12,9 +12,18 @@
 
 namespace torsio::gui {
 
+namespace {
+
+bool isModifier(int key) {
+  return key == Qt::Key_Control || key == Qt::Key_Shift || key == Qt::Key_Alt || key == Qt::Key_AltGr ||
+         key == Qt::Key_Meta;
+}
+
+}  // namespace
+
 SheetEditorPanel::SheetEditorPanel(bool largeTargets, QWidget* parent) : SheetPanel(largeTargets, parent) {
   commentField()->installEventFilter(this);
-  connect(this, &SheetPanel::edited, this, [this] { asking_ = false; });
+  connect(this, &SheetPanel::edited, this, [this] { asking_ = awaitsTouch_ = false; });
 }
 
 SheetEditorPanel::~SheetEditorPanel() = default;
@@ -22,6 +31,7 @@ SheetEditorPanel::~SheetEditorPanel() = default;
 void SheetEditorPanel::beginSheet(RubricRevision rubric, Sheet sheet, bool withOverall) {
   asking_ = false;
   unsaved_ = false;
+  awaitsTouch_ = false;
   auto fresh = std::make_unique<SheetEditor>(std::move(rubric), std::move(sheet), withOverall);
   setEditor(fresh.get());
   editor_ = std::move(fresh);
@@ -75,8 +85,16 @@ bool SheetEditorPanel::handleCommand(QKeyEvent* event) {
   } else if (event->matches(QKeySequence::Redo) || alsoRedo) {
     redo();
   } else if (enter && (event->modifiers() & Qt::ControlModifier) != 0) {
-    Q_EMIT finishWanted();
+    if (event->isAutoRepeat()) {
+      return true;  // one press asks, another one seals: a key held down is no second press
+    }
+    if (awaitsTouch_) {
+      Q_EMIT heldBack();
+    } else {
+      Q_EMIT finishWanted();
+    }
   } else {
+    awaitsTouch_ = awaitsTouch_ && isModifier(event->key());
     return false;
   }
   return true;

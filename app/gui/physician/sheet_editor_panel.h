@@ -52,9 +52,16 @@ class SheetEditorPanel : public SheetPanel {
   [[nodiscard]] bool asking() const noexcept { return asking_; }
   void setAsking(bool asking) noexcept { asking_ = asking; }
 
+  /// The sheet took the place of one that was sealed just now: Ctrl+Enter belongs to that one until something
+  /// else is done here. beginSheet() ends it, and so does touched().
+  void waitForTouch() noexcept { awaitsTouch_ = true; }
+  void touched() noexcept { awaitsTouch_ = false; }
+
  Q_SIGNALS:
-  /// Ctrl+Enter.
+  /// Ctrl+Enter; not while it is held down.
   void finishWanted();
+  /// Ctrl+Enter that waitForTouch() kept back.
+  void heldBack();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -63,6 +70,7 @@ class SheetEditorPanel : public SheetPanel {
   std::unique_ptr<SheetEditor> editor_;
   bool asking_ = false;
   bool unsaved_ = false;
+  bool awaitsTouch_ = false;
 };
 
 }  // namespace torsio::gui

@@ -366,7 +366,10 @@ void Desk::retranslate() {
     userMenu_->addSeparator();
   }
   if (!actor.practiceOnly && context_.may(Operation::kUserManage)) {
-    userMenu_->addAction(tr("Enter as a simulated trainee"), this, &Desk::simulatedTraineeWanted);
+    userMenu_->addAction(tr("Enter as a simulated trainee"), this,
+                         [this] { Q_EMIT simulatedWanted(SimulatedRole::kTrainee); });
+    userMenu_->addAction(tr("Enter as a simulated physician"), this,
+                         [this] { Q_EMIT simulatedWanted(SimulatedRole::kPhysician); });
   }
   if (!actor.practiceOnly && context_.may(Operation::kPersonErase)) {
     userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::demonstrationRemovalWanted);

@@ -11,6 +11,7 @@
 #include <QVariant>
 #include <QWidget>
 
+#include "app/access/access_service.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
@@ -88,7 +89,7 @@ class Desk : public QWidget {
   void shortcutsWanted();
   void aboutWanted();
   void demonstrationRemovalWanted();
-  void simulatedTraineeWanted();
+  void simulatedWanted(SimulatedRole role);
 
  protected:
   void changeEvent(QEvent* event) override;

@@ -127,7 +127,8 @@ class MainWindow : public QWidget {
   void tryCode(const QString& code);
   void enterAsGuest();
   /// In place of the administrator who is signed in; signing out leads to the sign-in.
-  void enterAsSimulatedTrainee();
+  void tellLookRound();
+  void enterAsSimulated(SimulatedRole role);
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
   void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
   void unlock(const QString& password);
@@ -156,13 +157,13 @@ class MainWindow : public QWidget {
   QTimer second_;
   std::unique_ptr<QTemporaryDir> lookedAt_;   ///< the record of a look round; outlives its session
   QString lookedFrom_;                        ///< the locator before it
-  Actor visitor_{};                           ///< who looks round, while seen as a simulated trainee
+  Actor visitor_{};                           ///< who looks round, while seen as a simulated person
   std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
   std::unique_ptr<LrsWorker> lessons_;  ///< learning records leave while the record is open
   std::size_t refusedTold_ = 0;
-  bool simulated_ = false;    // an administrator looks at a simulated trainee's desk
+  bool simulated_ = false;    // an administrator looks at a simulated person's desk
   bool answered_ = true;      // the database, at the last heartbeat
   bool settleDue_ = false;    // recordings may have gone to files meanwhile
   bool filesClosed_ = false;  ///< files that others could read were looked for since the start

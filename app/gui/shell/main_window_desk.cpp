@@ -65,7 +65,7 @@ void MainWindow::openDesk() {
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &MainWindow::removeDemonstration);
-  connect(desk_, &Desk::simulatedTraineeWanted, this, &MainWindow::enterAsSimulatedTrainee);
+  connect(desk_, &Desk::simulatedWanted, this, &MainWindow::enterAsSimulated);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(toQString(session_->actor().login), {}, false);
     show(password_);
@@ -104,7 +104,7 @@ bool MainWindow::signOut(const QString& reason) {
   if (visitorComesBack) {
     session_->setActor(visitor_);
     enterDesk();
-    desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
+    tellLookRound();
     return true;
   }
   const std::optional<LeftHead> head = forgetActor();

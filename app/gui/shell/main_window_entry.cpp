@@ -198,6 +198,12 @@ void MainWindow::lookRound() {
   setUp(choice);
 }
 
+void MainWindow::tellLookRound() {
+  desk_->context().notify(
+      tr("Everybody here is simulated. The menu of your account leads to the desks of a trainee and a "
+         "physician. Sign out, and all of it is gone"));
+}
+
 void MainWindow::endLookRound() {
   if (!lookedAt_) {
     return;
@@ -264,7 +270,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           centre_ = toQString(choice.first.centre);
           if (lookedAt_) {
             enterDesk();
-            desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
+            tellLookRound();
             return;
           }
           keepFirstRun(choice.locator);
@@ -357,23 +363,25 @@ void MainWindow::enterAsGuest() {
   enterDesk();
 }
 
-void MainWindow::enterAsSimulatedTrainee() {
+void MainWindow::enterAsSimulated(SimulatedRole role) {
   if (desk_ == nullptr || !desk_->mayLeave()) {
     return;
   }
-  Actor trainee;
-  if (!attempt(desk_->context(), [&] { trainee = simulatedTrainee(desk_->context().session()); })) {
+  Actor person;
+  if (!attempt(desk_->context(), [&] { person = simulatedPerson(desk_->context().session(), role); })) {
     return;
   }
   // Later, since the menu that asked dies with the desk.
-  QTimer::singleShot(0, this, [this, trainee] {
+  QTimer::singleShot(0, this, [this, person, role] {
     leaveDesk();
     visitor_ = session_->actor();
     forgetActor();
-    session_->setActor(trainee);
+    session_->setActor(person);
     simulated_ = true;
     enterDesk();
-    desk_->context().notify(tr("You are a simulated trainee. Sign out to become yourself again"));
+    desk_->context().notify(role == SimulatedRole::kTrainee
+                                ? tr("You are a simulated trainee. Sign out to become yourself again")
+                                : tr("You are a simulated physician. Sign out to become yourself again"));
   });
 }
 

@@ -37,6 +37,28 @@ class Signing : public ::testing::Test {
   StudyCentre centre_;
 };
 
+TEST_F(Signing, WhoEnteredAsASimulatedPhysicianSignsWhatIsSimulatedWithoutAPasswordAndNothingElse) {
+  addUser(centre_.as("administrator"),
+          {.login = "demo", .roles = {"rater"}, .startPassword = kStudyPassword, .demonstration = true});
+  const Actor physician = simulatedPerson(centre_.as("administrator"), SimulatedRole::kPhysician);
+  centre_.as("").setActor(physician);
+  centre_.passTime_us(3 * 60 * kMinute_us);
+  SessionContext& session = centre_.session();
+  EXPECT_FALSE(passwordIsDue(session));  // nobody knows one
+
+  session.require(Operation::kMarkSubmit);
+  sign(session, {.objectId = "a", .demonstration = true});
+  EXPECT_THROW(sign(session, {.objectId = "b"}), Error);
+
+  EXPECT_EQ(
+      SignatureRepository(centre_.connection()).all(SignedKind::kTrainingMark).at("a").passwordShownUtc_us,
+      0);
+  Actor real = physician;
+  real.userId = "somebody real";
+  session.setActor(real);
+  EXPECT_TRUE(passwordIsDue(session));
+}
+
 TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
   signedIn();
   signOne("a");

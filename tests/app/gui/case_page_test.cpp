@@ -340,6 +340,59 @@ TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
 }
 
+TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const AssignmentId second = centre.cases(0)[1];
+  {  // the next case is a draft with nothing left to do
+    OpenedSheet ready = openSheet(desk.session(), second);
+    ready.watched.played(0, ready.watched.length_us(), 1.0);
+    static_cast<void>(
+        saveSheet(desk.session(), second, torsio::testing::reviewSheet(5, 6, 5), ready.watched));
+  }
+  desk.open<CasePage>(inputOf(centre.cases(0)[0]));
+  scoreCase(desk, 4, 6, 5);
+  ASSERT_TRUE(desk.follow());
+
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  const auto& sheet = child<SheetEditorPanel>(desk.page(), "sheetPanel");
+  EXPECT_FALSE(sheet.asking());
+  EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next case")));
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kDraft);
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(sheet.asking());
+  QKeyEvent held(QEvent::KeyPress, Qt::Key_Return, Qt::ControlModifier, QString(), true);
+  QApplication::sendEvent(desk.page().focusWidget(), &held);
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kDraft) << "one press, held down";
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kSubmitted);
+}
+
+TEST(CasePage, PlayThatIsAskedForWhileTheRecordingIsBeingOpenedBeginsWithIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0)[0]));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  replay.setRealTime(false);
+  page.enter(inputOf(centre.cases(0)[1]));
+  ASSERT_FALSE(replay.ready());
+
+  desk.press(Qt::Key_Space);
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.playing());
+
+  page.enter(inputOf(centre.cases(0)[0]));
+  desk.press(Qt::Key_Space);
+  desk.press(Qt::Key_K);  // thought better of
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.ready());
+  EXPECT_FALSE(replay.playing());
+}
+
 TEST(CasePage, WhatIsWatchedWhileTheQuestionStandsCounts) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);

@@ -139,12 +139,12 @@ TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
 TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedTraineeAndComesBackByTheSignIn) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  Q_EMIT window_->desk()->simulatedWanted(SimulatedRole::kTrainee);
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);  // there is none
   addUser(*window_->session(),
           {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
 
-  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  Q_EMIT window_->desk()->simulatedWanted(SimulatedRole::kTrainee);
   QApplication::processEvents();
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
@@ -153,6 +153,26 @@ TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedTraineeAndComesBackByTheSign
   EXPECT_FALSE(window_->desk()->open(PageId::kUsers));
   EXPECT_TRUE(window_->lock());  // nobody knows a password to come back with
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
+}
+
+TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedPhysician) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  addUser(*window_->session(),
+          {.login = "demo", .roles = {"rater"}, .startPassword = kStartPassword, .demonstration = true});
+
+  QAction* enters = nullptr;
+  for (QAction* action : window_->findChildren<QAction*>()) {
+    enters = action->text() == QStringLiteral("Enter as a simulated physician") ? action : enters;
+  }
+  ASSERT_NE(enters, nullptr);
+  enters->trigger();
+  QApplication::processEvents();
+
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  EXPECT_EQ(window_->session()->actor().login, "demo");
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kQueue);
+  EXPECT_TRUE(says(*window_, QStringLiteral("You are a simulated physician")));
 }
 
 TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {

@@ -81,6 +81,7 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Everybody here is simulated")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("the desks of a trainee and a physician")));
   const QString file = toQString(window_->session()->key().locator);
   EXPECT_TRUE(QFileInfo::exists(file));
   EXPECT_FALSE(QFileInfo::exists(setup().locator));
@@ -88,7 +89,7 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   window_->chooseTheme(ThemeKind::kDark);
   addUser(*window_->session(),
           {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
-  Q_EMIT window_->desk()->simulatedTraineeWanted();
+  Q_EMIT window_->desk()->simulatedWanted(SimulatedRole::kTrainee);
   QApplication::processEvents();
   EXPECT_EQ(window_->session()->actor().login, "demo");
   ASSERT_TRUE(window_->signOut());  // to become oneself again, as the window says

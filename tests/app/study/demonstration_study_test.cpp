@@ -8,13 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include "app/access/access_service.h"
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
 #include "app/demonstration/demonstration.h"
+#include "app/demonstration/demonstration_desk.h"
+#include "app/demonstration/demonstration_people.h"
 #include "app/recording/competence_service.h"
 #include "app/recording/competence_text.h"
 #include "app/recording/trial_digests.h"
 #include "app/reporting/report_data.h"
+#include "app/review/review_queue.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/day_board.h"
@@ -23,6 +27,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/people/account.h"
 #include "assessment/people/person.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/competence_repository.h"
@@ -75,6 +80,33 @@ void everyTrialNamesItsExerciseAndItsPhase(StudyCentre& centre) {
   EXPECT_TRUE(curriculumProblems(publishedContent(centre.session(), version->id), centre.assets(),
                                  OccasionRepository(centre.connection()).all())
                   .empty());
+}
+
+TEST(DemonstrationDesk, LeavesThePhysicianTenCasesToScore) {
+  StudyCentre centre;
+  SeededIdSource ids(1);
+  static_cast<void>(storeDemonstrationPeople(centre.connection(), ids, 1, 1));
+  const Scene scene = loadScene(shortest(centre).training);
+  const DemonstrationDesk desk =
+      storeDemonstrationDesk(centre.connection(), ids, scene, {.seed = 1, .utc_us = 1, .trial_s = 0.5});
+  addUser(centre.as("administrator"), {.login = "demo.physician",
+                                       .personId = desk.raterIds.front(),
+                                       .roles = {"rater"},
+                                       .startPassword = testing::kStudyPassword,
+                                       .demonstration = true});
+  const Actor physician = simulatedPerson(centre.as("administrator"), SimulatedRole::kPhysician);
+  centre.session().setActor(physician);
+
+  const ReviewQueue queue = reviewQueue(centre.session());
+
+  EXPECT_EQ(queue.drafts, 1U);
+  EXPECT_EQ(queue.drafts + queue.waiting, 10U);
+  EXPECT_EQ(queue.submitted, 4U);
+  std::set<std::string> labels;
+  for (const QueueLine& line : queue.lines) {
+    labels.insert(line.shown.label);
+  }
+  EXPECT_EQ(labels.size(), queue.lines.size());
 }
 
 TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShowsInEveryTrial) {
