@@ -15780,32 +15780,32 @@ audit trail %3</source>
         <translation>D16 气体外漏：充满 %1 ml，而胃最多容纳 %2 ml</translation>
     </message>
     <message>
-        <source>the left</source>
+        <source>towards the left</source>
         <translation>左侧</translation>
     </message>
     <message>
-        <source>the right</source>
+        <source>towards the right</source>
         <translation>右侧</translation>
     </message>
     <message>
-        <source>the back</source>
+        <source>towards the back</source>
         <translation>背侧</translation>
     </message>
     <message>
-        <source>the front</source>
+        <source>towards the front</source>
         <translation>腹侧</translation>
     </message>
     <message>
-        <source>the head</source>
+        <source>towards the head</source>
         <translation>头侧</translation>
     </message>
     <message>
-        <source>the feet</source>
+        <source>towards the feet</source>
         <translation>足侧</translation>
     </message>
     <message>
-        <source>the scan cuts the organ off towards %1: the flat end is none of its own</source>
-        <translation>扫描在%1切断了器官：平的一端不是器官本身的末端</translation>
+        <source>the scan cuts the organ off (%1): the flat end is none of its own</source>
+        <translation>扫描切断了器官（%1）：平的一端不是器官本身的末端</translation>
     </message>
     <message>
         <source>Name it as an end of the organ, or give a scan that shows all of it</source>

@@ -14,6 +14,7 @@
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/number_text.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
 
@@ -28,6 +29,9 @@ Cell cellOf(const Text& content) {
   const double value = cell.text.toDouble(&isNumber);
   if (isNumber) {
     cell.sortKey = value;
+    if (const QString shown = numberText(cell.text); !shown.isEmpty()) {
+      cell.text = shown;
+    }
   }
   return cell;
 }

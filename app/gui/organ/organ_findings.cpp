@@ -10,6 +10,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -42,7 +43,7 @@ QString wordsOf(const OrganFinding& finding) {
 }
 
 QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
+  return numberText(value, decimals);
 }
 
 }  // namespace

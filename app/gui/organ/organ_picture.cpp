@@ -16,6 +16,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_turn.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 #include "sim/scene/hollow_organ.h"
 
@@ -114,7 +115,7 @@ void OrganPicture::twist(double angle_deg) {
 }
 
 void OrganPicture::showTwist(int angle_deg) {
-  angle_->setText(tr("%1\u00b0").arg(QLocale().toString(angle_deg)));
+  angle_->setText(tr("%1\u00b0").arg(numberText(angle_deg, 0)));
   twist_->setAccessibleDescription(angle_->text());
   if (trial_.scene != nullptr) {
     view_->setOrgan(state());

@@ -25,6 +25,7 @@
 #include "app/gui/organ/slice_view.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
 
@@ -380,7 +381,6 @@ void ScanPanel::showState() {
   toolButtons_[static_cast<std::size_t>(Tool::kErase)]->setEnabled(found);
   surface_->setEnabled(found);
   find_->setEnabled(!state_.empty());
-  const QLocale locale;
   if (state_.empty()) {
     said_->clear();
     return;
@@ -391,11 +391,11 @@ void ScanPanel::showState() {
       volume
           .values[volume.index(static_cast<std::size_t>(state_.at[0]), static_cast<std::size_t>(state_.at[1]),
                                static_cast<std::size_t>(state_.at[2]))];
-  QString said = tr("%1 mm left, %2 back, %3 up: value %4")
-                     .arg(locale.toString(at_mm.x, 'f', 0), locale.toString(at_mm.y, 'f', 0),
-                          locale.toString(at_mm.z, 'f', 0), locale.toString(value));
+  QString said =
+      tr("%1 mm left, %2 back, %3 up: value %4")
+          .arg(numberText(at_mm.x, 0), numberText(at_mm.y, 0), numberText(at_mm.z, 0), countText(value));
   if (const std::optional<double> volume_ml = state_.volume_ml()) {
-    said += QLatin1Char('\n') + tr("The mask holds %1 ml").arg(locale.toString(*volume_ml, 'f', 0));
+    said += QLatin1Char('\n') + tr("The mask holds %1 ml").arg(numberText(*volume_ml, 0));
   }
   for (const ScanRemark& remark : state_.preview.remarks) {
     said += QLatin1Char('\n') + toQString(remark.code) + QLatin1Char(' ') + toQString(remark.what);

@@ -17,6 +17,7 @@
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
 
@@ -169,17 +170,13 @@ void ReplayPanel::showTask() {
 }
 
 QString ReplayPanel::taskText(const BlindedTask& task) {
-  const QLocale locale;
-  const auto figure = [&locale](double value, int decimals) {
-    return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
-  };
   const AttemptRules& rules = task.rules;
   QStringList parts;
   if (task.untwisting()) {
     parts << tr("Undo the twist, then hands off");
   } else {
     parts << tr("Twist to %1\u00b0 and let go within \u00b1%2\u00b0")
-                 .arg(figure(degrees(task.target_rad), 0), pointsText(degrees(rules.tolerance_rad)));
+                 .arg(numberText(degrees(task.target_rad), 0), pointsText(degrees(rules.tolerance_rad)));
     if (rules.hold_s > 0.0) {
       parts << tr("hold for %1 s").arg(pointsText(rules.hold_s));
     }
@@ -188,10 +185,10 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
     }
   }
   if (rules.forceLimit_N) {
-    parts << tr("force up to %1 N").arg(figure(*rules.forceLimit_N, 1));
+    parts << tr("force up to %1 N").arg(numberText(*rules.forceLimit_N, 1));
   }
   if (rules.torqueLimit_Nm) {
-    parts << tr("torque up to %1 N m").arg(figure(*rules.torqueLimit_Nm, 2));
+    parts << tr("torque up to %1 N m").arg(numberText(*rules.torqueLimit_Nm, 2));
   }
   return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }

@@ -7,6 +7,8 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "app/gui/widgets/number_text.h"
+
 namespace torsio::gui {
 
 QString pointsText(double points) {
@@ -22,11 +24,8 @@ QString scoreText(std::int64_t score_steps, const ScoreScale& scale) {
 
 QString signedText(double points) {
   const double rounded = std::round(points * 10.0) / 10.0;
-  const QString figure = QLocale().toString(std::abs(rounded), 'f', 1);
-  if (rounded > 0.0) {
-    return QStringLiteral("+%1").arg(figure);
-  }
-  return rounded < 0.0 ? QStringLiteral("\u2212%1").arg(figure) : figure;
+  const QString figure = numberText(rounded, 1);
+  return rounded > 0.0 ? QLatin1Char('+') + figure : figure;
 }
 
 QString dayText(std::int64_t utc_us) {

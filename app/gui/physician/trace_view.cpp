@@ -11,6 +11,7 @@
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
+#include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
 
@@ -27,11 +28,7 @@ constexpr std::int64_t kTickSteps_us[] = {1'000'000,  2'000'000,   5'000'000,   
                                           60'000'000, 120'000'000, 300'000'000, 600'000'000, 1'800'000'000};
 
 QString figure(float value, int decimals) {
-  const float step = std::pow(10.0F, static_cast<float>(-decimals));
-  const float shown = std::abs(value) < 0.5F * step ? 0.0F : value;  // no minus before a zero
-  return QLocale()
-      .toString(static_cast<double>(shown), 'f', decimals)
-      .replace(QLatin1Char('-'), QChar(0x2212));
+  return numberText(static_cast<double>(value), decimals);
 }
 
 QString withUnit(const QString& size, const QString& unit) {

@@ -27,6 +27,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/picture.h"
 #include "sim/base/angle.h"
 
@@ -239,7 +240,7 @@ void ComparePage::adopt(std::array<LoadedScene, 2> scenes) {
 
 void ComparePage::setTorque(double torque_Nm) {
   torque_Nm_ = torque_Nm;
-  figure_->setText(tr("%1 N m").arg(QLocale().toString(torque_Nm, 'f', 4)));
+  figure_->setText(tr("%1 N m").arg(numberText(torque_Nm, 4)));
   torque_->setAccessibleDescription(figure_->text());
   apply();
 }
@@ -268,12 +269,9 @@ void ComparePage::apply() {
 void ComparePage::show(Side& side) {
   const Scene& scene = *side.scene.scene;
   const OrganState state = scene.stateForTorque(torque_Nm_);
-  const QLocale locale;
-  side.angle->setText(
-      tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.twist.graspAngle_rad), 'f', 1)));
-  side.shear->setText(
-      tr("Largest shear  %1 kPa").arg(locale.toString(scene.peakShear_Pa(state) / 1000.0, 'f', 2)));
-  side.time->setText(tr("Computed in %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));
+  side.angle->setText(tr("Angle  %1\u00b0").arg(numberText(degrees(state.twist.graspAngle_rad), 1)));
+  side.shear->setText(tr("Largest shear  %1 kPa").arg(numberText(scene.peakShear_Pa(state) / 1000.0, 2)));
+  side.time->setText(tr("Computed in %1 \u00b5s").arg(numberText(median(side.times_us), 0)));
 }
 
 void ComparePage::captureFilmStrip() {

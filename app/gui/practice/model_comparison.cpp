@@ -26,6 +26,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/report/pdf_report.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
@@ -64,12 +65,12 @@ ComparedScene loadCompared(SceneRequest request) {
 QString spanOf(double seconds) {
   const QLocale locale;
   if (seconds < 1e-3) {
-    return ModelComparison::tr("%1 \u00b5s").arg(locale.toString(seconds * 1e6, 'f', 0));
+    return ModelComparison::tr("%1 \u00b5s").arg(numberText(seconds * 1e6, 0));
   }
   if (seconds < 1.0) {
     return ModelComparison::tr("%1 ms").arg(locale.toString(seconds * 1e3, 'g', 3));
   }
-  return ModelComparison::tr("%1 s").arg(locale.toString(seconds, 'f', 2));
+  return ModelComparison::tr("%1 s").arg(numberText(seconds, 2));
 }
 
 std::vector<SkinAnchor> anchorsOf(const Scene& scene, const std::vector<OrganMarker>& markers) {
@@ -342,13 +343,12 @@ void ModelComparison::showFigures(const Side& side) {
     return;
   }
   const ModelResult& model = result_->model(side.id);
-  const QLocale locale;
   QString text = tr("for the whole twist, %n frame(s) of %1; set-up apart: %2", nullptr, model.frames)
                      .arg(spanOf(model.frameMedian_s), spanOf(model.setUp_s));
   text += QLatin1Char('\n');
   text += model.noEquilibrium.empty() ? tr("In equilibrium %1\u00b0, %2 mm from the reference")
-                                            .arg(locale.toString(degrees(model.settled.angle_rad), 'f', 1),
-                                                 locale.toString(1e3 * model.settled.rmse_m, 'f', 2))
+                                            .arg(numberText(degrees(model.settled.angle_rad), 1),
+                                                 numberText(1e3 * model.settled.rmse_m, 2))
                                       : tr("No equilibrium: %1").arg(toQString(model.noEquilibrium));
   side.figures->setText(text);
 }

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
@@ -14,6 +15,7 @@ CredentialsDialog::CredentialsDialog(const QString& title, const QString& why, Q
     : QDialog(parent), login_(new QLineEdit(this)), password_(secretField(this)) {
   setWindowTitle(title);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   QLabel* reason = sentence(this);
   reason->setText(why);
   column->addWidget(reason);

@@ -13,6 +13,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/report/typeface.h"
 #include "sim/base/angle.h"
 #include "sim/record/sample_codec.h"
@@ -181,8 +182,7 @@ std::vector<std::vector<StripFrame>> captureSides(SceneView& view, const Scene& 
 QString angleCaption(double angle_rad) {
   const double shown_deg = std::round(degrees(angle_rad) * 10.0) / 10.0;
   const bool whole = shown_deg == std::round(shown_deg);
-  const QString size = QLocale().toString(std::abs(shown_deg), 'f', whole ? 0 : 1) + QChar(0x00B0);
-  return shown_deg < 0.0 ? QChar(0x2212) + size : size;  // a minus, not a hyphen
+  return numberText(shown_deg, whole ? 0 : 1) + QChar(0x00B0);
 }
 
 }  // namespace torsio::gui

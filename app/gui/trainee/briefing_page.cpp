@@ -22,6 +22,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/recording/expert_run.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -48,10 +49,9 @@ std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& asset
 }
 
 QStringList twist(const TrainingModule& module) {
-  QStringList task{BriefingPage::tr("Twist to %1\u00b0 and let go within %2\u00b0.")
-                       .arg(degrees(module.targetAngle_rad), 0, 'f', 0)
-                       .arg(degrees(module.tolerance_rad), 0, 'f', 0)
-                       .replace(QLatin1Char('-'), QChar(0x2212))};
+  QStringList task{
+      BriefingPage::tr("Twist to %1\u00b0 and let go within %2\u00b0.")
+          .arg(numberText(degrees(module.targetAngle_rad), 0), numberText(degrees(module.tolerance_rad), 0))};
   if (module.hold_us > 0) {
     task << BriefingPage::tr("Hold for %1 s before you let go.")
                 .arg(static_cast<double>(module.hold_us) * 1e-6, 0, 'f', 1);

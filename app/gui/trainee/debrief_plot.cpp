@@ -13,6 +13,7 @@
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {
@@ -82,11 +83,9 @@ QString DebriefPlot::reading() const {
   // The point that the playhead is at: the last that begins no later.
   const auto after = std::upper_bound(own.time_s.begin(), own.time_s.end(), position_s_);
   const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - own.time_s.begin() - 1, 0));
-  const QLocale locale;
-  const QString angle =
-      locale.toString(degrees(own.angle_rad[at]), 'f', 0).replace(QLatin1Char('-'), QChar(0x2212));
   return tr("%1   %2\u00b0   %3 N")
-      .arg(clockTenths(position_s_), angle, locale.toString(own.force_N[at], 'f', 2));
+      .arg(clockTenths(position_s_), numberText(degrees(own.angle_rad[at]), 0),
+           numberText(own.force_N[at], 2));
 }
 
 void DebriefPlot::show(const Seconds& when) {
@@ -173,7 +172,6 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
   QFont small = font();
   small.setPointSizeF(kSmallText_pt);
   painter.setFont(small);
-  const QLocale locale;
   const auto scale = [&](const Lane& lane, const QString& name, double least) {
     painter.setPen(theme_->quietText);
     painter.drawText(QRectF(0.0, lane.area.top() - 20.0, lane.area.right(), 16.0),
@@ -185,7 +183,7 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
       painter.drawLine(QPointF(lane.area.left(), y), QPointF(lane.area.right(), y));
       painter.setPen(theme_->quietText);
       painter.drawText(QRectF(0.0, y - 9.0, kLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
-                       locale.toString(v, 'f', step < 1.0 ? 1 : 0).replace(QLatin1Char('-'), QChar(0x2212)));
+                       numberText(v, step < 1.0 ? 1 : 0));
     }
   };
   scale(angle, tr("Angle in degrees"), 5.0);

@@ -12,6 +12,7 @@
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 #include "sim/scene/hollow_organ.h"
 
@@ -213,7 +214,6 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
   const auto yOf = [&lane](double value) {
     return lane.area.bottom() - (value - lane.low) / (lane.high - lane.low) * lane.area.height();
   };
-  const QLocale locale;
   painter.setPen(theme_->quietText);
   painter.drawText(
       QRectF(lane.area.left(), lane.area.top() - kNameAbove, lane.area.width(), kNameAbove - 2.0),
@@ -224,7 +224,7 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
     painter.drawLine(QPointF(lane.area.left(), yOf(value)), QPointF(lane.area.right(), yOf(value)));
     painter.setPen(theme_->quietText);
     painter.drawText(QRectF(0.0, yOf(value) - 8.0, kLaneLeft - 6.0, 16.0), Qt::AlignRight | Qt::AlignVCenter,
-                     locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
+                     numberText(value, decimals));
   }
   if (limit) {
     painter.setPen(QPen(theme_->caution, 1.3, Qt::DashLine));

@@ -19,6 +19,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/angle.h"
 #include "sim/base/ids.h"
@@ -250,10 +251,7 @@ void NextStepPage::fillSession() {
   const std::optional<BestTwist>& best = story.best();
   if (best) {
     lines << tr("Your best twist: %1\u00b0 off a target of %2\u00b0, at %3 of \u201c%4\u201d.")
-                 .arg(QLocale().toString(degrees(best->error_rad), 'f', 1),
-                      QLocale()
-                          .toString(degrees(best->twist.target_rad), 'f', 0)
-                          .replace(QLatin1Char('-'), QChar(0x2212)),
+                 .arg(numberText(degrees(best->error_rad), 1), numberText(degrees(best->twist.target_rad), 0),
                       clockTenths(best->twist.when.to_s), toQString(Text(best->moduleTitle)));
   }
   sessionWords_->setText(lines.join(QLatin1Char('\n')));

@@ -22,6 +22,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/ids.h"
 
@@ -32,7 +33,7 @@ namespace {
 constexpr int kListWidth = 280;
 
 QString points(double value) {
-  return QLocale().toString(value, 'f', 1);
+  return numberText(value, 1);
 }
 
 /// Adds own mark, mean of the physicians and their gap to a line of the grid.
@@ -43,7 +44,7 @@ void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* p
     if (sign && value && *value > 0.0) {
       text.prepend(QLatin1Char('+'));
     }
-    label->setText(text.replace(QLatin1Char('-'), QChar(0x2212)));
+    label->setText(text);
     grid.addWidget(label, line, column);
   };
   cell(1, row.own, false);

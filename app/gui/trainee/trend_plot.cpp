@@ -10,6 +10,7 @@
 #include <QPainterPath>
 
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
 
@@ -121,8 +122,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
     painter.drawLine(QPointF(kTrendLeft, yOf(v)), QPointF(width() - kTrendRight, yOf(v)));
     painter.setPen(theme_->quietText);
     painter.drawText(QRectF(0.0, yOf(v) - 9.0, kTrendLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
-                     answer ? StationLabels::quantity(trend_.metric, v)
-                            : QLocale().toString(v, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
+                     answer ? StationLabels::quantity(trend_.metric, v) : numberText(v, decimals));
   }
   const std::size_t last = std::max<std::size_t>(4, trend_.points.size());
   const std::size_t every = last > 20 ? last / 10 : 1;

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {
@@ -127,8 +128,7 @@ void AngleDial::paintEvent(QPaintEvent*) {
   figure.setPointSizeF(kFigureText_pt);
   figure.setWeight(QFont::DemiBold);
   const QRectF inside = ring.adjusted(0.5 * kRing, kRing, -0.5 * kRing, -kRing);
-  QString text = QLocale().toString(angle_deg, 'f', 1) + QChar(0x00B0);
-  text.replace(QLatin1Char('-'), QChar(0x2212));
+  const QString text = numberText(angle_deg, 1) + QChar(0x00B0);
   const double room = inside.width() - 2.0 * kRing;  // a wide font would run into the ring
   const double wide = QFontMetricsF(figure).horizontalAdvance(text);
   figure.setPointSizeF(kFigureText_pt * std::min(1.0, room / wide));
@@ -142,9 +142,7 @@ void AngleDial::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   painter.setPen(onTarget() ? theme_->good : theme_->quietText);
   const QString below =
-      onTarget() ? tr("on target")
-                 : tr("target %1").arg(target_deg, 0, 'f', 0).replace(QLatin1Char('-'), QChar(0x2212)) +
-                       QChar(0x00B0);
+      onTarget() ? tr("on target") : tr("target %1").arg(numberText(target_deg, 0)) + QChar(0x00B0);
   painter.drawText(
       QRectF(inside.left(), centre.y() + 0.32 * line, inside.width(), 1.0 + QFontMetricsF(small).height()),
       Qt::AlignHCenter | Qt::AlignTop, below);

@@ -21,6 +21,7 @@
 
 #include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/row_view.h"
 #include "app/gui/widgets/theme.h"
 
@@ -336,7 +337,9 @@ QString DataTable::asText() const {
   QStringList lines{line(
       [this](int column) { return model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(); })};
   for (const QModelIndex& row : rows) {
-    lines << line([&row](int column) { return row.siblingAtColumn(column).data().toString(); });
+    lines << line([&row](int column) {  // another program shall read numbers as numbers
+      return plainMinus(row.siblingAtColumn(column).data().toString());
+    });
   }
   return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

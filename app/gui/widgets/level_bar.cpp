@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QPainter>
 
+#include "app/gui/widgets/number_text.h"
+
 namespace torsio::gui {
 
 namespace {
@@ -57,7 +59,7 @@ void LevelBar::setValue(double value) {
 }
 
 QString LevelBar::figure() const {
-  return QLocale().toString(value_, 'f', decimals_) + QChar(0x00A0) + unit_;
+  return numberText(value_, decimals_) + QChar(0x00A0) + unit_;
 }
 
 void LevelBar::describe() {

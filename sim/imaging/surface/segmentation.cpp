@@ -325,17 +325,18 @@ std::optional<ScanRemark> cutOff(const WorkGrid& grid, const VoxelMask& organ) {
     }
     const Vec3 out = (side % 2 == 0 ? -1.0 : 1.0) * grid.volume.step_mm[side / 2];
     const double most = std::max({std::abs(out.x), std::abs(out.y), std::abs(out.z)});
-    sides.emplace_back(most == std::abs(out.x) ? (out.x > 0.0 ? Text::tr("the left") : Text::tr("the right"))
+    sides.emplace_back(most == std::abs(out.x)
+                           ? (out.x > 0.0 ? Text::tr("towards the left") : Text::tr("towards the right"))
                        : most == std::abs(out.y)
-                           ? (out.y > 0.0 ? Text::tr("the back") : Text::tr("the front"))
-                           : (out.z > 0.0 ? Text::tr("the head") : Text::tr("the feet")));
+                           ? (out.y > 0.0 ? Text::tr("towards the back") : Text::tr("towards the front"))
+                           : (out.z > 0.0 ? Text::tr("towards the head") : Text::tr("towards the feet")));
   }
   if (sides.empty()) {
     return std::nullopt;
   }
   return ScanRemark{
       "D17", true,
-      Text::tr("the scan cuts the organ off towards %1: the flat end is none of its own", listed(sides)),
+      Text::tr("the scan cuts the organ off (%1): the flat end is none of its own", listed(sides)),
       static_cast<double>(sides.size()),
       Text::tr("Name it as an end of the organ, or give a scan that shows all of it")};
 }

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/widgets/column_widths.h"
+#include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
 namespace {
@@ -36,6 +37,29 @@ TEST(ColumnWidths, TheWidestGiveWayDownToTheirTitles) {
   EXPECT_EQ(sharedWidths({{100, 90}, {60, 20}}, 130), (Widths{90, 40})) << "its title stays whole";
   EXPECT_EQ(sharedWidths({{100, 90}, {60, 50}}, 30), (Widths{90, 50})) << "then the list is scrolled";
   EXPECT_EQ(sharedWidths({}, 30), Widths{});
+}
+
+TEST(NumberText, GroupsAndHasTheMinusOfPrintButNoneBeforeAZero) {
+  EXPECT_EQ(numberText(-68219.456, 1), QStringLiteral("\u221268,219.5"));
+  EXPECT_EQ(numberText(-0.04, 1), QStringLiteral("0.0"));
+  EXPECT_EQ(numberText(-0.06, 1), QStringLiteral("\u22120.1"));
+  EXPECT_EQ(countText(-1080), QStringLiteral("\u22121,080"));
+}
+
+TEST(NumberText, OfAFileKeepsItsDecimalsAndWhatIsNoNumberStays) {
+  EXPECT_EQ(numberText(QStringLiteral("-1808.0031")), QStringLiteral("\u22121,808.0031"));
+  EXPECT_EQ(numberText(QStringLiteral("7666")), QStringLiteral("7,666"));
+  for (const char* none : {"", "007", "1e-5", "2026-01-05", "0.5 N", "-"}) {
+    EXPECT_EQ(numberText(QLatin1String(none)), QString()) << none;
+  }
+}
+
+TEST(DataTable, GivesOtherProgramsAMinusThatTheyRead) {
+  DataTable table{QString()};
+  table.setColumns({{"Angle", true}});
+  table.setRows({{"a", {{numberText(-58.81, 2), -58.81}}}});
+
+  EXPECT_EQ(table.asText(), "Angle\n-58.81\n");
 }
 
 TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsPressed) {

@@ -213,6 +213,7 @@ class Walk {
   Findings doubled;   // keys that two things of one screen want, and titles that are told twice
   Findings clipped;   // English and Chinese
   Findings spans;     // times that the clock of every other screen would say otherwise
+  Findings numbers;   // that every other screen would write otherwise
   Findings crowding;  // pages in a corner of a wide screen
   int screens = 0;
 
@@ -247,6 +248,9 @@ class Walk {
     ++screens;
     const QStringList before = withoutNumbers(seenTexts(window));
     findDoubled(name, window);
+    for (const QString& text : testing::roughNumbers(window)) {
+      numbers[name].insert(text);
+    }
     for (const QString& text : testing::clippedTexts(window)) {
       clipped[name].insert(text);
     }
@@ -353,6 +357,7 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.doubled.empty()) << told(walk.doubled);
   EXPECT_TRUE(walk.clipped.empty()) << told(walk.clipped);
   EXPECT_TRUE(walk.spans.empty()) << told(walk.spans);
+  EXPECT_TRUE(walk.numbers.empty()) << told(walk.numbers);
   EXPECT_TRUE(walk.crowding.empty()) << told(walk.crowding);
 }
 

@@ -11,6 +11,7 @@
 #include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QTextEdit>
 #include <QWidget>
 
@@ -126,6 +127,37 @@ QStringList doubledTitles(QWidget& window) {
     doubled << titles.join(QStringLiteral(", "));
   }
   return doubled;
+}
+
+QStringList roughNumbers(QWidget& window) {
+  static const QRegularExpression kHyphen(QStringLiteral("(?<![^\\s(:\uff1a\uff08])-[0-9]"));
+  static const QRegularExpression kUngrouped(
+      QStringLiteral("(?<![\\w.,:/+-])(?!(?:19|20)[0-9]{2}(?![0-9]))[1-9][0-9]{3,}(?![\\w,:/-])"));
+  QStringList rough;
+  const auto look = [&rough](const QString& text) {
+    if (text.contains(kHyphen) || text.contains(kUngrouped)) {
+      rough << text;
+    }
+  };
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisibleTo(&window)) {
+      continue;
+    }
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+      look(label->text());
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+      look(button->text());
+    }
+    const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+    const QAbstractItemModel* model = view != nullptr ? view->model() : nullptr;
+    for (int row = 0; model != nullptr && row < model->rowCount(); ++row) {
+      for (int column = 0; column < model->columnCount(); ++column) {
+        look(model->index(row, column).data().toString());
+      }
+    }
+  }
+  return rough;
 }
 
 QString crowded(const QWidget& page) {

@@ -14,6 +14,9 @@ namespace torsio::gui::testing {
 [[nodiscard]] QStringList doubledKeys(QWidget& window);
 /// A title of the header that the page tells again.
 [[nodiscard]] QStringList doubledTitles(QWidget& window);
+/// Numbers of labels, buttons, lists and the cells of tables that are not as screens show them: a hyphen in
+/// place of the minus, four figures and more without groups. Years, times and identifiers are none.
+[[nodiscard]] QStringList roughNumbers(QWidget& window);
 /// On a wide screen: whether a page crowds into a corner. It stands in the middle, or it uses the width;
 /// empty: it does.
 [[nodiscard]] QString crowded(const QWidget& page);

@@ -103,6 +103,7 @@ void CompetenceDialog::build() {
   form_->addRow(tr("&Reason"), reason_);
   form_->addRow(tr("What it does"), preview_);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   auto* rule = sentence(this);
   rule->setText(
       tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "

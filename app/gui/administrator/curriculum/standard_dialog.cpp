@@ -113,6 +113,7 @@ StandardDialog::StandardDialog(QWidget* parent)
   form_->addRow(tr("&Rating that means borderline"), borderline_);
   form_->addRow(tr("The line"), answer_);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->addLayout(form_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   column->addWidget(buttons);

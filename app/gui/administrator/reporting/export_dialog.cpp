@@ -21,6 +21,7 @@
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/report/wording.h"
@@ -92,6 +93,7 @@ void ExportDialog::build() {
   rows_->setMinimumHeight(kTableHeight);
   rows_->verticalHeader()->hide();
   rows_->setShowGrid(false);
+  rows_->setItemDelegate(new PaddedCells(rows_));
   rows_->setAlternatingRowColors(true);
   rows_->setAccessibleName(tr("First rows"));
 
@@ -104,6 +106,7 @@ void ExportDialog::build() {
   form->addRow(tr("What is in it"), what_);
   form->addRow(tr("First rows &of"), table_);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->addLayout(form);
   column->addWidget(rows_, 1);
   column->addWidget(done_);

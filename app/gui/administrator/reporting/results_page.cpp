@@ -24,7 +24,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
+constexpr int kFigureIdRole = Qt::UserRole;
 constexpr int kContentsWidth = 300;
 
 const ReportFigure* figureWith(const ReportModel& model, const std::string& id) {
@@ -133,7 +133,7 @@ void ResultsPage::compute() {
 
 void ResultsPage::fill() {
   const QListWidgetItem* before = contents_->currentItem();
-  const QString wanted = before != nullptr ? before->data(kIdRole).toString() : QString();
+  const QString wanted = before != nullptr ? before->data(kFigureIdRole).toString() : QString();
   const QSignalBlocker quiet(contents_);
   contents_->clear();
   QPixmap indent(kSpace, 1);  // also of the second line of a long title
@@ -151,7 +151,7 @@ void ResultsPage::fill() {
       const auto add = [&](const std::string& id, const Text& title) {
         auto* item = new QListWidgetItem(toQString(title), contents_);
         item->setData(Qt::DecorationRole, indent);
-        item->setData(kIdRole, toQString(id));
+        item->setData(kFigureIdRole, toQString(id));
       };
       for (const ReportFigure& figure : section.figures) {
         add(figure.id, figure.title);
@@ -173,7 +173,7 @@ void ResultsPage::fill() {
 void ResultsPage::showItem(const QString& id) {
   int first = -1;
   for (int i = 0; i < contents_->count(); ++i) {
-    const QString here = contents_->item(i)->data(kIdRole).toString();
+    const QString here = contents_->item(i)->data(kFigureIdRole).toString();
     if (first < 0 && !here.isEmpty()) {
       first = i;
     }
@@ -200,7 +200,7 @@ void ResultsPage::showCurrent() {
   if (item == nullptr || !model_) {
     return;
   }
-  const std::string id = item->data(kIdRole).toString().toStdString();
+  const std::string id = item->data(kFigureIdRole).toString().toStdString();
   if (const ReportFigure* figure = figureWith(*model_, id)) {
     card_->setFigure(*figure);
   } else if (const ReportTable* table = tableWith(*model_, id)) {

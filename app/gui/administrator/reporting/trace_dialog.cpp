@@ -54,6 +54,7 @@ TraceDialog::TraceDialog(ShellContext& shell, const CohortId& cohortId,
   steps_->setAccessibleName(tr("What the chosen number was made of"));
   steps_->setColumnWidth(0, kStepWidth);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   auto* told = sentence(this);
   told->setText(
       tr("Choose a number; type a code such as T-07 to find those of a person. Below stands what it was made "

@@ -12,6 +12,7 @@
 #include "app/gui/administrator/scoring/campaign_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/campaign.h"
@@ -73,7 +74,7 @@ void CampaignsPage::showContent() {
     rows.push_back({toQString(row.campaign.id),
                     {{toQString(Text(row.campaign.name))},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
-                     {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
+                     {tr("%1 of %2").arg(countText(row.marksSubmitted), countText(row.marksExpected)),
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
                      timeCell(row.campaign.createdUtc_us),
@@ -97,7 +98,7 @@ void CampaignsPage::showRaters() {
       rows.push_back({toQString(rater.id),
                       {{toQString(rater.code)},
                        {raterClassName(rater.classCode)},
-                       {tr("%1 of %2").arg(rater.submitted).arg(rater.expected),
+                       {tr("%1 of %2").arg(countText(rater.submitted), countText(rater.expected)),
                         static_cast<qlonglong>(rater.submitted)},
                        {rater.submitted == rater.expected ? tr("done")
                         : rater.submitted == 0            ? tr("not begun")

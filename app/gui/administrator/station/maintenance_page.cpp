@@ -19,6 +19,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/maintenance/anchor.h"
 #include "app/maintenance/station_anchor.h"
@@ -153,9 +154,8 @@ void MaintenancePage::showRecord() {
                               ? tr("There are no simulated people in this record.")
                               : tr("Simulated people: %1, recordings: %2, marks: %3. They are marked "
                                    "everywhere and can go at once; real data stay.")
-                                    .arg(demonstration_.people)
-                                    .arg(demonstration_.trials)
-                                    .arg(demonstration_.marks));
+                                    .arg(countText(demonstration_.people), countText(demonstration_.trials),
+                                         countText(demonstration_.marks)));
 }
 
 void MaintenancePage::showButtons() {
@@ -235,7 +235,8 @@ bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
     const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
     read();
-    shell().notify(tr("Removed: simulated people %1, recordings %2").arg(gone.people).arg(gone.trials));
+    shell().notify(tr("Removed: simulated people %1, recordings %2")
+                       .arg(countText(gone.people), countText(gone.trials)));
   });
 }
 

@@ -98,6 +98,7 @@ PowerDialog::PowerDialog(QWidget* parent)
   form_->addRow(tr("Trainees at &hand, each group"), atHand_);
   form_->addRow(tr("What they show"), shown_);
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->addLayout(form_);
   auto* raters = sentence(this);
   raters->setText(

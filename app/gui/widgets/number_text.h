@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include <QString>
+
+namespace torsio::gui {
+
+// Numbers as every screen shows them: grouped as QLocale() groups, with the minus of print and no minus
+// before a zero. What is typed, copied or written to a file keeps the plain form. Any thread.
+
+[[nodiscard]] QString numberText(double value, int decimals);
+[[nodiscard]] QString countText(std::int64_t value);
+
+/// A number that was written in the form of files ("-1808.50", "7666"), with its decimals; empty: it is none,
+/// or it has an exponent.
+[[nodiscard]] QString numberText(const QString& plain);
+
+/// As files have it: the minus of print becomes a hyphen.
+[[nodiscard]] QString plainMinus(QString shown);
+
+}  // namespace torsio::gui
