@@ -214,20 +214,19 @@ SignInAnswer checkOwnPassword(SessionContext& session, const std::string& passwo
   return {result.outcome, {}, result.waitUntilUtc_us};
 }
 
-Actor simulatedTrainee(SessionContext& session) {
+Actor simulatedPerson(SessionContext& session, const std::string& role) {
   session.require(Operation::kUserManage);
   for (const UserAccount& user : repository(session).users()) {
-    const bool trainee = std::find(user.roles.begin(), user.roles.end(), "trainee") != user.roles.end();
-    if (!user.demonstration || !user.active || !trainee || user.roles.size() != 1) {
+    if (!user.demonstration || !user.active || user.roles != std::vector<std::string>{role}) {
       continue;
     }
     session.note({.action = AuditAction::kUserSignIn,
                   .objectKind = AuditObject::kAppUser,
                   .objectId = user.id,
-                  .reason = "an administrator entered as a simulated trainee"});
+                  .reason = "an administrator entered as a simulated " + role});
     return {.userId = user.id, .login = user.login, .personId = user.personId, .roles = user.roles};
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("there is no simulated trainee here"), Text::tr("people"),
+  throw Error(ErrorCode::kBadParameter, Text::tr("there is nobody simulated here"), Text::tr("people"),
               Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
 }
 

@@ -50,10 +50,11 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
 /// audited as at the sign-in.
 [[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);
 void signOut(SessionContext& session);
-/// A simulated trainee, for an administrator who wants to see what trainees see; the session stays as it is
-/// until the caller gives it this actor. What they do stays among the simulated people. Audited. kUserManage.
-/// Throws Error{kBadParameter} when nobody is simulated.
-[[nodiscard]] Actor simulatedTrainee(SessionContext& session);
+/// A simulated person who has this role and no other, for an administrator who wants to see what such people
+/// see; the session stays as it is until the caller gives it this actor. What they do stays among the
+/// simulated people, and they have shown no password. Audited. kUserManage. Throws Error{kBadParameter} when
+/// nobody is simulated.
+[[nodiscard]] Actor simulatedPerson(SessionContext& session, const std::string& role);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage. Throws
 /// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) where roles are given

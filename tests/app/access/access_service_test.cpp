@@ -70,13 +70,14 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   EXPECT_THROW(setOwnPin(session, "4712"), Error);
 }
 
-TEST(AccessService, AnAdministratorEntersAsASimulatedTraineeOnlyAndTheTrailSaysSo) {
+TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo) {
   StudyCentre centre;
-  EXPECT_THROW((void)simulatedTrainee(centre.as("administrator")), Error);  // real people are no choice
+  EXPECT_THROW((void)simulatedPerson(centre.as("administrator"), "trainee"),
+               Error);  // real people are no choice
   addUser(centre.as("administrator"),
           {.login = "demo.trainee", .roles = {"trainee"}, .startPassword = kStart, .demonstration = true});
 
-  const Actor trainee = simulatedTrainee(centre.as("administrator"));
+  const Actor trainee = simulatedPerson(centre.as("administrator"), "trainee");
 
   EXPECT_EQ(trainee.login, "demo.trainee");
   EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
@@ -86,7 +87,11 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedTraineeOnlyAndTheTrailSaysS
   EXPECT_EQ(newest.objectId, trainee.userId);
   EXPECT_NE(newest.actor, trainee.userId);
   EXPECT_NE(newest.reason.find("simulated trainee"), std::string::npos);
-  EXPECT_THROW((void)simulatedTrainee(centre.as("trainee")), Error);
+  EXPECT_THROW((void)simulatedPerson(centre.as("trainee"), "trainee"), Error);
+  EXPECT_THROW((void)simulatedPerson(centre.as("administrator"), "rater"), Error);  // not one of them yet
+  addUser(centre.as("administrator"),
+          {.login = "demo.physician", .roles = {"rater"}, .startPassword = kStart, .demonstration = true});
+  EXPECT_EQ(simulatedPerson(centre.as("administrator"), "rater").login, "demo.physician");
 }
 
 TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
