@@ -123,10 +123,18 @@ QWidget* RunPage::createPanel() {
   angle_ = new Card(QString(), panel);
   dial_ = new AngleDial(angle_);
   angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  goal_ = plainLabel(angle_, "quiet");
+  goal_->setObjectName(QStringLiteral("goal"));
+  goal_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(goal_);
   count_ = plainLabel(angle_, "subheading");
   count_->setObjectName(QStringLiteral("twistCount"));
   count_->setAlignment(Qt::AlignHCenter);
   angle_->content()->addWidget(count_);
+  verdict_ = plainLabel(angle_);
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  verdict_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(verdict_);
   column->addWidget(angle_);
   detorsion_ = new DetorsionPanel(panel);
   detorsion_->steer(scene_->controller());
