@@ -123,6 +123,7 @@ class RunPage : public Page {
   QLabel* mode_ = nullptr;
   Card* time_ = nullptr;
   QLabel* countdown_ = nullptr;
+  QLabel* timeName_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* phase_ = nullptr;
   Card* angle_ = nullptr;

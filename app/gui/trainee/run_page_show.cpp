@@ -38,7 +38,8 @@ constexpr double kTargetNear = 0.85;  // of the way: time to slow down
 }  // namespace
 
 void RunPage::retranslate() {
-  time_->setTitle(tr("Time left"));
+  time_->setAccessibleName(tr("Time left"));
+  timeName_->setText(tr("Time left"));
   // Their gauges say what they show; a title each would not fit a small screen.
   angle_->setAccessibleName(tr("Angle"));
   load_->setAccessibleName(tr("Load on the tissue"));
@@ -222,7 +223,6 @@ void RunPage::showCount() {
           ? tr("Within %1\u00b0, held for %2 s, then let go")
                 .arg(within, QLocale().toString(static_cast<double>(module.hold_us) * 1e-6, 'f', 1))
           : tr("Within %1\u00b0, then let go").arg(within));
-  verdict_->setVisible(!runSession_->graded() && twists_.completed() > 0);
   verdict_->setText(verdict());
 }
 
@@ -273,6 +273,9 @@ void RunPage::showLive(const LiveState& state) {
     judge();
   }
   showCount();
+  // While a hand turns the gauges need the place.
+  verdict_->setVisible(!runSession_->graded() && twists_.completed() > 0 && angle_->isVisibleTo(this) &&
+                       state.phase != ExercisePhase::kTwisting);
   const bool over = torque_->overLimit() || force_->overLimit();
   if (over && !wasOver_ && soundAtLimit_) {
     desk_.sound();
