@@ -27919,11 +27919,11 @@ Leave it empty to remove it.</source>
         <translation>松开时还差 %1°：张开钳口前再多转一些。</translation>
     </message>
     <message>
-        <source>Let go on target, but not held: wait until the ring is full.</source>
+        <source>Released on target, but not held: wait until the ring is full.</source>
         <translation>松开时达标，但没有保持：等圆环填满再松开。</translation>
     </message>
     <message>
-        <source>Let go on target.</source>
+        <source>Released on target.</source>
         <translation>松开时达标。</translation>
     </message>
     <message>

@@ -246,8 +246,8 @@ QString RunPage::verdict() const {
               : tr("Let go %1\u00b0 too early: turn further before you open the jaw.").arg(by);
   } else {
     how = module.hold_us > 0 && !letGoHeld_
-              ? tr("Let go on target, but not held: wait until the ring is full.")
-              : tr("Let go on target.");
+              ? tr("Released on target, but not held: wait until the ring is full.")
+              : tr("Released on target.");
   }
   return tr("%1 On target: %2 of %3").arg(how).arg(onTarget_).arg(twists_.completed());
 }
