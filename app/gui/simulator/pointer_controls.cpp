@@ -21,8 +21,7 @@ namespace {
 constexpr double kKeyPixels_per_s = 140.0;
 constexpr double kKeyDepth_m_per_s = 0.05;
 constexpr double kKeyRoll_rad_per_s = radians(60.0);
-// A key that is tapped turns finely, one that is held soon turns at full speed.
-constexpr double kTapShare = 0.25;
+constexpr double kTapShare = 0.25;  // of full speed: a tap turns finely
 constexpr double kTap_s = 0.15;
 constexpr double kFullSpeed_s = 0.5;
 constexpr double kKeyTilt_rad_per_s = radians(40.0);
