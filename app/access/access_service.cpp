@@ -231,7 +231,7 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
             .login = user.login,
             .personId = user.personId,
             .roles = user.roles,
-            .passwordShownUtc_us = physician ? kNoPasswordToShow : 0};
+            .passwordShownUtc_us = kNoPasswordToShow};
   }
   throw Error(ErrorCode::kBadParameter,
               physician ? Text::tr("there is no simulated physician here")

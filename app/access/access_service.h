@@ -54,7 +54,7 @@ void signOut(SessionContext& session);
 enum class SimulatedRole { kTrainee, kPhysician };
 /// A simulated person with this role and no other, for an administrator who wants to see what such people
 /// see; the session stays as it is until the caller gives it this actor. What they do stays among the
-/// simulated people; a physician signs without a password (signing.h, kNoPasswordToShow). Audited.
+/// simulated people, and they sign without a password (signing.h, kNoPasswordToShow). Audited.
 /// kUserManage. Throws Error{kBadParameter} when nobody is simulated.
 [[nodiscard]] Actor simulatedPerson(SessionContext& session, SimulatedRole role);
 

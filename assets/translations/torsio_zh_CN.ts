@@ -22451,8 +22451,20 @@ MSM = 质点弹簧</translation>
         <translation>语言(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Look round with simulated people</source>
-        <translation>用模拟人员浏览(&amp;L)</translation>
+        <source>Look round with simulated people</source>
+        <translation>用模拟人员浏览</translation>
+    </message>
+    <message>
+        <source>As a &amp;trainee</source>
+        <translation>作为学员(&amp;T)</translation>
+    </message>
+    <message>
+        <source>As a &amp;physician</source>
+        <translation>作为医师(&amp;P)</translation>
+    </message>
+    <message>
+        <source>As an &amp;administrator</source>
+        <translation>作为管理员(&amp;A)</translation>
     </message>
     <message>
         <source>Needs no password. Everything lies in a folder of its own, which is removed when you sign out.</source>
@@ -23524,8 +23536,8 @@ Leave it empty to remove it.</source>
         <translation>浏览：模拟人员</translation>
     </message>
     <message>
-        <source>Everybody here is simulated. The menu of your account leads to the desks of a trainee and a physician. Sign out, and all of it is gone</source>
-        <translation>此处所有人员均为模拟。可从您的账户菜单进入学员或医师的工作页面。退出登录后全部删除</translation>
+        <source>Everybody here is simulated. Sign out, and all of it is gone</source>
+        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
     </message>
     <message>
         <source>You are a simulated physician. Sign out to become yourself again</source>
@@ -27915,6 +27927,34 @@ Leave it empty to remove it.</source>
         <translation>已到目标。轻轻松开。</translation>
     </message>
     <message>
+        <source>Within %1°, held for %2 s, then let go</source>
+        <translation>在 %1° 以内，保持 %2 秒，然后松开</translation>
+    </message>
+    <message>
+        <source>Within %1°, then let go</source>
+        <translation>在 %1° 以内，然后松开</translation>
+    </message>
+    <message>
+        <source>Let go %1° too far: turn back before you open the jaw.</source>
+        <translation>松开时超出 %1°：张开钳口前先转回。</translation>
+    </message>
+    <message>
+        <source>Let go %1° too early: turn further before you open the jaw.</source>
+        <translation>松开时还差 %1°：张开钳口前再多转一些。</translation>
+    </message>
+    <message>
+        <source>Released on target, but not held: wait until the ring is full.</source>
+        <translation>松开时达标，但没有保持：等圆环填满再松开。</translation>
+    </message>
+    <message>
+        <source>Released on target.</source>
+        <translation>松开时达标。</translation>
+    </message>
+    <message>
+        <source>%1 On target: %2 of %3</source>
+        <translation>%1达标：%2/%3</translation>
+    </message>
+    <message>
         <source>Beyond the target. Turn back a little.</source>
         <translation>超过目标，请稍微转回。</translation>
     </message>
@@ -30252,6 +30292,25 @@ T-02,master,17</translation>
     <message>
         <source>How far this scene holds</source>
         <translation>本场景的有效范围</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::VisitBar</name>
+    <message>
+        <source>You look round among simulated people. Whose desk?</source>
+        <translation>您正在浏览模拟人员的中心。查看谁的工作台？</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Physician</source>
+        <translation>医师</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>管理员</translation>
     </message>
 </context>
 </TS>

@@ -404,7 +404,9 @@ TEST(TwistCount, CountsWhatTheDebriefCounts) {
 
   grip(60.0);
   EXPECT_EQ(count.completed(), 1);
+  EXPECT_DOUBLE_EQ(count.releasedAt_rad(), radians(30.0));
   grip(1.9);  // a touch
+  EXPECT_DOUBLE_EQ(count.releasedAt_rad(), radians(30.0));
   EXPECT_EQ(count.completed(), 1);
   grip(60.0, kDeviceLost);
   EXPECT_EQ(count.completed(), 1);

@@ -24,6 +24,7 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/ids.h"
@@ -162,7 +163,7 @@ void LivePage::readLines() {
 }
 
 void LivePage::lookForCalls() {
-  if (reader_->working() || shell().databaseAway()) {
+  if (holdsButton(*this) || reader_->working() || shell().databaseAway()) {
     return;
   }
   reader_->run(

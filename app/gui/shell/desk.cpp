@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/access/signing.h"
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
@@ -357,7 +358,7 @@ void Desk::retranslate() {
   signOut_->setText(actor.userId.empty() ? tr("End") : tr("Sign out"));
   practiceSign_->setText(tr("Practice: nothing is recorded"));
   userMenu_->clear();
-  if (!actor.practiceOnly) {
+  if (!actor.practiceOnly && actor.passwordShownUtc_us != kNoPasswordToShow) {
     userMenu_->addAction(tr("Change password\u2026"), this, &Desk::passwordChangeWanted);
     if (context_.may(Operation::kPractice)) {
       userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::pinWanted);

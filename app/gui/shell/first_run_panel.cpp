@@ -102,12 +102,24 @@ QWidget* FirstRunPanel::createCentreStep() {
   languageLabel_ = addField(column, language_);
   centreLabel_ = addField(column, centre_);
   column->addStretch(1);
-  look_ = new QPushButton(widget);
-  look_->setObjectName(QStringLiteral("lookRound"));
-  column->addWidget(look_, 0, Qt::AlignLeft);
+  look_ = new QLabel(widget);
+  look_->setProperty("subheading", true);
+  column->addWidget(look_);
+  auto* desks = new QHBoxLayout;
+  lookTrainee_ = new QPushButton(widget);
+  lookPhysician_ = new QPushButton(widget);
+  lookAdministrator_ = new QPushButton(widget);
+  const std::pair<QPushButton*, VisitedDesk> looks[] = {{lookTrainee_, VisitedDesk::kTrainee},
+                                                        {lookPhysician_, VisitedDesk::kPhysician},
+                                                        {lookAdministrator_, VisitedDesk::kAdministrator}};
+  for (const auto& [button, desk] : looks) {
+    desks->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, desk = desk] { Q_EMIT lookRoundWanted(desk); });
+  }
+  desks->addStretch(1);
+  column->addLayout(desks);
   lookNote_ = sentence(widget);
   column->addWidget(lookNote_);
-  connect(look_, &QPushButton::clicked, this, &FirstRunPanel::lookRoundWanted);
   connect(language_, &QComboBox::activated, this, [this](int index) {
     Q_EMIT languageWanted(static_cast<Language>(language_->itemData(index).toInt()));
   });
@@ -388,7 +400,10 @@ void FirstRunPanel::retranslate() {
   why_->setText(reasons[step]);
   nameField(languageLabel_, tr("Lan&guage"));
   nameField(centreLabel_, tr("&Name of the centre"));
-  look_->setText(tr("&Look round with simulated people"));
+  look_->setText(tr("Look round with simulated people"));
+  lookTrainee_->setText(tr("As a &trainee"));
+  lookPhysician_->setText(tr("As a &physician"));
+  lookAdministrator_->setText(tr("As an &administrator"));
   lookNote_->setText(
       tr("Needs no password. Everything lies in a folder of its own, which is removed when you sign out."));
   centre_->setPlaceholderText(tr("Skills laboratory, city hospital"));

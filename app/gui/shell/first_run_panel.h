@@ -8,6 +8,7 @@
 
 #include "app/access/first_run.h"
 #include "app/gui/base/language.h"
+#include "app/gui/shell/visit_bar.h"
 
 class QCheckBox;
 class QComboBox;
@@ -55,7 +56,7 @@ class FirstRunPanel : public QWidget {
   void chosen(const torsio::gui::FirstRunChoice& choice);
   void done();
   /// Nothing is to be set up: only a look at what a centre looks like.
-  void lookRoundWanted();
+  void lookRoundWanted(VisitedDesk desk);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -95,7 +96,10 @@ class FirstRunPanel : public QWidget {
   QVBoxLayout* answerPlace_ = nullptr;
   QPushButton* back_;
   QPushButton* next_;
-  QPushButton* look_ = nullptr;
+  QLabel* look_ = nullptr;
+  QPushButton* lookTrainee_ = nullptr;
+  QPushButton* lookPhysician_ = nullptr;
+  QPushButton* lookAdministrator_ = nullptr;
   QLabel* lookNote_ = nullptr;
   bool working_ = false;
 

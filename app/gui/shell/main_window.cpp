@@ -59,6 +59,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
       mayClose_(!setup.kiosk),
       idleWarning_(new QLabel(this)),
       awayBanner_(new QLabel(this)),
+      visit_(new VisitBar(this)),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
@@ -79,6 +80,9 @@ MainWindow::MainWindow(const ShellSetup& setup)
   awayBanner_->setWordWrap(true);
   awayBanner_->hide();
   column->addWidget(awayBanner_);
+  visit_->hide();
+  column->addWidget(visit_);
+  connect(visit_, &VisitBar::wanted, this, &MainWindow::visit);
   column->addWidget(stack_);
   SceneView::prepareWindow(*this);
   applyChoices({});
@@ -222,6 +226,7 @@ void MainWindow::watchIdleness() {
 
 void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
+  visit_->setVisible(lookedAt_ != nullptr && panel == desk_);
 }
 
 void MainWindow::start() {

@@ -23,6 +23,7 @@
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
+#include "app/gui/shell/visit_bar.h"
 #include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
 #include "app/xapi/lrs_worker.h"
@@ -106,7 +107,7 @@ class MainWindow : public QWidget {
   /// A centre is set up, or found, there: from now on this station remembers what is chosen.
   void keepFirstRun(const QString& locator);
   /// A record of simulated people in a folder of its own, for whoever is only curious.
-  void lookRound();
+  void lookRound(VisitedDesk desk);
   /// Removes that record; nothing of it stays, nor of what was chosen meanwhile.
   void endLookRound();
   void enterSignIn();
@@ -127,8 +128,11 @@ class MainWindow : public QWidget {
   void tryCode(const QString& code);
   void enterAsGuest();
   /// In place of the administrator who is signed in; signing out leads to the sign-in.
-  void tellLookRound();
   void enterAsSimulated(SimulatedRole role);
+  /// Whoever looks round goes to another desk, as a simulated person or as themselves.
+  void visit(VisitedDesk desk);
+  /// The desk of an actor, once the events that led to it are over.
+  void enterDeskAs(const Actor& actor, bool simulated, const QString& sentence);
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
   void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
   void unlock(const QString& password);
@@ -155,9 +159,10 @@ class MainWindow : public QWidget {
   MonotonicClock machineClock_;
   IdleGuard idle_;
   QTimer second_;
-  std::unique_ptr<QTemporaryDir> lookedAt_;   ///< the record of a look round; outlives its session
-  QString lookedFrom_;                        ///< the locator before it
-  Actor visitor_{};                           ///< who looks round, while seen as a simulated person
+  std::unique_ptr<QTemporaryDir> lookedAt_;  ///< the record of a look round; outlives its session
+  QString lookedFrom_;                       ///< the locator before it
+  Actor visitor_{};                          ///< who looks round, also while seen as a simulated person
+  VisitedDesk visitedFirst_ = VisitedDesk::kAdministrator;
   std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
@@ -175,6 +180,7 @@ class MainWindow : public QWidget {
   bool cardsOpen_ = false;  // the kiosk takes cards, as the centre chose when the record was opened
   QLabel* idleWarning_;
   QLabel* awayBanner_;
+  VisitBar* visit_;
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;
   FirstRunPanel* firstRun_ = nullptr;

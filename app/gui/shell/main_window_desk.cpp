@@ -99,14 +99,7 @@ bool MainWindow::signOut(const QString& reason) {
     return false;
   }
   leaveDesk();
-  const bool visitorComesBack = lookedAt_ && simulated_ && reason.isEmpty();  // with no password to sign in
   simulated_ = false;
-  if (visitorComesBack) {
-    session_->setActor(visitor_);
-    enterDesk();
-    tellLookRound();
-    return true;
-  }
   const std::optional<LeftHead> head = forgetActor();
   if (lookedAt_) {
     endLookRound();

@@ -2,8 +2,6 @@
 // Of MainWindow: everything before the desk.
 #include <utility>
 
-#include <QTemporaryDir>
-#include <QTimer>
 #include <QUrl>
 
 #include "app/access/first_run.h"
@@ -180,44 +178,6 @@ void MainWindow::enterFirstRun() {
   show(firstRun_);
 }
 
-void MainWindow::lookRound() {
-  lookedAt_ = std::make_unique<QTemporaryDir>();
-  if (!lookedAt_->isValid()) {
-    firstRun_->say(tr("No folder can be made for it: %1").arg(lookedAt_->errorString()));
-    lookedAt_.reset();
-    return;
-  }
-  lookedFrom_ = setup_.locator;
-  FirstRunChoice choice;
-  choice.locator = lookedAt_->filePath(QStringLiteral("torsio.sqlite"));
-  choice.first.centre = tr("A look round: simulated people").toStdString();
-  choice.first.login = "visitor";
-  choice.first.password = randomStartPassword();
-  choice.first.language = languageCode(firstRun_->language()).toStdString();
-  choice.first.demonstration = true;
-  setUp(choice);
-}
-
-void MainWindow::tellLookRound() {
-  desk_->context().notify(
-      tr("Everybody here is simulated. The menu of your account leads to the desks of a trainee and a "
-         "physician. Sign out, and all of it is gone"));
-}
-
-void MainWindow::endLookRound() {
-  if (!lookedAt_) {
-    return;
-  }
-  if (line_) {
-    line_->leave();
-  }
-  line_.reset();
-  lessons_.reset();
-  session_.reset();  // nobody has the record open now
-  lookedAt_.reset();
-  setup_.locator = lookedFrom_;
-}
-
 void MainWindow::keepFirstRun(const QString& locator) {
   preferences_.keep(true);
   preferences_.setDatabase(locator);
@@ -269,8 +229,13 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           startLine();
           centre_ = toQString(choice.first.centre);
           if (lookedAt_) {
+            visitor_ = actor;
+            visit_->setSeen(VisitedDesk::kAdministrator);
             enterDesk();
-            tellLookRound();
+            desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
+            if (visitedFirst_ != VisitedDesk::kAdministrator) {
+              visit(visitedFirst_);
+            }
             return;
           }
           keepFirstRun(choice.locator);
@@ -361,28 +326,6 @@ void MainWindow::enterAsGuest() {
   guest.practiceOnly = true;
   session_->setActor(guest);
   enterDesk();
-}
-
-void MainWindow::enterAsSimulated(SimulatedRole role) {
-  if (desk_ == nullptr || !desk_->mayLeave()) {
-    return;
-  }
-  Actor person;
-  if (!attempt(desk_->context(), [&] { person = simulatedPerson(desk_->context().session(), role); })) {
-    return;
-  }
-  // Later, since the menu that asked dies with the desk.
-  QTimer::singleShot(0, this, [this, person, role] {
-    leaveDesk();
-    visitor_ = session_->actor();
-    forgetActor();
-    session_->setActor(person);
-    simulated_ = true;
-    enterDesk();
-    desk_->context().notify(role == SimulatedRole::kTrainee
-                                ? tr("You are a simulated trainee. Sign out to become yourself again")
-                                : tr("You are a simulated physician. Sign out to become yourself again"));
-  });
 }
 
 void MainWindow::changePassword(const QString& login, const QString& oldPassword,

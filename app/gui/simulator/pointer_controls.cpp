@@ -21,6 +21,9 @@ namespace {
 constexpr double kKeyPixels_per_s = 140.0;
 constexpr double kKeyDepth_m_per_s = 0.05;
 constexpr double kKeyRoll_rad_per_s = radians(60.0);
+constexpr double kTapShare = 0.25;  // of full speed: a tap turns finely
+constexpr double kTap_s = 0.15;
+constexpr double kFullSpeed_s = 0.5;
 constexpr double kKeyTilt_rad_per_s = radians(40.0);
 constexpr double kKeyOrbit_px_per_s = 220.0;
 constexpr double kWheelDepth_m = 0.004;     // one notch
@@ -67,6 +70,12 @@ Tilt tiltOf(const Quat& turn, const Tilt& before) {
   const Tilt first = continued(yaw, pitch, roll);
   const Tilt second = continued(yaw + std::numbers::pi, std::numbers::pi - pitch, roll + std::numbers::pi);
   return distance(first, before) <= distance(second, before) ? first : second;
+}
+
+/// Share of the full speed of turning after a key has been down for so long.
+double turningShare(double held_s) {
+  return std::clamp(kTapShare + (1.0 - kTapShare) * (held_s - kTap_s) / (kFullSpeed_s - kTap_s), kTapShare,
+                    1.0);
 }
 
 bool movesWhileHeld(int key) {
@@ -261,7 +270,8 @@ void PointerControls::advance(double elapsed_s) {
   }
   const double roll = down(Qt::Key_E) - down(Qt::Key_Q);
   if (roll != 0.0) {
-    turn(roll * kKeyRoll_rad_per_s * elapsed_s);
+    turn(roll * turningShare(rollHeld_s_) * kKeyRoll_rad_per_s * elapsed_s);
+    rollHeld_s_ += elapsed_s;
   }
   const double yaw = down(Qt::Key_D) - down(Qt::Key_A);
   const double pitch = down(Qt::Key_S) - down(Qt::Key_W);
@@ -388,6 +398,7 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
   if (movesWhileHeld(usual)) {
     if (!event.isAutoRepeat()) {
       held_.insert(usual);
+      rollHeld_s_ = usual == Qt::Key_Q || usual == Qt::Key_E ? 0.0 : rollHeld_s_;
     }
     return true;
   }

@@ -92,7 +92,8 @@ class PointerControls : public QObject {
   PointerInput input_;
   QPointF lastMouse_;
   bool mouseKnown_ = false;
-  std::set<int> held_;  // keys that move something while they are down
+  std::set<int> held_;       // keys that move something while they are down
+  double rollHeld_s_ = 0.0;  // how long a key has turned the tool
   bool gripKept_ = false;
   std::optional<Vec3> heldAxis_;  // world frame
   Quat heldView_;            // the camera when the jaw closed: the device keeps it while the jaw is closed

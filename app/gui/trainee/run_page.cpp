@@ -29,6 +29,7 @@
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/recording/station_writer.h"
 #include "app/recording/unstored_trials.h"
@@ -215,6 +216,7 @@ void RunPage::record() {
   }
   lastTrial_ = toQString(recording.trialId);
   twists_ = {};
+  onTarget_ = 0;
   showCount();
   const TrainingModule& module = runSession_->step().module;
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
@@ -310,7 +312,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
     }
     track();
   });
-  if (!finished) {
+  if (!finished && !holdsButton(*this)) {
     showState();
   }
 }

@@ -86,6 +86,10 @@ class RunPage : public Page {
   bool showNotice();
   void showLive(const LiveState& state);
   void showCount();
+  /// Counts the twist that was let go just now.
+  void judge();
+  /// How the latest twist was let go, and what to do better.
+  [[nodiscard]] QString verdict() const;
   [[nodiscard]] QString cue(const LiveState& state) const;
   /// Shows a first twist movement by movement, in practice of a twist.
   void guide();
@@ -97,6 +101,9 @@ class RunPage : public Page {
   QString lastTrial_;
   std::int64_t onTargetFrom_us_ = -1;  // of the present stay on target; -1: not there
   TwistCount twists_;                  // of the present recording
+  std::int64_t onTarget_ = 0;          // of these
+  bool held_ = false;                  // the present twist, as long as is wanted
+  bool letGoHeld_ = false;             // the latest twist was
   bool waiting_ = false;               // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
@@ -116,6 +123,7 @@ class RunPage : public Page {
   QLabel* mode_ = nullptr;
   Card* time_ = nullptr;
   QLabel* countdown_ = nullptr;
+  QLabel* timeName_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel* phase_ = nullptr;
   Card* angle_ = nullptr;
@@ -125,7 +133,9 @@ class RunPage : public Page {
   Card* load_ = nullptr;
   LevelBar* torque_ = nullptr;
   LevelBar* force_ = nullptr;
+  QLabel* goal_ = nullptr;
   QLabel* count_ = nullptr;
+  QLabel* verdict_ = nullptr;
   QLabel* cue_ = nullptr;
   QLabel* warning_ = nullptr;
   TwistGuide* guide_ = nullptr;

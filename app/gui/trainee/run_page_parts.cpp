@@ -100,6 +100,16 @@ QWidget* RunPage::createPanel() {
   auto* panel = new QWidget;
   scroll->setWidget(panel);
   whole->addWidget(scroll, 1);
+  auto* told = new QVBoxLayout;
+  told->setContentsMargins(kSpace + 4, kSpace / 2, kSpace + 4, 0);
+  verdict_ = plainLabel(side);
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  verdict_->hide();
+  cue_ = plainLabel(side, "quiet");
+  cue_->setObjectName(QStringLiteral("cue"));
+  told->addWidget(verdict_);
+  told->addWidget(cue_);
+  whole->addLayout(told);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
   buttons->setSpacing(kSpace);
@@ -116,13 +126,22 @@ QWidget* RunPage::createPanel() {
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
   phase_ = plainLabel(time_, "quiet");
-  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_}) {
+  timeName_ = plainLabel(time_, "quiet");
+  auto* left = new QHBoxLayout;
+  left->addWidget(countdown_);
+  left->addWidget(timeName_, 1, Qt::AlignBottom);
+  time_->content()->addLayout(left);
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, phase_}) {
     time_->content()->addWidget(widget);
   }
   column->addWidget(time_);
   angle_ = new Card(QString(), panel);
   dial_ = new AngleDial(angle_);
   angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  goal_ = plainLabel(angle_, "quiet");
+  goal_->setObjectName(QStringLiteral("goal"));
+  goal_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(goal_);
   count_ = plainLabel(angle_, "subheading");
   count_->setObjectName(QStringLiteral("twistCount"));
   count_->setAlignment(Qt::AlignHCenter);
@@ -140,9 +159,6 @@ QWidget* RunPage::createPanel() {
   load_->content()->addWidget(force_);
   load_->content()->addWidget(warning_);
   column->addWidget(load_);
-  cue_ = plainLabel(panel, "quiet");
-  cue_->setObjectName(QStringLiteral("cue"));
-  column->addWidget(cue_);
   guide_ = new TwistGuide(scene_);
   guide_->setObjectName(QStringLiteral("guide"));
   connect(guideMe_, &QPushButton::clicked, this, &RunPage::guide);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -24,6 +25,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "assessment/study/curriculum.h"
+#include "sim/base/angle.h"
 #include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {
@@ -36,7 +38,8 @@ constexpr double kTargetNear = 0.85;  // of the way: time to slow down
 }  // namespace
 
 void RunPage::retranslate() {
-  time_->setTitle(tr("Time left"));
+  time_->setAccessibleName(tr("Time left"));
+  timeName_->setText(tr("Time left"));
   // Their gauges say what they show; a title each would not fit a small screen.
   angle_->setAccessibleName(tr("Angle"));
   load_->setAccessibleName(tr("Load on the tissue"));
@@ -67,7 +70,6 @@ void RunPage::applyTheme(const Theme& theme) {
 
 void RunPage::showState() {
   const bool runs = runSession_.has_value() && !waiting_;
-  rest_->setVisible(runs);
   stop_->setEnabled(runs);
   if (!runSession_) {
     countdown_->setText(clockTimeLeft(0));
@@ -100,6 +102,7 @@ void RunPage::showState() {
   rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
                      ? tr("&Rest (%1 left)").arg(clockTimeLeft(run.restLeft_us()))
                      : tr("&Rest (used up)"));
+  rest_->setMinimumWidth(std::max(rest_->minimumWidth(), rest_->sizeHint().width()));
   const Scene* scene = scene_->controller().scene();
   const bool undone = scene != nullptr && scene->hollow != nullptr;
   angle_->setVisible(!real && !undone);
@@ -213,6 +216,40 @@ void RunPage::showCount() {
   const std::int64_t wanted = runSession_->step().module.leastTwists;
   count_->setVisible(wanted > 1);
   count_->setText(tr("%1 of %n twist(s)", nullptr, static_cast<int>(wanted)).arg(twists_.completed()));
+  const TrainingModule& module = runSession_->step().module;
+  const QString within = QLocale().toString(degrees(module.tolerance_rad), 'f', 0);
+  goal_->setText(
+      module.hold_us > 0
+          ? tr("Within %1\u00b0, held for %2 s, then let go")
+                .arg(within, QLocale().toString(static_cast<double>(module.hold_us) * 1e-6, 'f', 1))
+          : tr("Within %1\u00b0, then let go").arg(within));
+  verdict_->setText(verdict());
+}
+
+void RunPage::judge() {
+  const double off_rad = std::abs(twists_.releasedAt_rad() - scene_->controller().target_rad());
+  onTarget_ += off_rad <= runSession_->step().module.tolerance_rad ? 1 : 0;
+  letGoHeld_ = held_;
+  held_ = false;
+}
+
+QString RunPage::verdict() const {
+  const TrainingModule& module = runSession_->step().module;
+  const double target_rad = scene_->controller().target_rad();
+  const double at_rad = twists_.releasedAt_rad();
+  const double off_rad = std::abs(at_rad - target_rad);
+  QString how;
+  if (off_rad > module.tolerance_rad) {
+    const QString by = QLocale().toString(degrees(off_rad), 'f', 0);
+    how = std::abs(at_rad) > std::abs(target_rad) && at_rad * target_rad > 0.0
+              ? tr("Let go %1\u00b0 too far: turn back before you open the jaw.").arg(by)
+              : tr("Let go %1\u00b0 too early: turn further before you open the jaw.").arg(by);
+  } else {
+    how = module.hold_us > 0 && !letGoHeld_
+              ? tr("Released on target, but not held: wait until the ring is full.")
+              : tr("Released on target.");
+  }
+  return tr("%1 On target: %2 of %3").arg(how).arg(onTarget_).arg(twists_.completed());
 }
 
 void RunPage::showLive(const LiveState& state) {
@@ -229,8 +266,16 @@ void RunPage::showLive(const LiveState& state) {
   guide_->follow(state, dial_->onTarget(), held);
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
+  held_ = state.phase == ExercisePhase::kTwisting ? held >= 1.0 : held_;
+  const std::int64_t before = twists_.completed();
   twists_.see(state);
+  if (twists_.completed() > before) {
+    judge();
+  }
   showCount();
+  // While a hand turns the gauges need the place.
+  verdict_->setVisible(!runSession_->graded() && twists_.completed() > 0 && angle_->isVisibleTo(this) &&
+                       state.phase != ExercisePhase::kTwisting);
   const bool over = torque_->overLimit() || force_->overLimit();
   if (over && !wasOver_ && soundAtLimit_) {
     desk_.sound();

@@ -154,14 +154,28 @@ TEST_F(Controls, LosingTheKeyboardLetsGo) {
 
 TEST_F(Controls, HeldKeysMoveWithTimeNotWithKeyRepeats) {
   key(QEvent::KeyPress, Qt::Key_E);
-  controls_.advance(0.5);
-  const double half = controls_.input().roll_rad;
+  for (int frame = 0; frame < 100; ++frame) {
+    controls_.advance(0.01);
+  }
+  const double once = controls_.input().roll_rad;
   controls_.advance(0.5);
   key(QEvent::KeyRelease, Qt::Key_E);
   controls_.advance(5.0);
 
-  EXPECT_NEAR(half, radians(30.0), 1e-6);
-  EXPECT_NEAR(controls_.input().roll_rad, 2.0 * half, 1e-6);
+  EXPECT_NEAR(once, radians(45.0), radians(1.0));
+  EXPECT_NEAR(controls_.input().roll_rad, once + radians(30.0), 1e-6);
+}
+
+TEST_F(Controls, AKeyThatIsTappedTurnsFinely) {
+  for (int tap = 1; tap <= 5; ++tap) {
+    key(QEvent::KeyPress, Qt::Key_E);
+    for (int frame = 0; frame < 5; ++frame) {
+      controls_.advance(0.016);
+    }
+    key(QEvent::KeyRelease, Qt::Key_E);
+    controls_.advance(0.016);
+    EXPECT_NEAR(controls_.input().roll_rad, tap * radians(1.2), radians(0.01));
+  }
 }
 
 TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {

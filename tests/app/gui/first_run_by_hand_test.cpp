@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTest>
 #include <QTimer>
@@ -134,8 +135,12 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   newcomer.waitUntil([&] { return std::abs(off_rad()) < 0.3 * module.tolerance_rad; });
   newcomer.release(right);
   newcomer.pass(1.0 + static_cast<double>(module.hold_us) * 1e-6);
+  EXPECT_TRUE(station.find<QLabel>("goal")->text().startsWith(QStringLiteral("Within ")));
+  EXPECT_TRUE(station.find<QLabel>("verdict")->isHidden());
   newcomer.release(Qt::Key_Space);
   newcomer.pass(2.0);
+  EXPECT_TRUE(station.find<QLabel>("verdict")->text().contains(QStringLiteral("On target: 1 of 1")))
+      << station.find<QLabel>("verdict")->text().toStdString();
   QTimer::singleShot(0, qApp, [] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(question, nullptr);
@@ -158,6 +163,63 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   RecordProperty("actions", newcomer.actions());
   RecordProperty("seconds", static_cast<int>(newcomer.needed_s()));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  const TrainingModule module = station.run().runSession()->module();
+  newcomer.pass(0.5);
+  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
+  newcomer.hold(Qt::Key_Space);
+  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.hold(module.targetAngle_rad < 0.0 ? Qt::Key_Q : Qt::Key_E);
+  newcomer.waitUntil([&] {
+    return std::abs(newcomer.state().response.angle_rad) >
+           std::abs(module.targetAngle_rad) + module.tolerance_rad + radians(5.0);
+  });
+  newcomer.release(Qt::Key_Space);
+  newcomer.pass(2.0);
+
+  const QString told = station.find<QLabel>("verdict")->text();
+  EXPECT_TRUE(told.contains(QStringLiteral("too far"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
+}
+
+TEST(FirstRunByHand, TheClockMovesNoButtonBetweenPressAndRelease) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.page->show();
+  QApplication::processEvents();
+  auto* stop = station.find<QPushButton>("stop");
+  const QRect place = stop->geometry();
+  for (const int x : {3, stop->width() / 4, stop->width() - 3}) {
+    const QPoint at(x, stop->height() / 2);
+    bool asked = false;
+    QTimer::singleShot(0, qApp, [&asked] {
+      if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        asked = true;
+        question->reject();
+      }
+    });
+    QMouseEvent press(QEvent::MouseButtonPress, at, stop->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton,
+                      {});
+    QMouseEvent release(QEvent::MouseButtonRelease, at, stop->mapToGlobal(at), Qt::LeftButton, Qt::NoButton,
+                        {});
+    QApplication::sendEvent(stop, &press);
+    station.run().tick();
+    EXPECT_EQ(stop->geometry(), place);
+    QApplication::sendEvent(stop, &release);
+    EXPECT_TRUE(asked);
+    station.run().tick();  // nor does it move under a pointer that is about to press
+    EXPECT_EQ(stop->geometry(), place);
+  }
 }
 
 TEST(FirstRunByHand, EnterOnTheFirstPageBeginsThoughThePageIsSeenAlready) {

@@ -76,12 +76,11 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
     return std::vector<StartAccount>{{.login = "demo.trainee", .role = "trainee"}};
   };
   open(with);
-  press(*window_, QStringLiteral("&Look round with simulated people"));
+  press(*window_, QStringLiteral("As an &administrator"));
   testing::waitFor(window_->background());
 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Everybody here is simulated")));
-  EXPECT_TRUE(says(*window_, QStringLiteral("the desks of a trainee and a physician")));
   const QString file = toQString(window_->session()->key().locator);
   EXPECT_TRUE(QFileInfo::exists(file));
   EXPECT_FALSE(QFileInfo::exists(setup().locator));
@@ -89,19 +88,49 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   window_->chooseTheme(ThemeKind::kDark);
   addUser(*window_->session(),
           {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
-  Q_EMIT window_->desk()->simulatedWanted(SimulatedRole::kTrainee);
-  QApplication::processEvents();
-  EXPECT_EQ(window_->session()->actor().login, "demo");
-  ASSERT_TRUE(window_->signOut());  // to become oneself again, as the window says
-  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
-  EXPECT_EQ(window_->session()->actor().login, "visitor");
-  EXPECT_TRUE(QFileInfo::exists(file));
+  addUser(*window_->session(),
+          {.login = "chief", .roles = {"rater"}, .startPassword = kStartPassword, .demonstration = true});
+  for (const auto& [button, login] :
+       {std::pair{"Trainee", "demo"}, std::pair{"Physician", "chief"}, std::pair{"Administrator", "visitor"},
+        std::pair{"Physician", "chief"}}) {
+    press(*window_, QString::fromLatin1(button));
+    QApplication::processEvents();
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+    EXPECT_EQ(window_->session()->actor().login, login);
+    EXPECT_FALSE(passwordIsDue(*window_->session()));  // nobody has one to sign with
+    EXPECT_TRUE(QFileInfo::exists(file));
+  }
   ASSERT_TRUE(window_->signOut());
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   EXPECT_FALSE(QFileInfo::exists(file));
   EXPECT_FALSE(QFileInfo::exists(QFileInfo(file).absolutePath()));
   EXPECT_TRUE(QDir(folder_.path()).isEmpty());
+}
+
+TEST_F(Shell, ALookRoundBeginsAtTheDeskThatWasChosen) {
+  for (const auto& [button, login] :
+       {std::pair{"As a &trainee", "demo"}, std::pair{"As a &physician", "chief"},
+        std::pair{"As an &administrator", "visitor"}}) {
+    ShellSetup with = setup();
+    with.simulatedPeople = [](SessionContext& session, const ProgressCallback&) {
+      for (const auto& [name, role] : {std::pair{"demo", "trainee"}, std::pair{"chief", "rater"}}) {
+        addUser(session,
+                {.login = name, .roles = {role}, .startPassword = kStartPassword, .demonstration = true});
+      }
+      return std::vector<StartAccount>{};
+    };
+    open(with);
+    press(*window_, QString::fromLatin1(button));
+    testing::waitFor(window_->background());
+    QApplication::processEvents();
+
+    EXPECT_EQ(window_->session()->actor().login, login);
+    const QString file = toQString(window_->session()->key().locator);
+    ASSERT_TRUE(window_->signOut());
+    EXPECT_FALSE(QFileInfo::exists(QFileInfo(file).absolutePath()));
+    window_.reset();
+  }
 }
 
 TEST_F(Shell, ThePagesBeginInTheColoursOfTheSignIn) {

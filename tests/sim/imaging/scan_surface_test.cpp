@@ -228,7 +228,8 @@ TEST(ScanSurface, PutsALidWhereTheScanCutsTheOrgan) {
   EXPECT_NEAR(report.boxMax_m.z, 0.158, 2e-4);
   EXPECT_NEAR(report.volume_m3, 0.12 * testing::areaOf(testing::circleOutline(0.03, 48)), 4e-6);
   ASSERT_NE(remark(made, "D17"), nullptr);
-  EXPECT_THAT(remark(made, "D17")->what.str(), HasSubstr("cuts the organ off (towards the feet, towards the head)"));
+  EXPECT_THAT(remark(made, "D17")->what.str(),
+              HasSubstr("cuts the organ off (towards the feet, towards the head)"));
 }
 
 TEST(ScanSurface, TakesThePieceOfTheSeedAndTheBox) {

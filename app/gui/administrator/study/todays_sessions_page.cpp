@@ -30,6 +30,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
 
 namespace torsio::gui {
@@ -156,7 +157,7 @@ void TodaysSessionsPage::read() {
 
 void TodaysSessionsPage::refresh() {
   const std::string cohort = chosenId(cohort_);
-  if (cohort.empty() || reader_->working() || shell().databaseAway()) {
+  if (cohort.empty() || holdsButton(*this) || reader_->working() || shell().databaseAway()) {
     return;
   }
   reader_->run(
@@ -165,8 +166,8 @@ void TodaysSessionsPage::refresh() {
         DayBoard board = dayBoard(own, cohort);
         own.beginCall();
         return [this, cohort, board = std::move(board), calls = calledCases(own, cohort)] {
-          if (cohort != chosenId(cohort_)) {
-            return;  // another one was chosen meanwhile
+          if (cohort != chosenId(cohort_) || holdsButton(*this)) {
+            return;  // another one was chosen meanwhile, or the next look shows it
           }
           board_ = board;
           calls_ = calls;
