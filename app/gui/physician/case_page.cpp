@@ -131,13 +131,13 @@ CasePage::~CasePage() = default;
 void CasePage::createHead(QVBoxLayout* column) {
   title_->setProperty("heading", true);
   facts_->setProperty("quiet", true);
-  saved_->setProperty("quiet", true);
+  saved_.label()->setProperty("quiet", true);
   auto* head = new QHBoxLayout;
   head->setSpacing(kSpace);
   head->addWidget(title_);
   head->addSpacing(kSpace);
   head->addWidget(facts_, 1);
-  head->addWidget(saved_);
+  head->addWidget(saved_.label());
   advance_->setObjectName(QStringLiteral("advance"));
   advance_->setCheckable(true);
   connect(advance_, &QToolButton::toggled, this, [this](bool on) { sheet_->setAdvancing(on); });
@@ -205,8 +205,9 @@ void CasePage::enter(const QVariant& argument) {
   advance_->setChecked(QSettings().value(advanceKey(shell())).toBool());
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
-  setLook(saved_, "caution", false);
-  saved_->setText(opened_.state == SheetState::kDraft ? tr("Draft found and opened") : QString());
+  saved_.say([found = opened_.state == SheetState::kDraft] {
+    return found ? tr("Draft found and opened") : QString();
+  });
   showAll();
   sheet_->takeFocus();
   load();
@@ -272,11 +273,13 @@ void CasePage::save() {
   if (opened_.state == SheetState::kSubmitted) {
     return;
   }
-  sheet_->save(shell(), saved_, tr("Saved"), [this] {
-    SheetEditor& editor = *sheet_->editor();
-    editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), watched_));
-    opened_.state = SheetState::kDraft;
-  });
+  sheet_->save(
+      shell(), saved_, [] { return tr("Saved"); },
+      [this] {
+        SheetEditor& editor = *sheet_->editor();
+        editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), watched_));
+        opened_.state = SheetState::kDraft;
+      });
 }
 
 void CasePage::addBookmark(const QString& text) {

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 
 #include "app/gui/base/page.h"
+#include "app/gui/physician/said_line.h"
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
@@ -74,7 +75,7 @@ class CasePage : public Page {
 
   QLabel* title_;
   QLabel* facts_;
-  QLabel* saved_;
+  SaidLine saved_;
   QToolButton* undo_;
   QToolButton* redo_;
   QToolButton* clear_;

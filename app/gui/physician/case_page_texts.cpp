@@ -49,6 +49,7 @@ void CasePage::retranslate() {
   stripReason_->setPlaceholderText(tr("Why is the mark changed?"));
   stripReason_->setAccessibleName(tr("Why is the mark changed?"));
   stripBack_->setText(tr("Back to the sheet"));
+  saved_.again();
   showAll();
 }
 

@@ -60,7 +60,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   column->addLayout(middle, 1);
   auto* foot = new QHBoxLayout;
   foot->addWidget(replay_->proof());
-  foot->addWidget(said_, 1);
+  foot->addWidget(said_.label(), 1);
   foot->addWidget(submit_);
   column->addLayout(foot);
   connect(choices_, &ChoiceRow::chosen, this, &EvaluationPage::openModel);
@@ -117,7 +117,7 @@ void EvaluationPage::openFirst() {
 void EvaluationPage::openModel(std::size_t at) {
   model_ = at;
   sheet_->endSheet();
-  said_->clear();
+  said_.clear();
   if (const EvaluationFormModel* one = model()) {
     sheet_->beginSheet(evaluationRubric(*form()), evaluationSheet(*one), false);
     sheet_->takeFocus();
@@ -171,16 +171,18 @@ void EvaluationPage::customEvent(QEvent* event) {
 
 void EvaluationPage::edited() {
   EvaluationFormModel& stored = forms_[campaign_].models[model_];
-  sheet_->save(shell(), said_, tr("Saved"), [&] {
-    for (std::size_t i = 0; i < stored.scores.size(); ++i) {
-      const auto score = sheet_->editor()->sheet().rows[i].score_steps;
-      if (score == stored.scores[i]) {
-        continue;
-      }
-      saveEvaluationScore(shell().session(), form()->campaignId, stored.hiddenLabel, i, score);
-      stored.scores[i] = score;
-    }
-  });
+  sheet_->save(
+      shell(), said_, [] { return tr("Saved"); },
+      [&] {
+        for (std::size_t i = 0; i < stored.scores.size(); ++i) {
+          const auto score = sheet_->editor()->sheet().rows[i].score_steps;
+          if (score == stored.scores[i]) {
+            continue;
+          }
+          saveEvaluationScore(shell().session(), form()->campaignId, stored.hiddenLabel, i, score);
+          stored.scores[i] = score;
+        }
+      });
   showAll();
 }
 
@@ -192,16 +194,16 @@ void EvaluationPage::submit() {
   const auto open = std::find(one->scores.begin(), one->scores.end(), std::nullopt);
   if (open != one->scores.end()) {
     const auto left = static_cast<int>(std::count(one->scores.begin(), one->scores.end(), std::nullopt));
-    setLook(said_, "caution", true);
-    said_->setText(tr("Still open: %1 of %2").arg(left).arg(one->scores.size()));
+    said_.say([left, all = one->scores.size()] { return tr("Still open: %1 of %2").arg(left).arg(all); },
+              true);
     sheet_->setCurrentRow(std::to_string(open - one->scores.begin() + 1));
     sheet_->takeFocus();
     return;
   }
   if (!sheet_->asking()) {
     sheet_->setAsking(true);
-    setLook(said_, "caution", false);
-    said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
+    said_.say(
+        [] { return tr("All nine are scored. Press again to seal them; sealed marks stay as they are."); });
     return;
   }
   if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
@@ -251,7 +253,9 @@ void EvaluationPage::showAll() {
           .arg(toQString(Text(one->title)), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
   if (now->submitted) {
-    said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));
+    said_.say([all = one->complete()] {
+      return all ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed");
+    });
   }
 }
 
@@ -276,8 +280,8 @@ void EvaluationPage::retranslate() {
   sheet_->retranslate();
   replay_->retranslate();
   showModels();
+  said_.again();
   showAll();
-  showDefinition();
 }
 
 std::vector<std::pair<QString, QString>> EvaluationPage::keys() const {

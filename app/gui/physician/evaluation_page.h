@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
+#include "app/gui/physician/said_line.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/sheet_editor.h"
 
@@ -59,7 +60,7 @@ class EvaluationPage : public Page {
   SheetEditorPanel* sheet_;
   ReplayPanel* replay_;
   std::uint64_t loads_ = 0;  // number of the newest loading
-  QLabel* said_;
+  SaidLine said_;
   QPushButton* submit_;
   std::vector<EvaluationForm> forms_;
   std::size_t campaign_ = 0;

@@ -70,17 +70,19 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   scroll->setWidget(ground);
   auto* left = new QVBoxLayout;
   left->addWidget(scroll, 1);
-  left->addWidget(older_);
+  auto* below = new QVBoxLayout;
+  below->setContentsMargins(0, 0, kSpace, 0);  // as wide as the lines above
+  below->addWidget(older_);
+  left->addLayout(below);
   row->addLayout(left, 1);
   auto* right = new QVBoxLayout;
-  setLook(called_, "caution", true);
-  called_->setObjectName(QStringLiteral("called"));
-  called_->hide();
-  right->addWidget(called_);
+  called_.label()->setObjectName(QStringLiteral("called"));
+  called_.label()->hide();
+  right->addWidget(called_.label());
   createClock(right);
   right->addWidget(sheet_, 1);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(said_, 1);
+  foot->addWidget(said_.label(), 1);
   foot->addWidget(amend_);
   foot->addWidget(submit_);
   right->addLayout(foot);
@@ -194,7 +196,7 @@ void LivePage::followCall() {
     return line.call && line.call->open && line.state != SheetState::kSubmitted;
   });
   if (called == lines_.rend() || called->shown.assignmentId == opened_.shown.assignmentId) {
-    called_->hide();
+    called_.label()->hide();
     return;
   }
   const auto shown = std::find_if(lines_.begin(), lines_.end(), [this](const QueueLine& line) {
@@ -208,13 +210,16 @@ void LivePage::followCall() {
     followed_ = called->shown.assignmentId;
     return static_cast<void>(attempt(shell(), [&] { openLine(AssignmentId(followed_)); }));
   }
-  called_->setText(
-      otherRoom ? tr("Case %1 is called to %2: if you are there, choose it at the left.")
-                      .arg(toQString(called->shown.label), toQString(called->call->room))
-                : tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the case "
-                     "at the left and come back later.")
-                      .arg(toQString(called->shown.label)));
-  called_->show();
+  called_.say(
+      [otherRoom, label = toQString(called->shown.label), room = toQString(called->call->room)] {
+        return otherRoom
+                   ? tr("Case %1 is called to %2: if you are there, choose it at the left.").arg(label, room)
+                   : tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the "
+                        "case at the left and come back later.")
+                         .arg(label);
+      },
+      true);
+  called_.label()->show();
 }
 
 QString LivePage::stateText(const QueueLine& line) const {
@@ -287,7 +292,7 @@ void LivePage::openLine(const AssignmentId& assignmentId) {
   opened_ = openSheet(shell().session(), assignmentId);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
   clocked_us_ = 0;
-  said_->clear();
+  said_.clear();
   readLines();
   followCall();
   showAll();
@@ -301,15 +306,18 @@ void LivePage::customEvent(QEvent* event) {
 }
 
 void LivePage::edited() {
-  sheet_->save(shell(), said_, savedText(), [this] {
-    SheetEditor& editor = *sheet_->editor();
-    editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
-    if (opened_.state != SheetState::kOpen) {
-      return;
-    }
-    opened_.state = SheetState::kDraft;
-    readLines();
-  });
+  sheet_->save(
+      shell(), said_, [this] { return savedText(); },
+      [this] {
+        SheetEditor& editor = *sheet_->editor();
+        editor.saved(
+            saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
+        if (opened_.state != SheetState::kOpen) {
+          return;
+        }
+        opened_.state = SheetState::kDraft;
+        readLines();
+      });
   showAll();
 }
 
@@ -351,20 +359,20 @@ void LivePage::submit() {
   }
   const SheetCheck check = checkSheet(opened_.rubric, sheet_->editor()->sheet(), true, opened_.watched, {});
   if (!check.mayBeSubmitted()) {
-    setLook(said_, "caution", true);
-    said_->setText(tr("Still open: %1").arg(check.unanswered.size()));
+    said_.say([left = check.unanswered.size()] { return tr("Still open: %1").arg(left); }, true);
     sheet_->setCurrentRow(check.unanswered.front());
     sheet_->takeFocus();
     return;
   }
   if (!sheet_->asking()) {
     sheet_->setAsking(true);
-    setLook(said_, "caution", false);
-    said_->setText(check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
-                   : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
-                   : check.overallOutside
-                       ? tr("The overall mark lies outside the rows. Press again to seal the sheet.")
-                       : tr("Everything is scored. Press again to seal the sheet."));
+    said_.say([check] {
+      return check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
+             : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
+             : check.overallOutside
+                 ? tr("The overall mark lies outside the rows. Press again to seal the sheet.")
+                 : tr("Everything is scored. Press again to seal the sheet.");
+    });
     return;
   }
   if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
@@ -389,11 +397,10 @@ void LivePage::showAll() {
   amend_->setVisible(!open && sheet_->editor() != nullptr);
   sheet_->setReadOnly(!open);
   if (!open && sheet_->editor() != nullptr) {
-    said_->setText(tr("Submitted and sealed"));
+    said_.say([] { return tr("Submitted and sealed"); });
   }
   if (sheet_->editor() == nullptr) {
-    setLook(said_, "caution", false);
-    said_->setText(tr("The sheet opens by itself when an administrator calls a case."));
+    said_.say([] { return tr("The sheet opens by itself when an administrator calls a case."); });
   }
   showClock();
 }
@@ -411,6 +418,8 @@ void LivePage::retranslate() {
   submit_->setText(tr("Submit"));
   clock_->setAccessibleName(tr("Timer"));
   sheet_->retranslate();
+  said_.again();
+  called_.again();
   showLines();
   showAll();
 }

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "app/gui/base/page.h"
+#include "app/gui/physician/said_line.h"
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
@@ -74,8 +75,8 @@ class LivePage : public Page {
   QPushButton* submit_;
   QPushButton* amend_;
   QPushButton* older_;
-  QLabel* said_;
-  QLabel* called_;
+  SaidLine said_;
+  SaidLine called_;
   Background* reader_;
   SheetEditorPanel* sheet_;
   std::vector<QueueLine> lines_;

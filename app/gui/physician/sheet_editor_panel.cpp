@@ -4,11 +4,10 @@
 #include <utility>
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPlainTextEdit>
 
 #include "app/gui/base/shell_context.h"
-#include "app/gui/widgets/form.h"
+#include "app/gui/physician/said_line.h"
 
 namespace torsio::gui {
 
@@ -44,11 +43,11 @@ void SheetEditorPanel::endSheet() {
   editor_.reset();
 }
 
-bool SheetEditorPanel::save(ShellContext& shell, QLabel* said, const QString& kept,
+bool SheetEditorPanel::save(ShellContext& shell, SaidLine& said, std::function<QString()> kept,
                             const std::function<void()>& store) {
   const bool good = attempt(shell, store);
-  setLook(said, "caution", !good);
-  said->setText(good ? kept : tr("Not saved"));
+  said.say(
+      good ? std::move(kept) : [] { return tr("Not saved"); }, !good);
   unsaved_ = !good;
   return good;
 }

@@ -9,10 +9,10 @@
 #include "assessment/rating/sheet.h"
 
 class QKeyEvent;
-class QLabel;
 
 namespace torsio::gui {
 
+class SaidLine;
 class ShellContext;
 
 /// A sheet while somebody fills it in: the rubric, its one history for undo and redo, its keys, what is said
@@ -34,7 +34,8 @@ class SheetEditorPanel : public SheetPanel {
   [[nodiscard]] SheetEditor* editor() const noexcept { return editor_.get(); }
 
   /// Does `store`; says on `said` that the sheet is kept, or that it is not, and reports why.
-  bool save(ShellContext& shell, QLabel* said, const QString& kept, const std::function<void()>& store);
+  bool save(ShellContext& shell, SaidLine& said, std::function<QString()> kept,
+            const std::function<void()>& store);
   /// The last save() failed: what is shown is kept nowhere yet.
   [[nodiscard]] bool unsaved() const noexcept { return unsaved_; }
 

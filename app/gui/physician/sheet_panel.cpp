@@ -59,12 +59,15 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   });
 }
 
-/// No taller than its rows: the overall mark follows them.
+/// No taller than its rows: the overall mark follows them, as wide as they are.
 void SheetPanel::fitRows() {
   const int wide = scroll_->viewport()->width();
+  const int frame = scroll_->frameWidth();
+  const int beside = scroll_->width() - frame - wide;  // the scroll bar, if there is one
+  overallLayout_->setContentsMargins(frame, 0, kSpace + beside, 0);
   const int high = rowsLayout_->hasHeightForWidth() ? rowsLayout_->totalHeightForWidth(wide)
                                                     : rowsLayout_->totalSizeHint().height();
-  scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), high + 2 * scroll_->frameWidth()));
+  scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), high + 2 * frame));
 }
 
 bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {

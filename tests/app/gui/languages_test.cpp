@@ -69,7 +69,7 @@ constexpr int kWait_ms = 50;
 
 bool passes(const QString& text) {
   static const QRegularExpression kPassing(
-      QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|: "
+      QStringLiteral("^(Opening .*|The recording is being opened.*|On target\\..*|: "
                      ".*)$"));
   return kPassing.match(text).hasMatch();
 }

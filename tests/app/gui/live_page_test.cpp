@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/database_answered.h"
+#include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/sheet_editor.h"
@@ -158,6 +159,28 @@ TEST_F(LivePageFollows, KeepsWhatWasTappedWhileTheDatabaseWasAway) {
     return byRow;
   };
   EXPECT_EQ(scores(kept.sheet), scores(editorOf(page)->sheet()));
+}
+
+TEST_F(LivePageFollows, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
+  call(0, "room 1");
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(shows(page, 0));
+  desk_.press(Qt::Key_6);
+  ASSERT_TRUE(wordsOf(page).contains(QStringLiteral("Saved on this machine")));
+  call(1, "room 2");
+  auto& hint = child<QLabel>(page, "called");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return hint.isVisible(); }, kPatience_ms));
+
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  page.retranslate();
+
+  EXPECT_FALSE(wordsOf(page).contains(QStringLiteral("Saved on this machine")));
+  EXPECT_FALSE(hint.text().contains(QStringLiteral("is called"))) << hint.text().toStdString();
+  EXPECT_TRUE(hint.text().contains(QStringLiteral("room 2"))) << hint.text().toStdString();
+  language.choose(Language::kEnglish);
+  page.retranslate();
+  EXPECT_TRUE(wordsOf(page).contains(QStringLiteral("Saved on this machine")));
 }
 
 TEST_F(LivePageFollows, ALateSheetCanBeHandedInAfterTheCall) {

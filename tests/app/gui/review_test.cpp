@@ -10,6 +10,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/discrepancy_review_page.h"
@@ -225,6 +226,33 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
   ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);  // two rows still lie apart
   EXPECT_EQ(discrepancyCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
+}
+
+TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false);
+  DeskOf desk(centre, 0);
+  const auto spoken = [&](Page& page, const char* sentence) {
+    const QString english = QString::fromLatin1(sentence);
+    EXPECT_TRUE(wordsOf(page).contains(english)) << sentence;
+    LanguageSwitch language;
+    language.choose(Language::kSimplifiedChinese);
+    page.retranslate();
+    EXPECT_FALSE(wordsOf(page).contains(english)) << sentence;
+    language.choose(Language::kEnglish);
+    page.retranslate();
+    EXPECT_TRUE(wordsOf(page).contains(english)) << sentence;
+  };
+  auto& scored = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_8);
+  spoken(scored, "Saved");
+  spoken(desk.open<CasePage>(inputOf(centre.cases(0).front())), "Draft found and opened");
+
+  auto& evaluated = desk.open<EvaluationPage>();
+  desk.press(Qt::Key_8);
+  spoken(evaluated, "Saved");
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  spoken(evaluated, "Still open: 8 of 9");
 }
 
 TEST(EvaluationPage, FitsASmallScreenBesideARecording) {

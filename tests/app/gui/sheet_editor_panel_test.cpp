@@ -11,6 +11,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/gui/physician/said_line.h"
 #include "app/gui/widgets/child.h"
 #include "assessment/rating/rubric.h"
 #include "tests/app/gui/desk_of.h"
@@ -156,24 +157,46 @@ TEST(SheetEditorPanel, TheRowToBeScoredIsSeenWholeOnceThereIsRoom) {
   EXPECT_GE(first.mapTo(scroll.viewport(), QPoint(0, 0)).y(), 0);
 }
 
+TEST(SheetEditorPanel, TheOverallMarkIsAsWideAsTheRowsBesideTheirScrollBar) {
+  SheetEditorPanel panel(true);
+  panel.resize(520, 900);
+  panel.show();
+  panel.beginSheet(threeRows(), {});
+  const QList<ScoreRow*> rows = panel.findChildren<ScoreRow*>();
+  ASSERT_EQ(rows.size(), 4);
+  const QScrollArea& scroll = *panel.findChild<QScrollArea*>();
+  const auto widths = [&] { return std::pair(rows.front()->width(), rows.back()->width()); };
+
+  for (const int height : {900, 380, 900}) {
+    panel.resize(520, height);
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+      return (scroll.verticalScrollBar()->maximum() > 0) == (height < 900) &&
+             rows.front()->width() == rows.back()->width();
+    })) << height
+        << ": " << widths().first << " and " << widths().second;
+  }
+}
+
 TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   SheetEditorPanel panel;
-  QLabel said;
+  QLabel label;
+  SaidLine said(&label);
+  const auto kept = [] { return QStringLiteral("Saved"); };
 
-  const bool failed = panel.save(desk.shell(), &said, QStringLiteral("Saved"), [] {
+  const bool failed = panel.save(desk.shell(), said, kept, [] {
     throw Error(ErrorCode::kDatabase, Text::verbatim("the disk is full"), "",
                 Text::verbatim("Free some space"));
   });
 
   EXPECT_FALSE(failed);
-  EXPECT_EQ(said.text(), QStringLiteral("Not saved"));
-  EXPECT_TRUE(said.property("caution").toBool());
+  EXPECT_EQ(label.text(), QStringLiteral("Not saved"));
+  EXPECT_TRUE(label.property("caution").toBool());
   EXPECT_EQ(desk.failures().size(), 1);
-  EXPECT_TRUE(panel.save(desk.shell(), &said, QStringLiteral("Saved"), [] {}));
-  EXPECT_EQ(said.text(), QStringLiteral("Saved"));
-  EXPECT_FALSE(said.property("caution").toBool());
+  EXPECT_TRUE(panel.save(desk.shell(), said, kept, [] {}));
+  EXPECT_EQ(label.text(), QStringLiteral("Saved"));
+  EXPECT_FALSE(label.property("caution").toBool());
 }
 
 }  // namespace
