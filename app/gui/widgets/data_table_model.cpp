@@ -132,19 +132,29 @@ void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
       enabled ? QPalette::Active : QPalette::Disabled,
       cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
   const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
-  painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
-                    cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+  if (cell.features.testFlag(QStyleOptionViewItem::WrapText)) {
+    painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextWordWrap), text);
+  } else {
+    painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
+                      cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+  }
   painter->restore();
 }
 
 QSize PaddedCells::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  return QStyledItemDelegate::sizeHint(option, index) + QSize(2 * kSpace, 0);
+  QStyleOptionViewItem inside = option;
+  if (inside.features.testFlag(QStyleOptionViewItem::WrapText)) {
+    const int spare = QApplication::style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &option) + 1;
+    inside.rect.adjust(kSpace - spare, 0, spare - kSpace, 0);  // the style keeps a margin of its own
+  }
+  return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kSpace, 0);
 }
 
 bool PaddedCells::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
                             const QModelIndex& index) {
   const QString text = index.data().toString();
-  const bool cut = option.fontMetrics.horizontalAdvance(text) > option.rect.width() - 2 * kSpace;
+  const bool cut = !option.features.testFlag(QStyleOptionViewItem::WrapText) &&
+                   option.fontMetrics.horizontalAdvance(text) > option.rect.width() - 2 * kSpace;
   if (event->type() == QEvent::ToolTip && cut && !index.data(Qt::ToolTipRole).isValid()) {
     QToolTip::showText(event->globalPos(), text, view);
     return true;

@@ -3,6 +3,8 @@
 // stay as they are.
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -163,6 +165,28 @@ TEST(CurriculaPage, ShowsTheNamesOfItsListWholeWhereThereIsRoom) {
     EXPECT_LE(list.fontMetrics().horizontalAdvance(name), list.columnWidth(0) - 2 * kSpace)
         << name.toStdString();
   }
+}
+
+TEST(CurriculaPage, ShowsTheNamesOfItsListWholeOnASmallScreen) {
+  AdministratorDesk office;
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  ASSERT_TRUE(page->add("Twisting of the small intestine, second year", ""));
+  page->resize(1146, 700);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->show();
+  QApplication::processEvents();
+
+  const QTableView& list = child<DataTable>(*page, "curricula").view();
+  int lines = 0;
+  for (int row = 0; row < list.model()->rowCount(); ++row) {
+    const QString name = list.model()->index(row, 0).data().toString();
+    const QRect room(0, 0, list.columnWidth(0) - 2 * kSpace, 10'000);
+    const QRect needed = list.fontMetrics().boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, name);
+    EXPECT_LE(needed.width(), room.width()) << name.toStdString();
+    EXPECT_LE(needed.height(), list.rowHeight(row)) << name.toStdString();
+    lines = std::max(lines, needed.height() / list.fontMetrics().height());
+  }
+  EXPECT_GE(lines, 2) << "nothing had to wrap";
 }
 
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {

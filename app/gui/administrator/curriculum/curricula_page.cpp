@@ -6,9 +6,11 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
@@ -83,6 +85,9 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   halves_->setChildrenCollapsible(false);
   halves_->setHandleWidth(2 * kSpace);
   table_->setMinimumWidth(kListWidth);
+  QHeaderView* lines = table_->view().verticalHeader();
+  lines->setMinimumSectionSize(lines->defaultSectionSize());
+  lines->setSectionResizeMode(QHeaderView::ResizeToContents);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(halves_, 1);
@@ -125,8 +130,8 @@ void CurriculaPage::resizeEvent(QResizeEvent* event) {
   shareWidth();
 }
 
-/// The list shows its names whole where a third of the page is enough for that and the editor keeps its
-/// room.
+/// The list shows its names whole: in one line where a third of the page is enough for that and the editor
+/// keeps its room, else in several.
 void CurriculaPage::shareWidth() {
   if (moved_) {
     return;
@@ -134,6 +139,7 @@ void CurriculaPage::shareWidth() {
   const int all = width();
   const int list = std::clamp(table_->wholeWidth(), kListWidth,
                               std::max(kListWidth, std::min(all / 3, all - kEditorWidth)));
+  table_->view().setWordWrap(list < table_->wholeWidth());
   halves_->setSizes({list, all - list});
 }
 
@@ -156,6 +162,7 @@ void CurriculaPage::showContent() {
                              : tr("none yet"),
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
   }
+  table_->view().setWordWrap(false);  // while the list finds out how wide its names are
   table_->setRows(std::move(rows));
   shareWidth();
   showDraft();
