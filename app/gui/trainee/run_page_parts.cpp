@@ -111,7 +111,7 @@ QWidget* RunPage::createPanel() {
   told->addWidget(cue_);
   whole->addLayout(told);
   auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
+  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);  // as wide as the cards above
   buttons->setSpacing(kSpace);
   whole->addLayout(buttons);
   auto* column = new QVBoxLayout(panel);

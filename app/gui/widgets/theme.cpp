@@ -197,6 +197,8 @@ QLabel[good="true"] { color: %good; }
 QLabel[caution="true"] { color: %caution; }
 QPushButton { background: %raised; color: %text; border: 1px solid %border; border-radius: 6px;
   padding: 7px 16px; min-height: 20px; }
+QPushButton::menu-indicator { image: url(%chevron); width: 10px; height: 10px; subcontrol-origin: padding;
+  subcontrol-position: center right; right: 4px; }
 QPushButton:hover { background: %track; }
 QPushButton:checked { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
