@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <QBarCategoryAxis>
 #include <QCategoryAxis>
 #include <QChart>
+#include <QFontMetrics>
 #include <QString>
 #include <QValueAxis>
 
@@ -57,6 +59,26 @@ void countUp(QValueAxis& axis, const AxisRange& range) {
   const double step = wholeStep(range.high - range.low);
   markWhole(axis, step);
   axis.setRange(step * std::floor(range.low / step), step * std::ceil(range.high / step));
+}
+
+/// The values that an axis marks, from its low end to its high end.
+std::vector<double> marksOf(const QValueAxis& axis) {
+  std::vector<double> marks;
+  if (axis.tickType() == QValueAxis::TicksDynamic) {
+    constexpr double kRounding = 1e-9;
+    const double step = axis.tickInterval();
+    const auto first = std::llround(std::ceil(axis.min() / step - kRounding));
+    const auto last = std::llround(std::floor(axis.max() / step + kRounding));
+    for (auto at = first; at <= last; ++at) {
+      marks.push_back(static_cast<double>(at) * step);
+    }
+    return marks;
+  }
+  const int count = axis.tickCount();
+  for (int i = 0; i < count; ++i) {
+    marks.push_back(axis.min() + (axis.max() - axis.min()) * i / (count - 1));
+  }
+  return marks;
 }
 
 /// Whether a figure shows whole numbers only.
@@ -144,24 +166,59 @@ AxisRange ChartAxes::valueRange() const {
   return range;
 }
 
-QValueAxis* ChartAxes::addValues(Qt::Alignment side) {
+/// An axis of numbers formats them as C does; one of categories takes them as the style writes them.
+QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const Text& title) const {
+  auto* axis = styled(new QCategoryAxis, title);
+  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+  axis->setRange(range.min(), range.max());
+  const std::vector<double> marks = marksOf(range);
+  if (!marks.empty()) {
+    axis->setStartValue(marks.front());
+  }
+  for (const double value : marks) {
+    appendTo(*axis, style_.number ? style_.number(value, decimals) : QString::number(value, 'f', decimals),
+             value);
+  }
+  return axis;
+}
+
+/// The last mark may stand at the very end of its axis: half of its number reaches beyond.
+void ChartAxes::leaveRoomForLast(QCategoryAxis& axis) const {
+  const QStringList marks = axis.categoriesLabels();
+  if (marks.isEmpty()) {
+    return;
+  }
+  QMargins margins = chart_.margins();
+  margins.setRight(margins.right() +
+                   (QFontMetrics(axis.labelsFont()).horizontalAdvance(marks.back()) + 1) / 2);
+  chart_.setMargins(margins);
+}
+
+QCategoryAxis* ChartAxes::addValues(Qt::Alignment side) {
   const bool upright = side == Qt::AlignLeft;
-  auto* axis = styled(new QValueAxis, upright ? Text() : figure_.yLabel);
+  QValueAxis values;
   const AxisRange range = valueRange();
-  axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
+  values.setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
   const bool whole = counted(figure_);
   if (whole) {
-    countUp(*axis, {axis->min(), axis->max()});
+    countUp(values, {values.min(), values.max()});
   } else {
-    axis->setTickCount(6);
+    values.setTickCount(6);
     if (!figure_.yMin || !figure_.yMax) {
-      axis->applyNiceNumbers();
+      values.applyNiceNumbers();
     }
   }
-  const double span = axis->max() - axis->min();
-  axis->setLabelFormat(whole || span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
+  const double span = values.max() - values.min();
+  QCategoryAxis* axis = numbered(values,
+                                 whole || span >= 8.0 ? 0
+                                 : span >= 0.8        ? 1
+                                                      : 2,
+                                 upright ? Text() : figure_.yLabel);
   if (upright) {
     addUprightTitle(figure_.yLabel);
+  }
+  if (side == Qt::AlignBottom) {
+    leaveRoomForLast(*axis);
   }
   chart_.addAxis(axis, side);
   return axis;
@@ -186,8 +243,8 @@ QCategoryAxis* ChartAxes::addCategories() {
   return axis;
 }
 
-QValueAxis* ChartAxes::addNumbers() {
-  auto* axis = styled(new QValueAxis, figure_.xLabel);
+QCategoryAxis* ChartAxes::addNumbers() {
+  QValueAxis values;
   AxisRange range;
   for (const FigureSeries& series : figure_.series) {
     for (const double x : series.x) {
@@ -200,15 +257,16 @@ QValueAxis* ChartAxes::addNumbers() {
   if (range.low == range.high) {
     range.high = range.low + 1.0;
   }
-  axis->setRange(range.low, range.high);
+  values.setRange(range.low, range.high);
   if (figure_.kind == FigureKind::kScatter) {
-    axis->setTickCount(6);
-    axis->applyNiceNumbers();
+    values.setTickCount(6);
+    values.applyNiceNumbers();
   } else {
-    countAlong(*axis, range);
+    countAlong(values, range);
   }
-  const bool whole = figure_.kind != FigureKind::kScatter || axis->max() - axis->min() >= 4.0;
-  axis->setLabelFormat(whole ? "%.0f" : "%.1f");
+  const bool whole = figure_.kind != FigureKind::kScatter || values.max() - values.min() >= 4.0;
+  QCategoryAxis* axis = numbered(values, whole ? 0 : 1, figure_.xLabel);
+  leaveRoomForLast(*axis);
   chart_.addAxis(axis, Qt::AlignBottom);
   across_ = {axis->min(), axis->max()};
   return axis;

@@ -39,11 +39,11 @@ class ChartAxes {
   ChartAxes(const ReportFigure& figure, const ChartStyle& look, const Wording& wording, QChart& chart);
 
   /// Adds the axis of values, wide enough for all of them. One at the left has its title upright.
-  QValueAxis* addValues(Qt::Alignment side);
+  QCategoryAxis* addValues(Qt::Alignment side);
   /// Adds categories below, on a continuous axis at 1, 2, 3 ..., so that marks may stand beside each other.
   QCategoryAxis* addCategories();
   /// Adds numbers below, wide enough for the abscissas of all series.
-  QValueAxis* addNumbers();
+  QCategoryAxis* addNumbers();
   /// Adds categories at the left, the first on top, at 1, 2, 3 ...
   QCategoryAxis* addRows();
   /// Adds the axis below that boxes name themselves on.
@@ -54,6 +54,8 @@ class ChartAxes {
  private:
   template <typename Axis>
   Axis* styled(Axis* axis, const Text& title) const;
+  [[nodiscard]] QCategoryAxis* numbered(const QValueAxis& range, int decimals, const Text& title) const;
+  void leaveRoomForLast(QCategoryAxis& axis) const;
   void addUprightTitle(const Text& words) const;
   [[nodiscard]] AxisRange valueRange() const;
 

@@ -17,7 +17,6 @@
 #include <QLineSeries>
 #include <QPen>
 #include <QScatterSeries>
-#include <QValueAxis>
 
 #include "app/report/chart_axes.h"
 #include "app/report/heat_map_item.h"
@@ -259,7 +258,7 @@ class Builder {
   }
 
   void cloud() {
-    QValueAxis* axis = axes_.addNumbers();
+    QCategoryAxis* axis = axes_.addNumbers();
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       const FigureSeries& series = figure_.series[s];
       if (series.faint) {

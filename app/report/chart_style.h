@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include <QBrush>
 #include <QColor>
+#include <QString>
 
 namespace torsio {
 
@@ -16,6 +18,8 @@ struct ChartStyle {
   bool dark = false;
   int label_px = 13;   ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
   double hatch = 1.0;  ///< size of the patterns of fills: larger where a chart is many pixels wide
+  /// Writes the numbers at the marks of an axis. Empty: as files have them, like the tables of a report.
+  std::function<QString(double value, int decimals)> number;
 };
 
 /// Colour of series `i`: told apart by colour-blind readers (after Okabe and Ito). Pattern, dash and marker

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/report/chart_builder.h"
 #include "assessment/report/figure_table.h"
 
@@ -44,6 +45,7 @@ ChartStyle chartStyle(const Theme& theme) {
   look.grid = theme.line;
   look.dark = theme.kind == ThemeKind::kDark;
   look.label_px = 13;
+  look.number = [](double value, int decimals) { return numberText(value, decimals); };
   return look;
 }
 

@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include <QBuffer>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QPdfWriter>
-#include <QValueAxis>
 #include <gtest/gtest.h>
 
 #include "app/report/chart_builder.h"
@@ -83,9 +83,9 @@ TEST(UprightTitle, SaysItsWholeTitleBesideAPlotOfAnyHeight) {
   EXPECT_EQ(high.lines().size(), 1);
 }
 
-const QValueAxis* valuesOf(const QChart& chart) {
-  for (const QAbstractAxis* axis : chart.axes(Qt::Vertical)) {
-    if (const auto* values = qobject_cast<const QValueAxis*>(axis)) {
+QCategoryAxis* valuesOf(const QChart& chart) {
+  for (QAbstractAxis* axis : chart.axes(Qt::Vertical)) {
+    if (auto* values = qobject_cast<QCategoryAxis*>(axis)) {
       return values;
     }
   }
@@ -105,15 +105,38 @@ TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
   figure.series.front().y = {1.5, 0.0, 3.0};
   const std::unique_ptr<QChart> means = buildChart(figure);
 
-  const QValueAxis* axis = valuesOf(*counts);
+  QCategoryAxis* axis = valuesOf(*counts);
   ASSERT_NE(axis, nullptr);
-  EXPECT_EQ(axis->tickType(), QValueAxis::TicksDynamic);
-  EXPECT_EQ(axis->tickInterval(), 1.0);
-  EXPECT_EQ(axis->labelFormat(), QStringLiteral("%.0f"));
+  EXPECT_EQ(axis->categoriesLabels().join(u' '), QStringLiteral("0 1 2 3"));
   EXPECT_EQ(axis->min(), 0.0);
   EXPECT_EQ(axis->max(), 3.0);
   ASSERT_NE(valuesOf(*means), nullptr);
-  EXPECT_EQ(valuesOf(*means)->labelFormat(), QStringLiteral("%.1f"));
+  EXPECT_TRUE(valuesOf(*means)->categoriesLabels().contains(QStringLiteral("1.0")));
+}
+
+TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
+  ReportFigure figure;
+  figure.kind = FigureKind::kGroupedBars;
+  figure.categories = {std::string("first"), std::string("second")};
+  FigureSeries differences;
+  differences.name = std::string("differences");
+  differences.y = {-1.4, 2.0};
+  figure.series = {differences};
+  ChartStyle screen;
+  screen.number = [](double value, int decimals) {
+    return QString::number(value, 'f', decimals).replace(u'-', QChar(0x2212));
+  };
+
+  const std::unique_ptr<QChart> printed = buildChart(figure);
+  const std::unique_ptr<QChart> shown = buildChart(figure, screen);
+
+  ASSERT_NE(valuesOf(*shown), nullptr);
+  const QStringList marks = valuesOf(*shown)->categoriesLabels();
+  EXPECT_TRUE(marks.contains(QStringLiteral("\u22122.0"))) << marks.join(u' ').toStdString();
+  EXPECT_TRUE(marks.contains(QStringLiteral("2.0"))) << marks.join(u' ').toStdString();
+  EXPECT_FALSE(marks.join(u' ').contains(u'-')) << marks.join(u' ').toStdString();
+  EXPECT_TRUE(valuesOf(*printed)->categoriesLabels().contains(QStringLiteral("-2.0")));
+  EXPECT_EQ(valuesOf(*shown)->endValue(marks.back()), valuesOf(*shown)->max());
 }
 
 TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
