@@ -7,6 +7,9 @@
 #include <QBuffer>
 #include <QCategoryAxis>
 #include <QChart>
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QGraphicsScene>
 #include <QPdfWriter>
 #include <gtest/gtest.h>
 
@@ -137,6 +140,30 @@ TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
   EXPECT_FALSE(marks.join(u' ').contains(u'-')) << marks.join(u' ').toStdString();
   EXPECT_TRUE(valuesOf(*printed)->categoriesLabels().contains(QStringLiteral("-2.0")));
   EXPECT_EQ(valuesOf(*shown)->endValue(marks.back()), valuesOf(*shown)->max());
+}
+
+TEST(ChartAxes, TheLastNumberBelowIsWholeWithinTheChart) {
+  ReportFigure figure;
+  figure.kind = FigureKind::kForest;
+  figure.categories = {std::string("first"), std::string("second")};
+  FigureSeries differences;
+  differences.name = std::string("differences");
+  differences.y = {-1.4, 2.0};
+  differences.low = {-1.7, 1.7};
+  differences.high = {-1.2, 2.2};
+  figure.series = {differences};
+  QGraphicsScene scene;
+  QChart* chart = buildChart(figure).release();
+  scene.addItem(chart);
+  chart->resize(800, 450);
+  QCoreApplication::processEvents();
+
+  auto* axis = qobject_cast<QCategoryAxis*>(chart->axes(Qt::Horizontal).first());
+  ASSERT_NE(axis, nullptr);
+  const double half =
+      QFontMetricsF(axis->labelsFont()).horizontalAdvance(axis->categoriesLabels().back()) / 2.0;
+  EXPECT_LE(chart->plotArea().right() + half, 800.0);
+  EXPECT_GT(chart->plotArea().right(), 700.0);
 }
 
 TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
