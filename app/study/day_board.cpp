@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/devices/servo_labels.h"
@@ -146,6 +147,7 @@ struct Today {
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
   SheetCounts sheets;
+  std::map<std::string, std::set<std::string>> called;  ///< codes of occasions
 };
 
 Today readToday(SessionContext& session, const CohortId& cohortId) {
@@ -163,6 +165,9 @@ Today readToday(SessionContext& session, const CohortId& cohortId) {
   for (const LiveCall& call : CallRepository(session.connection()).calls(cohortId)) {
     std::int64_t& seen_us = today.seen[call.enrolmentId];
     seen_us = std::max(seen_us, call.cancelled ? 0 : call.calledUtc_us);
+    if (!call.cancelled) {
+      today.called[call.enrolmentId].insert(call.occasionCode);
+    }
   }
   today.slots = SlotRepository(session.connection())
                     .between(cohortId, session.now_us() - kHalfDay_us, session.now_us() + kHalfDay_us);
@@ -180,7 +185,27 @@ Today readToday(SessionContext& session, const CohortId& cohortId) {
   return today;
 }
 
+/// In the order of `occasions`.
+void fillSheets(DayBoardRow& row, const Occasions& occasions, Today& today) {
+  row.sheetsMissing = today.sheets[{row.enrolmentId, row.occasionDue.code}].missing;
+  const std::set<std::string>& called = today.called[row.enrolmentId];
+  for (const Occasion& occasion : occasions) {
+    const std::size_t missing = today.sheets[{row.enrolmentId, occasion.code}].missing;
+    if (missing > 0 && occasion.code != row.occasionDue.code && called.contains(occasion.code)) {
+      row.calledSheets.push_back({occasion, missing});
+    }
+  }
+}
+
 }  // namespace
+
+std::size_t DayBoardRow::allSheetsMissing() const noexcept {
+  std::size_t missing = sheetsMissing;
+  for (const OccasionSheets& one : calledSheets) {
+    missing += one.missing;
+  }
+  return missing;
+}
 
 DayBoard dayBoard(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
@@ -216,7 +241,7 @@ DayBoard dayBoard(SessionContext& session, const CohortId& cohortId) {
     const auto arm = armOfGroup.find(enrolment.groupId);
     fillTraining(row, arm == armOfGroup.end() ? StudyArm{} : *arm->second, today.exposures[enrolment.id]);
     row.occasionDue = occasionDue(board.occasions, row.trained_us(), enrolment.id, today.sheets);
-    row.sheetsMissing = today.sheets[{enrolment.id, row.occasionDue.code}].missing;
+    fillSheets(row, board.occasions, today);
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
       row.station = trial->second.station;
@@ -294,10 +319,16 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
     if (row.groupCode.empty()) {
       ++withoutGroup;
     }
+    const auto missing = [&sheets](const Occasion& occasion, std::size_t count) {
+      const auto [alert, isNew] =
+          sheets.try_emplace(occasion.code, DayAlert{.kind = Kind::kSheetsMissing, .occasion = occasion});
+      alert->second.count += count;
+    };
     if (row.sheetsMissing > 0) {
-      const auto [alert, isNew] = sheets.try_emplace(
-          row.occasionDue.code, DayAlert{.kind = Kind::kSheetsMissing, .occasion = row.occasionDue});
-      alert->second.count += row.sheetsMissing;
+      missing(row.occasionDue, row.sheetsMissing);
+    }
+    for (const OccasionSheets& called : row.calledSheets) {
+      missing(called.occasion, called.missing);
     }
     if (row.overdue) {
       alerts.push_back({.kind = Kind::kSlotOverdue,

@@ -38,6 +38,12 @@ struct PhaseProgress {
 /// nothing is beside its plan.
 [[nodiscard]] bool isPlanned(const StudyArm& arm, ExposureKind kind);
 
+/// Sheets of one trainee at one occasion that are not in.
+struct OccasionSheets {
+  Occasion occasion{};
+  std::size_t missing = 0;  ///< at least one
+};
+
 /// One line of the board.
 struct DayBoardRow {
   EnrolmentId enrolmentId{};
@@ -50,19 +56,22 @@ struct DayBoardRow {
   std::string phaseKind{};
   PhaseProgress progress{};
   std::int64_t restAllowance_us = 0;
-  bool done = false;                      ///< all phases
-  std::vector<ExposureKind> unplanned{};  ///< what the arm spends no time on (isPlanned())
-  Occasion occasionDue{};                 ///< the newest one that the exposure has reached; of
-                                          ///< several, the first that lacks sheets; no code: none
-  std::size_t sheetsMissing = 0;          ///< of that occasion
-  TrialId runningTrialId{};               ///< empty: nothing runs
-  std::string station{};                  ///< where it runs
+  bool done = false;                           ///< all phases
+  std::vector<ExposureKind> unplanned{};       ///< what the arm spends no time on (isPlanned())
+  Occasion occasionDue{};                      ///< the newest one that the exposure has reached; of
+                                               ///< several, the first that lacks sheets; no code: none
+  std::size_t sheetsMissing = 0;               ///< of that occasion
+  std::vector<OccasionSheets> calledSheets{};  ///< of other occasions that the trainee was called to
+  TrialId runningTrialId{};                    ///< empty: nothing runs
+  std::string station{};                       ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
   std::size_t deviations = 0;
   std::optional<DaySlot> slot{};  ///< of today that counts now (slotAt()); empty: none planned
   bool overdue = false;           ///< the slot has begun, the trainee has not
 
   [[nodiscard]] std::int64_t trained_us() const noexcept { return progress.virtual_us + progress.real_us; }
+  /// Of the occasion that is due and of all that the trainee was called to.
+  [[nodiscard]] std::size_t allSheetsMissing() const noexcept;
 };
 
 struct DayBoard {
@@ -82,7 +91,7 @@ struct DayAlert {
     kTrialOpen,      ///< a recording runs on a station that sends no heartbeat
     kSlotOverdue,    ///< the slot has begun, nothing was trained or scored; `station` is the place
     kRestTooLong,    ///< longer than the curriculum allows
-    kSheetsMissing,  ///< of an occasion that the exposure has passed
+    kSheetsMissing,  ///< of an occasion that the exposure has reached, or that trainees were called to
     kNoGroup,        ///< enrolled, but not allocated
   };
   Kind kind = Kind::kStationSilent;

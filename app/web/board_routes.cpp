@@ -71,7 +71,7 @@ HttpResponse answerBoard(Call& call) {
                     {"left_us", row.progress.left_us},
                     {"station", row.runningTrialId.empty() ? "" : row.station},
                     {"occasion", said(row.occasionDue.label)},
-                    {"sheets_missing", row.sheetsMissing},
+                    {"sheets_missing", row.allSheetsMissing()},
                     {"deviations", row.deviations},
                     {"planned_utc_us", row.slot ? json(row.slot->startsUtc_us) : json(nullptr)},
                     {"overdue", row.overdue}});

@@ -27712,6 +27712,10 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
+        <source>Called for %1, sheets missing: %2</source>
+        <translation>已为“%1”呼叫，缺评分表 %2 份</translation>
+    </message>
+    <message>
         <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
         <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
     </message>

@@ -218,5 +218,27 @@ TEST_F(LivePageFollows, ALateSheetCanBeOpenedWhileAnotherCaseIsCalled) {
   EXPECT_TRUE(child<QLabel>(page, "called").text().contains(label(1))) << "says who is called meanwhile";
 }
 
+TEST_F(LivePageFollows, AHastyCtrlEnterDoesNotReachTheNextSheet) {
+  end(call(1, "room 1"));
+  const AssignmentId next = centre_.cases(0, true).at(1);
+  static_cast<void>(saveSheet(desk_.session(), next, torsio::testing::reviewSheet(5, 6, 5), {}));
+  call(0, "room 1");  // comes before the one that is late
+  auto& page = desk_.open<LivePage>();
+  ASSERT_TRUE(shows(page, 0));
+  scoreAll();
+  ASSERT_TRUE(shows(page, 1));
+
+  for (int i = 0; i < 3; ++i) {
+    desk_.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  EXPECT_TRUE(desk_.notices().join(u' ').contains(QStringLiteral("This is the next case")));
+  EXPECT_EQ(openSheet(desk_.session(), next).state, SheetState::kDraft);
+
+  desk_.press(Qt::Key_Down);
+  desk_.press(Qt::Key_Return, Qt::ControlModifier);
+  desk_.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(openSheet(desk_.session(), next).state, SheetState::kSubmitted);
+}
+
 }  // namespace
 }  // namespace torsio::gui

@@ -310,5 +310,37 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   EXPECT_FALSE(form.models[1].submitted);
 }
 
+TEST(EvaluationPage, AHastyCtrlEnterDoesNotReachTheNextModel) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false);
+  DeskOf desk(centre, 0);
+  const EvaluationForm empty = evaluationForms(desk.session())[0];
+  for (const EvaluationFormModel& model : empty.models) {  // nothing is left to do but to seal
+    for (std::size_t i = 0; i < model.scores.size(); ++i) {
+      saveEvaluationScore(desk.session(), empty.campaignId, model.hiddenLabel, i, 70);
+    }
+  }
+  desk.open<EvaluationPage>();
+  const auto sealed = [&] {
+    const EvaluationForm form = evaluationForms(desk.session())[0];
+    return std::count_if(form.models.begin(), form.models.end(),
+                         [](const EvaluationFormModel& model) { return model.submitted; });
+  };
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_EQ(sealed(), 1);
+
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next model")));
+  EXPECT_EQ(sealed(), 1);
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(sealed(), 2);
+}
+
 }  // namespace
 }  // namespace torsio::gui

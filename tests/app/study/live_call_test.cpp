@@ -354,5 +354,33 @@ TEST_F(LiveDay, RemindersNameWhoOwesWhichCaseAndNobodyWhoWasNotAsked) {
   EXPECT_EQ(owed[0].sheets[0].caseLabel, calledCases(office(), cohort).at(0).caseLabel);
 }
 
+TEST_F(LiveDay, TheBoardCountsTheSheetsOfEveryOccasionThatSomebodyWasCalledTo) {
+  train(0, 20);
+  callTrainee(office(), request(0, "mid"));
+  score(0, 0, "mid");
+  callTrainee(office(), request(1, "post", "is away on the last day", "room 2"));  // nothing is trained yet
+  const LiveCallId wrong = callTrainee(office(), request(2, "post", "is away too", "room 3"));
+  cancelCall(office(), cohort, wrong, "somebody else stood there");
+
+  const DayBoard board = dayBoard(office(), cohort);
+  const auto row = [&](std::size_t trainee) {
+    return *std::find_if(board.rows.begin(), board.rows.end(),
+                         [&](const DayBoardRow& r) { return r.enrolmentId == enrolled[trainee]; });
+  };
+
+  EXPECT_EQ(row(0).allSheetsMissing(), 2U) << "of the occasion that is due, once";
+  EXPECT_TRUE(row(0).calledSheets.empty());
+  EXPECT_EQ(row(1).allSheetsMissing() - row(1).sheetsMissing, 3U);
+  ASSERT_EQ(row(1).calledSheets.size(), 1U);
+  EXPECT_EQ(row(1).calledSheets[0].occasion.code, "post");
+  EXPECT_TRUE(row(2).calledSheets.empty()) << "the call was taken back";
+  const std::vector<DayAlert> alerts = dayAlerts(board);
+  const auto late = std::find_if(alerts.begin(), alerts.end(), [](const DayAlert& alert) {
+    return alert.kind == DayAlert::Kind::kSheetsMissing && alert.occasion.code == "post";
+  });
+  ASSERT_NE(late, alerts.end());
+  EXPECT_EQ(late->count, 3U);
+}
+
 }  // namespace
 }  // namespace torsio

@@ -205,6 +205,16 @@ QString TodaysSessionsPage::nowText(const DayBoardRow& row) const {
   return toQString(row.phaseLabel);
 }
 
+Cell TodaysSessionsPage::sheetsCell(const DayBoardRow& row) const {
+  const std::size_t missing = row.allSheetsMissing();
+  QStringList called;
+  for (const OccasionSheets& one : row.calledSheets) {
+    called << tr("Called for %1, sheets missing: %2").arg(occasionName(one.occasion)).arg(one.missing);
+  }
+  return {missing == 0 ? QStringLiteral("\u2013") : QString::number(missing), static_cast<qlonglong>(missing),
+          called.join(QLatin1Char('\n'))};
+}
+
 Cell TodaysSessionsPage::slotCell(const DayBoardRow& row) const {
   if (!row.slot) {
     return {QStringLiteral("\u2013"), QVariant(static_cast<qlonglong>(0))};
@@ -224,25 +234,23 @@ void TodaysSessionsPage::showContent() {
     for (const DayBoardRow& row : board_->rows) {
       running += row.runningTrialId.empty() ? 0 : 1;
       done += row.done ? 1 : 0;
-      sheets += row.sheetsMissing;
+      sheets += row.allSheetsMissing();
       const bool open = !row.done && !row.phaseLabel.empty() && row.state != EnrolmentState::kWithdrawn;
-      rows.push_back(
-          {toQString(row.enrolmentId),
-           {{toQString(row.traineeCode)},
-            {orDash(row.groupCode), {}, toQString(row.armLabel)},
-            {nowText(row)},
-            {open ? clockTime(row.progress.left_us) : QStringLiteral("\u2013"),
-             static_cast<qlonglong>(open ? row.progress.left_us : -1)},
-            {open ? clockTime(row.progress.restLeft_us) : QStringLiteral("\u2013"),
-             static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
-            {row.runningTrialId.empty() ? QStringLiteral("\u2013")
-                                        : tr("records at %1").arg(toQString(row.station))},
-            {occasionName(row.occasionDue)},
-            {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
-             static_cast<qlonglong>(row.sheetsMissing)},
-            {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
-             static_cast<qlonglong>(row.deviations)},
-            slotCell(row)}});
+      rows.push_back({toQString(row.enrolmentId),
+                      {{toQString(row.traineeCode)},
+                       {orDash(row.groupCode), {}, toQString(row.armLabel)},
+                       {nowText(row)},
+                       {open ? clockTime(row.progress.left_us) : QStringLiteral("\u2013"),
+                        static_cast<qlonglong>(open ? row.progress.left_us : -1)},
+                       {open ? clockTime(row.progress.restLeft_us) : QStringLiteral("\u2013"),
+                        static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
+                       {row.runningTrialId.empty() ? QStringLiteral("\u2013")
+                                                   : tr("records at %1").arg(toQString(row.station))},
+                       {occasionName(row.occasionDue)},
+                       sheetsCell(row),
+                       {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
+                        static_cast<qlonglong>(row.deviations)},
+                       slotCell(row)}});
     }
   }
   table_->setRows(std::move(rows));

@@ -60,6 +60,8 @@ class TodaysSessionsPage : public Page {
   [[nodiscard]] const DayBoardRow* current() const;
   /// All that are chosen, in the order of the board.
   [[nodiscard]] std::vector<const DayBoardRow*> chosen() const;
+  /// How many are missing; the tip: of which other occasions the trainee was called to.
+  [[nodiscard]] Cell sheetsCell(const DayBoardRow& row) const;
   [[nodiscard]] Cell slotCell(const DayBoardRow& row) const;
   [[nodiscard]] QString nowText(const DayBoardRow& row) const;
   /// What the last check of a station's device found: sign and word, never colour alone.
