@@ -8,7 +8,9 @@
 #include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/merit.h"
 #include "assessment/attempt/recorded_loads.h"
+#include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/metric_cards.h"
+#include "assessment/metrics/signal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -85,6 +87,18 @@ std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
     }
   }
   return since;
+}
+
+/// Whether samples are missing where something was to be measured.
+bool tornRun(const Timeline& line, const MeasuredTrial& measured) {
+  if (longGaps(line.times_us).empty()) {
+    return false;
+  }
+  const bool tornTwist =
+      std::any_of(measured.twists.begin(), measured.twists.end(), [](const MeasuredTwist& twist) {
+        return !twist.metrics || twist.twist.ending == TwistEnding::kNotSeen;
+      });
+  return tornTwist || (measured.detorsion && !measured.detorsion->metrics);
 }
 
 DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
@@ -166,6 +180,7 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
     out.grips_s.push_back(twist->start_s);
   }
   out.unfinishedTwists = measured.unfinished();
+  out.torn = tornRun(line, measured);
   out.checks = targetChecks(measured, rules);
   out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {

@@ -82,6 +82,7 @@ struct Debrief {
   bool forceFelt = true;           ///< false: computed and shown; its measures are marked
   Text servoTrouble{};             ///< app/devices/servo_labels.h; empty: none
   Text servoRemedy{};              ///< what to do about it
+  bool torn = false;               ///< the computer lost more than 20 ms of a twist: its measures are missing
   bool passed = false;             ///< every check
   CompetenceVerdict competence{};  ///< of all runs at the module; no attempts in its errors: there is none
   double target_rad = 0.0;

@@ -20786,6 +20786,22 @@ MSM = 质点弹簧</translation>
         <translation>本次运行可测量的部分太少，无法与专家的运行比较。</translation>
     </message>
     <message>
+        <source>This is not your fault: the computer lost part of this run, so not all of it could be measured. Close other programs at this station, then press Again.</source>
+        <translation>这不是您的问题：计算机丢失了本次运行的一部分，因此未能全部测量。请关闭本工作站上的其他程序，然后按“再来一次”。</translation>
+    </message>
+    <message>
+        <source>Not judged: the computer was too busy</source>
+        <translation>未作评判：计算机当时过于繁忙</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>The computer was too busy to record your twists without gaps: nothing can be said of them.</source>
+        <translation>计算机当时过于繁忙，扭转记录有间断：无法对其作出评价。</translation>
+    </message>
+    <message>
         <source>Force was shown, not felt: the device of this run gives none. Its measures are computed.</source>
         <translation>力只显示、感觉不到：本次操作的设备不提供力。力的测量值由模型计算。</translation>
     </message>

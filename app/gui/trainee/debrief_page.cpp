@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/debrief_page.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QCheckBox>
@@ -283,6 +284,10 @@ void DebriefPage::fillNotes() {
     words->setText(text);
     checks_->addWidget(words);
   };
+  if (debrief_.torn) {
+    add("torn", tr("This is not your fault: the computer lost part of this run, so not all of it could be "
+                   "measured. Close other programs at this station, then press Again."));
+  }
   if (debrief_.unfinishedTwists > 0) {
     add("unfinished", tr("%n twist(s) not completed and not counted.", nullptr,
                          static_cast<int>(debrief_.unfinishedTwists)));
@@ -325,8 +330,13 @@ void DebriefPage::fill() {
   if (!any) {
     return;
   }
+  // What was measured and missed is missed, however busy the computer was.
+  const bool unjudged =
+      debrief_.torn && std::all_of(debrief_.checks.begin(), debrief_.checks.end(),
+                                   [](const TargetCheck& check) { return check.passed || !check.value; });
   verdict_->setText(debrief_.interrupted ? tr("Interrupted: kept, not counted")
                     : debrief_.passed    ? tr("Passed: every target was reached")
+                    : unjudged           ? tr("Not judged: the computer was too busy")
                                          : tr("Not passed yet"));
   setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
   setLook(verdict_, "caution", !debrief_.passed);
@@ -338,9 +348,16 @@ void DebriefPage::fill() {
   for (const TargetCheck& check : debrief_.checks) {
     auto* row = new QHBoxLayout;
     auto* mark = new QLabel(targets_);
-    showIcon(mark, check.passed ? QStringLiteral("check") : QStringLiteral("close"),
-             check.passed ? theme_->good : theme_->caution, 16);
-    mark->setAccessibleName(check.passed ? tr("passed") : tr("not passed"));
+    const bool lost = debrief_.torn && !check.value;
+    showIcon(mark,
+             lost           ? QStringLiteral("info")
+             : check.passed ? QStringLiteral("check")
+                            : QStringLiteral("close"),
+             lost           ? theme_->quietText
+             : check.passed ? theme_->good
+                            : theme_->caution,
+             16);
+    mark->setAccessibleName(lost ? tr("not measured") : check.passed ? tr("passed") : tr("not passed"));
     auto* words = plainLabel(targets_);
     words->setText(StationLabels::check(check, debrief_.twists.size()));
     row->addWidget(mark, 0, Qt::AlignTop);
@@ -355,12 +372,16 @@ void DebriefPage::fill() {
     addFinding(weaknesses_, finding, false);
   }
   if (debrief_.strengths.empty()) {
+    const QString tooLittle =
+        debrief_.torn
+            ? tr("The computer was too busy to record your twists without gaps: nothing can be said "
+                 "of them.")
+            : tr("Too little of this run could be measured to compare it with the expert's.");
     for (QVBoxLayout* column : {strengths_, weaknesses_}) {
       auto* none = plainLabel(this, "quiet");
       none->setText(debrief_.twists.empty()          ? tr("No twist was finished in this run.")
                     : debrief_.expert.time_s.empty() ? tr("There is no expert's run to compare with.")
-                                                     : tr("Too little of this run could be measured to "
-                                                          "compare it with the expert's."));
+                                                     : tooLittle);
       column->addWidget(none);
     }
   }

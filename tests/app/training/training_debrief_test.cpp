@@ -153,6 +153,25 @@ TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
   EXPECT_EQ(measures.unfinished, 1);
 }
 
+TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
+  const Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  const std::vector<Sample> whole = decodeTrial(trial);
+  const auto without = [&](double angle) {
+    std::vector<Sample> torn = whole;
+    const auto at = std::find_if(torn.begin(), torn.end(), [angle](const Sample& sample) {
+      return sample.response.angle_rad > angle * trainingBar().pattern.targetAngle_rad;
+    });
+    torn.erase(at, at + 50);
+    return torn;
+  };
+  std::vector<Sample> before = whole;  // the hand is still on its way
+  before.erase(before.begin() + 10, before.begin() + 60);
+
+  EXPECT_TRUE(makeDebrief(trial.header, without(0.5), {}, &trial).torn);
+  EXPECT_FALSE(makeDebrief(trial.header, whole, {}, &trial).torn);
+  EXPECT_FALSE(makeDebrief(trial.header, before, {}, &trial).torn) << "no twist was touched";
+}
+
 TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
   TrainingCentre centre;
   const std::string first = centre.attempt("first", "practice", kExpert);
