@@ -19498,8 +19498,8 @@ MSM = 质点弹簧</translation>
         <translation>评分组的评分已公开：您可说明理由后调整评分，该调整会标记为在公开之后作出。两个版本都会保留。</translation>
     </message>
     <message>
-        <source>Auto-advance</source>
-        <translation>自动前进</translation>
+        <source>Au&amp;to-advance</source>
+        <translation>自动前进(&amp;T)</translation>
     </message>
     <message>
         <source>After each figure the next row is marked by itself</source>

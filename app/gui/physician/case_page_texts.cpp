@@ -35,7 +35,7 @@ void CasePage::retranslate() {
   redo_->setText(tr("Redo"));
   clear_->setText(tr("Clear"));
   clear_->setToolTip(tr("Takes every mark, reason and comment away; Undo brings them back"));
-  advance_->setText(tr("Auto-advance"));
+  advance_->setText(tr("Au&to-advance"));
   advance_->setToolTip(tr("After each figure the next row is marked by itself"));
   submit_->setText(tr("Submit"));
   submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
@@ -68,6 +68,8 @@ std::vector<std::pair<QString, QString>> CasePage::keys() const {
 void CasePage::applyTheme(const Theme& theme) {
   replay_->setTheme(theme);
   sheet_->setTheme(theme);
+  remarks_->clear();  // the same text anew: a label keeps the colour that its links had
+  showRemarks();
 }
 
 QString CasePage::rowName(const std::string& row) const {
