@@ -103,6 +103,7 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
     showLines();
   });
   connect(&tick_, &QTimer::timeout, this, &LivePage::showClock);
+  follow_.setParent(this);
   follow_.setInterval(kFollow_ms);
   connect(&follow_, &QTimer::timeout, this, &LivePage::lookForCalls);
 }
@@ -177,7 +178,7 @@ void LivePage::lookForCalls() {
             }
             return states;
           };
-          if (!follow_.isActive() || stateOf(lines) == stateOf(lines_)) {
+          if (!follow_.isActive() || holdsButton(*this) || stateOf(lines) == stateOf(lines_)) {
             return;  // no line is made anew under a finger
           }
           lines_ = lines;

@@ -7,7 +7,10 @@
 #include <optional>
 #include <string>
 
+#include <QAbstractButton>
 #include <QLabel>
+#include <QPointer>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 #include <gtest/gtest.h>
@@ -20,6 +23,7 @@
 #include "app/study/live_call.h"
 #include "assessment/rating/sheet_check.h"
 #include "tests/app/gui/desk_of.h"
+#include "tests/app/gui/page_clock.h"
 #include "tests/app/gui/visible_texts.h"
 #include "tests/app/support/review_centre.h"
 
@@ -95,6 +99,27 @@ TEST_F(LivePageFollows, BeginsTheNextSheetAtItsFirstRow) {
   ASSERT_NE(editorOf(page), nullptr);
   EXPECT_TRUE(editorOf(page)->answer(editorOf(page)->order().front()).score_steps.has_value());
   EXPECT_FALSE(editorOf(page)->answer(kOverallRow).score_steps.has_value());
+}
+
+TEST_F(LivePageFollows, ALineThatIsPressedIsNotMadeAnewBeforeItIsLetGo) {
+  call(2, "room 1");
+  auto& page = desk_.open<LivePage>();
+  const QList<QToolButton*> all = page.findChildren<QToolButton*>();
+  const auto line = std::find_if(all.begin(), all.end(), [&](const QToolButton* one) {
+    return one->isVisible() && one->text().contains(label(2));
+  });
+  ASSERT_NE(line, all.end());
+  const QPointer<QToolButton> pressed(*line);
+  const QSignalSpy clicks(pressed, &QToolButton::clicked);
+  QTest::mousePress(pressed, Qt::LeftButton);
+
+  call(1, "room 2");
+  ASSERT_TRUE(looksAnew(page));
+
+  ASSERT_FALSE(pressed.isNull());
+  EXPECT_TRUE(pressed->isVisible() && pressed->isDown());
+  QTest::mouseRelease(pressed, Qt::LeftButton);
+  EXPECT_EQ(clicks.count(), 1);
 }
 
 TEST_F(LivePageFollows, StaysWithTheRoomThatItWatches) {
