@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/debrief_page.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QCheckBox>
@@ -329,9 +330,13 @@ void DebriefPage::fill() {
   if (!any) {
     return;
   }
+  // What was measured and missed is missed, however busy the computer was.
+  const bool unjudged =
+      debrief_.torn && std::all_of(debrief_.checks.begin(), debrief_.checks.end(),
+                                   [](const TargetCheck& check) { return check.passed || !check.value; });
   verdict_->setText(debrief_.interrupted ? tr("Interrupted: kept, not counted")
                     : debrief_.passed    ? tr("Passed: every target was reached")
-                    : debrief_.torn      ? tr("Not judged: the computer was too busy")
+                    : unjudged           ? tr("Not judged: the computer was too busy")
                                          : tr("Not passed yet"));
   setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
   setLook(verdict_, "caution", !debrief_.passed);
@@ -367,14 +372,16 @@ void DebriefPage::fill() {
     addFinding(weaknesses_, finding, false);
   }
   if (debrief_.strengths.empty()) {
+    const QString tooLittle =
+        debrief_.torn
+            ? tr("The computer was too busy to record your twists without gaps: nothing can be said "
+                 "of them.")
+            : tr("Too little of this run could be measured to compare it with the expert's.");
     for (QVBoxLayout* column : {strengths_, weaknesses_}) {
       auto* none = plainLabel(this, "quiet");
       none->setText(debrief_.twists.empty()          ? tr("No twist was finished in this run.")
                     : debrief_.expert.time_s.empty() ? tr("There is no expert's run to compare with.")
-                    : debrief_.torn                  ? tr("The computer was too busy to record your twists "
-                                                                           "without gaps: nothing can be said of them.")
-                                                     : tr("Too little of this run could be measured to "
-                                                                           "compare it with the expert's."));
+                                                     : tooLittle);
       column->addWidget(none);
     }
   }
