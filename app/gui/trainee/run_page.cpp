@@ -120,6 +120,8 @@ void RunPage::enter(const QVariant& argument) {
         }
         runSession_.emplace(shell().session(), request, *desk_.clock, shell().line());
       })) {
+    inFile_ = false;
+    retranslate();  // nothing of the run before stays
     return;
   }
   if (!runSession_) {

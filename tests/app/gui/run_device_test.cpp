@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run and its haptic device: waiting for it, giving it up, and losing it in the middle.
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <semaphore>
 #include <utility>
 #include <vector>
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QTimer>
 
 #include "app/gui/widgets/child.h"
 #include "assessment/attempt/trial_listing.h"
@@ -66,6 +71,33 @@ std::vector<TrialOutcome> outcomes(TrainingCentre& centre) {
     }
   }
   return all;
+}
+
+TEST(RunDevice, ARefusedRunShowsNothingOfTheRunBefore) {
+  TrainingCentre centre;
+  Station station(centre);
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  const std::unique_ptr<Page> kept = std::move(station.page);  // as the desk keeps its pages
+  auto& run = static_cast<RunPage&>(*kept);
+  QTimer::singleShot(0, qApp, [] {
+    if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      question->buttons().front()->click();  // end the run
+    }
+  });
+  child<QPushButton>(run, "stop").click();
+  ASSERT_FALSE(run.busy());
+
+  station.desk().graded = true;
+  station.desk().readiness = torsio::testing::deviceWith(Light::kAmber);
+  run.enter({});
+
+  EXPECT_FALSE(station.problems.isEmpty()) << "good enough for practice only";
+  const QList<QLabel*> labels = run.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+    return label->text() == QStringLiteral("No run goes on");
+  }));
+  EXPECT_FALSE(child<QPushButton>(run, "stop").isEnabled());
 }
 
 TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
