@@ -6,6 +6,7 @@
 
 #include "app/access/first_run.h"
 #include "app/access/kiosk_codes.h"
+#include "app/access/settings_service.h"
 #include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/job_panel.h"
@@ -229,6 +230,7 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           startLine();
           centre_ = toQString(choice.first.centre);
           if (lookedAt_) {
+            setGradedWithMouse(*session_, true);  // a visitor has no device, and nothing counts
             visitor_ = actor;
             visit_->setSeen(VisitedDesk::kAdministrator);
             enterDesk();

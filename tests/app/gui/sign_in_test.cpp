@@ -20,6 +20,7 @@
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/shell_window.h"
 #include "tests/app/gui/shown_screen.h"
@@ -85,6 +86,8 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   EXPECT_TRUE(QFileInfo::exists(file));
   EXPECT_FALSE(QFileInfo::exists(setup().locator));
   EXPECT_EQ(demonstrationSize(*window_->session()).people, 1);
+  EXPECT_EQ(SettingRepository(window_->session()->connectionWithoutRight()).value("graded_with_mouse"),
+            "yes");
   window_->chooseTheme(ThemeKind::kDark);
   addUser(*window_->session(),
           {.login = "demo", .roles = {"trainee"}, .startPassword = kStartPassword, .demonstration = true});
