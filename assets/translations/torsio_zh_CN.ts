@@ -32,7 +32,11 @@
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation>%1 等，另有 %2 项</translation>
+        <translation>%1，另有 %2 个</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -111,7 +115,7 @@
     </message>
     <message>
         <source>%1 The newest version is %2: %3.</source>
-        <translation>%1 最新版本为第 %2 版：%3。</translation>
+        <translation>%1最新版本为第 %2 版：%3。</translation>
     </message>
     <message>
         <source>No cohort follows it.</source>
@@ -1575,7 +1579,7 @@
     <message numerus="yes">
         <source>%n more attempt(s) until a level is shown</source>
         <translation>
-            <numerusform>再尝试 %n 次即显示水平</numerusform>
+            <numerusform>再尝试 %n 次后才能判定水平</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2915,7 +2919,7 @@
     </message>
     <message>
         <source>Hold the stylus: it will push upwards with %1 N for %2 s</source>
-        <translation>请握住手写笔：将以 %1 N 向上推 %2 秒</translation>
+        <translation>请握住操作笔：将以 %1 N 向上推 %2 秒</translation>
     </message>
     <message>
         <source>Importing</source>
@@ -3347,15 +3351,15 @@
     </message>
     <message>
         <source>Put the stylus firmly into the inkwell and repeat the check</source>
-        <translation>请将手写笔牢固插入笔座，然后再次检查</translation>
+        <translation>请将操作笔牢固插入笔座，然后再次检查</translation>
     </message>
     <message>
         <source>Put the stylus into the inkwell and leave it there</source>
-        <translation>请将手写笔插入笔座并保持不动</translation>
+        <translation>请将操作笔插入笔座并保持不动</translation>
     </message>
     <message>
         <source>Put the stylus into the inkwell and repeat the check</source>
-        <translation>请将手写笔插入笔座，然后再次检查</translation>
+        <translation>请将操作笔插入笔座，然后再次检查</translation>
     </message>
     <message>
         <source>Put the whole value in quotes and double each quote in it</source>
@@ -3483,7 +3487,7 @@
     </message>
     <message>
         <source>Repeat the check and hold the stylus</source>
-        <translation>请握住手写笔，再次检查</translation>
+        <translation>请握住操作笔，再次检查</translation>
     </message>
     <message>
         <source>Repeat the device check, or practise with mouse and keyboard</source>
@@ -3495,7 +3499,7 @@
     </message>
     <message>
         <source>Rest the stylus in the inkwell for a moment before training</source>
-        <translation>训练前请将手写笔在笔座中放置片刻</translation>
+        <translation>训练前请将操作笔在笔座中放置片刻</translation>
     </message>
     <message>
         <source>Restore it from the installation</source>
@@ -3671,7 +3675,7 @@
     </message>
     <message>
         <source>Take the stylus out of the inkwell and hold it in the middle of the workspace</source>
-        <translation>请将手写笔从笔座取出，握在工作空间中央</translation>
+        <translation>请将操作笔从笔座取出，握在工作空间中央</translation>
     </message>
     <message>
         <source>Tears and jerks</source>
@@ -4667,7 +4671,7 @@
     </message>
     <message>
         <source>not tested: the stylus stayed in the inkwell</source>
-        <translation>未测试：手写笔一直在笔座中</translation>
+        <translation>未测试：操作笔一直在笔座中</translation>
     </message>
     <message>
         <source>nothing of the organ lies beyond the cut at its %1 end</source>
@@ -5351,7 +5355,7 @@
     </message>
     <message>
         <source>the resting stylus wanders by %1 degrees</source>
-        <translation>静置的手写笔漂移 %1 度</translation>
+        <translation>静置的操作笔漂移 %1 度</translation>
     </message>
     <message>
         <source>the roster has a header but nobody in it</source>
@@ -5439,7 +5443,7 @@
     </message>
     <message>
         <source>the stylus moved faster than the device allows</source>
-        <translation>手写笔移动快于设备允许</translation>
+        <translation>操作笔移动快于设备允许</translation>
     </message>
     <message>
         <source>the surface has %1 triangles, more than a tick can look at</source>
@@ -5483,11 +5487,11 @@
     </message>
     <message>
         <source>the turn of the resting stylus wanders by %1 degrees</source>
-        <translation>静置手写笔的转角漂移 %1 度</translation>
+        <translation>静置操作笔的转角漂移 %1 度</translation>
     </message>
     <message>
         <source>the turn of the stylus has no reference yet</source>
-        <translation>手写笔的转角尚无参考</translation>
+        <translation>操作笔的转角尚无参考</translation>
     </message>
     <message>
         <source>the two databases have different schemas</source>
@@ -5987,7 +5991,7 @@
     </message>
     <message>
         <source>mt19937_64, bounded by rejection, Fisher-Yates from the back</source>
-        <translation>mt19937_64，拒绝法取界，自末位的 Fisher-Yates 洗牌</translation>
+        <translation>mt19937_64，拒绝法取界，自末位起的 Fisher-Yates 洗牌</translation>
     </message>
     <message>
         <source>late</source>
@@ -9455,7 +9459,7 @@
     </message>
     <message>
         <source>settling (s)</source>
-        <translation>趋衡（s）</translation>
+        <translation>趋于平衡（s）</translation>
     </message>
     <message>
         <source>last angle (deg)</source>
@@ -9463,7 +9467,7 @@
     </message>
     <message>
         <source>Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last angle: as the last frame showed it.</source>
-        <translation>每帧：中位数。趋衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
+        <translation>每帧：中位数。趋于平衡：从最后一帧到平衡，不计入扭转用时。末帧角：最后一帧显示的角度。</translation>
     </message>
     <message>
         <source>The grasp must lie in (0, 1], as a fraction of the organ&apos;s length</source>
@@ -10923,7 +10927,7 @@
     </message>
     <message>
         <source>Commitment to the seed: %1, made %2, before the first enrolment.</source>
-        <translation>对种子的承诺：%1，作出于 %2，在首次入组之前。</translation>
+        <translation>对种子的承诺：%1，于 %2 作出，在首次入组之前。</translation>
     </message>
     <message>
         <source>The sequence was repeated from the seed and was NOT found the same.</source>
@@ -12445,7 +12449,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
-        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC-CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
+        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC‑CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
     </message>
     <message>
         <source>not shown yet, %1 {attempt|attempts} missing</source>
@@ -12645,11 +12649,11 @@ audit trail %3</source>
     </message>
     <message>
         <source>Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.</source>
-        <translation>对种子的承诺：%1，作出于 %2，当时已有 %3 名学员分组。</translation>
+        <translation>对种子的承诺：%1，于 %2 作出，当时已有 %3 名学员分组。</translation>
     </message>
     <message>
         <source>Commitment to the seed: %1, made %2, before anybody was allocated and after %3 {trainee|trainees} had been enrolled.</source>
-        <translation>对种子的承诺：%1，作出于 %2，在任何人分组之前、%3 名学员入组之后。</translation>
+        <translation>对种子的承诺：%1，于 %2 作出，在任何人分组之前、%3 名学员入组之后。</translation>
     </message>
     <message>
         <source>%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
@@ -14097,7 +14101,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>The overall mark lies outside the rows. Is that meant?</source>
-        <translation>总评超出各项评分范围，是否有意如此？</translation>
+        <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
         <source>The panel&apos;s marks are open: you move your mark with a reason, and it is flagged as moved after them. Both versions are kept.</source>
@@ -15997,7 +16001,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>For your eyes only: overall marks of cases that all have submitted. The mean of the others does not hold your own mark.</source>
-        <translation>仅供您本人查看：所有人均已提交的案例的总评。他人均分不含您自己的评分。</translation>
+        <translation>仅供您本人查看：所有人均已提交的案例的总分。他人均分不含您自己的评分。</translation>
     </message>
     <message>
         <source>From</source>
@@ -16137,15 +16141,15 @@ audit trail %3</source>
     </message>
     <message>
         <source>points from the panel: you are milder.</source>
-        <translation>分，与专家组之差：您较宽松。</translation>
+        <translation>分（与专家组之差）：您较宽松。</translation>
     </message>
     <message>
         <source>points from the panel: you are stricter.</source>
-        <translation>分，与专家组之差：您较严格。</translation>
+        <translation>分（与专家组之差）：您较严格。</translation>
     </message>
     <message>
         <source>points from the panel: you judge as the others do.</source>
-        <translation>分，与专家组之差：您与他人判断一致。</translation>
+        <translation>分（与专家组之差）：您与他人判断一致。</translation>
     </message>
     <message>
         <source>Pressure</source>
@@ -18973,6 +18977,14 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>未交：%1</translation>
     </message>
     <message>
+        <source>: </source>
+        <translation>：</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
+    <message>
         <source>Copy reminder</source>
         <translation>复制提醒</translation>
     </message>
@@ -19407,7 +19419,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>The overall mark lies outside the rows. Is that meant?</source>
-        <translation>总评超出各项评分范围，是否有意如此？</translation>
+        <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
         <source>Submitting seals the sheet.</source>
@@ -19661,7 +19673,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Trainees of %1</source>
-        <translation>%1 的学员</translation>
+        <translation>学员名单：%1</translation>
     </message>
     <message>
         <source>Enrol trainees</source>
@@ -19797,7 +19809,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Trainees of %1 (planned: differences up to %2 points do not matter)</source>
-        <translation>%1 的学员（计划：不超过 %2 分的差异无关紧要）</translation>
+        <translation>学员名单：%1（计划：不超过 %2 分的差异无关紧要）</translation>
     </message>
     <message>
         <source>Everybody</source>
@@ -21204,7 +21216,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>%1:%2 h</source>
-        <translation>%1:%2 小时</translation>
+        <translation>%1:%2（时:分）</translation>
     </message>
     <message>
         <source>open, %1 %</source>
@@ -21538,7 +21550,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Not checked yet in this session. The check takes a few seconds; put the stylus into the inkwell first.</source>
-        <translation>本次尚未检查。检查需几秒钟；请先将手写笔插入笔座。</translation>
+        <translation>本次尚未检查。检查需几秒钟；请先将操作笔插入笔座。</translation>
     </message>
     <message>
         <source>This station can do graded runs with the device: %1 servo ticks a second.</source>
@@ -21566,7 +21578,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>&amp;Force test: somebody holds the stylus</source>
-        <translation>力测试：有人握住手写笔(&amp;F)</translation>
+        <translation>力测试：有人握住操作笔(&amp;F)</translation>
     </message>
     <message>
         <source>Result</source>
@@ -22837,7 +22849,7 @@ Its public part, to be kept where heads are checked: %2</source>
     <name>torsio::gui::InstrumentOutletDialog</name>
     <message>
         <source>&amp;Offer the instrument of this station (OpenIGTLink)</source>
-        <translation>向其他程序提供本工作站的器械数据(OpenIGTLink)(&amp;O)</translation>
+        <translation>向其他程序提供本工作站的器械数据（OpenIGTLink）(&amp;O)</translation>
     </message>
     <message>
         <source>Other programs</source>
@@ -22917,7 +22929,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Hinge, from the tip</source>
-        <translation>铰链，距尖端</translation>
+        <translation>铰链到尖端的距离</translation>
     </message>
     <message>
         <source>Each jaw opens by</source>
@@ -22977,7 +22989,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Each jaw is drawn open by</source>
-        <translation>图纸中每片钳口张开</translation>
+        <translation>图中每片钳口的张角</translation>
     </message>
 </context>
 <context>
@@ -23242,7 +23254,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Show earlier ones (%1)</source>
-        <translation>显示先前的（%1）</translation>
+        <translation>显示较早的案例（%1）</translation>
     </message>
     <message>
         <source>Saved on this machine</source>
@@ -24138,7 +24150,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>the account&apos;s own (~/.postgresql/root.crt)</source>
-        <translation>账号自带的证书（~/.postgresql/root.crt）</translation>
+        <translation>账户自带的证书（~/.postgresql/root.crt）</translation>
     </message>
     <message>
         <source>Sw&amp;itch this station over</source>
@@ -24462,7 +24474,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::OrganSettings</name>
     <message>
         <source>&amp;Unit of the file</source>
-        <translation>文件的单位(&amp;U)</translation>
+        <translation>文件单位(&amp;U)</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -24574,7 +24586,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>cut there: what lies beyond follows as a whole</source>
-        <translation>在此截断：以外的部分整体跟随</translation>
+        <translation>在此截断，其外部分随之整体移动</translation>
     </message>
 </context>
 <context>
@@ -24673,7 +24685,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>What you know of it</source>
-        <translation>您所知的情况</translation>
+        <translation>已知信息</translation>
     </message>
     <message>
         <source>Back</source>
@@ -27749,7 +27761,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Plan the da&amp;y…</source>
-        <translation>安排当日(&amp;Y)…</translation>
+        <translation>安排当日日程(&amp;Y)…</translation>
     </message>
     <message>
         <source>Planned</source>
@@ -28310,7 +28322,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>● submitted %1 · ○ open or ◐ draft %2</source>
-        <translation>● 已提交 %1 · ○ 未开始或 ◐ 草稿 %2</translation>
+        <translation>● 已提交 %1 · ○ 未开始和 ◐ 草稿共 %2</translation>
     </message>
     <message>
         <source>Ad&amp;judicator (%1)…</source>
@@ -28413,15 +28425,15 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::SeverityPage</name>
     <message>
         <source>points from the panel: you judge as the others do.</source>
-        <translation>分，与专家组之差：您与他人判断一致。</translation>
+        <translation>分（与专家组之差）：您与他人判断一致。</translation>
     </message>
     <message>
         <source>points from the panel: you are stricter.</source>
-        <translation>分，与专家组之差：您较严格。</translation>
+        <translation>分（与专家组之差）：您较严格。</translation>
     </message>
     <message>
         <source>points from the panel: you are milder.</source>
-        <translation>分，与专家组之差：您较宽松。</translation>
+        <translation>分（与专家组之差）：您较宽松。</translation>
     </message>
     <message>
         <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others&apos; %5.</source>
@@ -28457,7 +28469,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>For your eyes only. Overall marks of cases that all have submitted; the mean of the others does not contain yours.</source>
-        <translation>仅供您本人查看。取所有人均已提交案例的总评；他人均分不含您的评分。</translation>
+        <translation>仅供您本人查看。取所有人均已提交案例的总分；他人均分不含您的评分。</translation>
     </message>
     <message>
         <source>You and the panel</source>
@@ -28477,7 +28489,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>You</source>
-        <translation>自评</translation>
+        <translation>您</translation>
     </message>
     <message>
         <source>Panel</source>
@@ -28804,11 +28816,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Touching. Hold the first button of the stylus to grip</source>
-        <translation>已接触。按住手写笔的第一个按钮以夹持</translation>
+        <translation>已接触。按住操作笔的第一个按钮以夹持</translation>
     </message>
     <message>
         <source>Holding. Lead the stylus round to twist; let the button go to release</source>
-        <translation>已夹持。引导手写笔绕行以扭转；松开按钮即释放</translation>
+        <translation>已夹持。引导操作笔绕行以扭转；松开按钮即释放</translation>
     </message>
     <message>
         <source>The tissue returns to rest</source>
@@ -29908,7 +29920,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>%1 Line and band: learning curve with its 95 % band.</source>
-        <translation>%1曲线与色带：学习曲线及其 95% 区间。</translation>
+        <translation>%1曲线与色带：学习曲线及其 95 % 区间。</translation>
     </message>
     <message>
         <source>Attempt</source>
@@ -30188,7 +30200,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>&amp;Accounts for the roster…</source>
-        <translation>为名册建立账户(&amp;A)…</translation>
+        <translation>按名册建立账户(&amp;A)…</translation>
     </message>
     <message>
         <source>Person</source>

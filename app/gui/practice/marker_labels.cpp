@@ -16,7 +16,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kLabelRadius_px = 10.0;
-constexpr double kHiddenShare = 0.35;      ///< of the opacity, on the far side
+constexpr double kHiddenShare = 0.35;      ///< of the opacity of the disc, on the far side
+constexpr double kHiddenNumber = 0.7;      ///< of its number, which stays readable
 constexpr double kSkinThickness_mm = 1.0;  ///< a marker lies this near to what is seen
 
 }  // namespace
@@ -74,10 +75,12 @@ void MarkerLabels::paintEvent(QPaintEvent*) {
     const bool chosen = marker.number == chosen_;
     const QRectF disc(pixelOf(marker) - QPointF(kLabelRadius_px, kLabelRadius_px),
                       QSizeF(2.0 * kLabelRadius_px, 2.0 * kLabelRadius_px));
-    painter.setOpacity(isHidden(marker) && !chosen ? kHiddenShare : 1.0);
+    const bool hidden = isHidden(marker) && !chosen;
+    painter.setOpacity(hidden ? kHiddenShare : 1.0);
     painter.setPen(QPen(theme_.accent, 2.0));
     painter.setBrush(chosen ? theme_.accent : theme_.surface);
     painter.drawEllipse(disc);
+    painter.setOpacity(hidden ? kHiddenNumber : 1.0);
     painter.setPen(chosen ? theme_.onAccent : theme_.text);
     painter.drawText(disc, Qt::AlignCenter, QString::number(marker.number));
   };

@@ -109,11 +109,16 @@ void DebriefPage::connectParts() {
   connect(replay_, &DebriefReplay::moved, plot_, &DebriefPlot::setPosition);
   connect(plot_, &DebriefPlot::soughtTo, replay_, &DebriefReplay::seek);
   connect(whole_, &QPushButton::clicked, plot_, &DebriefPlot::showAll);
-  connect(bookmark_, &QPushButton::clicked, this,
-          [this] { addBookmarkAt(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
+  connect(bookmark_, &QPushButton::clicked, this, [this] { addBookmarkAt(moment_s_); });
   connect(plot_, &DebriefPlot::bookmarkWanted, this, &DebriefPage::addBookmarkAt);
+  // The moment in question is where the run was last moved to: by its slider, or by what the plot shows.
+  const auto choose = [this](double at_s) {
+    moment_s_ = at_s;
+    ask_->setMoment(at_s);
+  };
+  connect(replay_, &DebriefReplay::moved, this, choose);
   connect(plot_, &DebriefPlot::rangeChanged, this,
-          [this] { ask_->setMoment(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
+          [this, choose] { choose(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
   connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
   connect(next_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(trend_, &QPushButton::clicked, this,

@@ -76,6 +76,7 @@ class DebriefPage : public Page {
   QPushButton* again_;
   QPushButton* trend_;
   QPushButton* next_;
+  double moment_s_ = 0.0;  ///< of the run, that a question or a bookmark is about
 };
 
 }  // namespace torsio::gui

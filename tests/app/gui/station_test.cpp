@@ -403,6 +403,7 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   EXPECT_NEAR(replay->position_s(), middle_s, 0.02);
   EXPECT_TRUE(replay->ghostShown());
   EXPECT_NE(plot->reading(), before);
+  EXPECT_TRUE(station.find<QPushButton>("ask")->text().contains(clockTenths(replay->position_s())));
   station.find<QCheckBox>("expert")->setChecked(false);
   EXPECT_FALSE(replay->ghostShown());
   replay->togglePlay();

@@ -108,7 +108,7 @@ QStringList listOf(const std::vector<std::string>& texts) {
 
 QString firstFew(const QStringList& names) {
   constexpr qsizetype kFew = 3;
-  const QString first = names.mid(0, kFew).join(QStringLiteral(", "));
+  const QString first = names.mid(0, kFew).join(QCoreApplication::translate("Administration", ", "));
   const qsizetype more = names.size() - kFew;
   return more > 0 ? QCoreApplication::translate("Administration", "%1 and %2 more").arg(first).arg(more)
                   : first;
