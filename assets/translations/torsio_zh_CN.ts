@@ -15792,6 +15792,22 @@ audit trail %3</source>
         <translation>右侧</translation>
     </message>
     <message>
+        <source>the back</source>
+        <translation>背侧</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>腹侧</translation>
+    </message>
+    <message>
+        <source>the left</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>the right</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
         <source>towards the back</source>
         <translation>背侧</translation>
     </message>
