@@ -168,7 +168,7 @@ void addReconstruct(CLI::App& instrument) {
   command
       ->add_option("--series", arguments->tool.series, "Which of several series, by its number in the list")
       ->check(CLI::Range(1, 100'000));
-  command->add_flag("--resample", arguments->tool.resample, "Take slices at uneven distances");
+  command->add_flag("--resample", arguments->tool.resample, "Accept unevenly spaced slices");
   command->callback([arguments] { runReconstruct(*arguments); });
 }
 

@@ -131,7 +131,7 @@ void addOrganReconstruct(CLI::App& organ) {
       ->check(CLI::Range(1, 100'000));
   command->add_flag("--fluid", arguments->fluid,
                     "With gas-lumen or wall: take the fluid below the gas with it, down to the wall");
-  command->add_flag("--resample", arguments->resample, "Take slices at uneven distances");
+  command->add_flag("--resample", arguments->resample, "Accept unevenly spaced slices");
   addOrganResultOptions(*command, arguments->result, "mm");
   command->callback([arguments] { runReconstruct(*arguments); });
 }

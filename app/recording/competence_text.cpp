@@ -33,7 +33,8 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
 Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
   return Text::tr(
       "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false "
-      "pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.",
+      "pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false "
+      "alarm.",
       errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
       percentText(errors.falseFail), percentText(design.adequate), percentText(errors.falseAlarm));
 }

@@ -67,9 +67,9 @@ constexpr Phrase kSentences[] = {
     Text::tr("At least fifteen characters, a short sentence for example. Nothing else is asked for."),
     Text::tr("Auto-advance"),
     Text::tr("Back to the sheet"),
-    Text::tr("Back to the sign-in"),
+    Text::tr("Back to sign-in"),
     Text::tr("Beginning, end of the recording"),
-    Text::tr("begun and saved with every key"),
+    Text::tr("begun, saved at every keystroke"),
     Text::tr("Being read…"),
     Text::tr("Blood flow"),
     Text::tr("Bookmark"),
@@ -134,7 +134,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Film strip"),
     Text::tr("Fit"),
     Text::tr("Five seconds back, pause, play"),
-    Text::tr("For your eyes only: overall marks of cases that all have submitted. The mean of the others "
+    Text::tr("For your eyes only: overall marks of cases that everyone has submitted. The mean of the others "
              "does not hold your own mark."),
     Text::tr("Force"),
     Text::tr("force up to %1 N"),
@@ -225,7 +225,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("On target"),
     Text::tr("On to the queue"),
     Text::tr("One picture back, one picture on"),
-    Text::tr("Only cases that all have submitted, and only where your mark lies apart from the others. "
+    Text::tr("Only cases that everyone has submitted, and only where your mark lies apart from the others. "
              "Nobody is named."),
     Text::tr("open"),
     Text::tr("Out of the sheet, to the button that submits"),
@@ -245,7 +245,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Play, pause"),
     Text::tr("Plays or pauses (Space)"),
     Text::tr("Please wait %1, then try again."),
-    Text::tr("points from the panel: you are milder."),
+    Text::tr("points from the panel: you are more lenient."),
     Text::tr("points from the panel: you are stricter."),
     Text::tr("points from the panel: you judge as the others do."),
     Text::tr("Pressure"),

@@ -278,7 +278,7 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
       itemOf<ReportFigure>(in, "figure-residuals", Text::tr("Residuals of the analysis of covariance"),
                            Text::tr("score at the end minus what the model says"));
   ReportFigure normal =
-      itemOf<ReportFigure>(in, "figure-qq", Text::tr("Residuals beside those of a normal distribution"),
+      itemOf<ReportFigure>(in, "figure-qq", Text::tr("Residuals against a normal distribution"),
                            Text::tr("residuals in order against normal quantiles at (i - 0.5) / n"));
   fitted.xLabel = Text::tr("what the model says (points)");
   fitted.yLabel = Text::tr("residual (points)");

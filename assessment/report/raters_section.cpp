@@ -132,7 +132,7 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
 
 ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table =
-      individualItem<ReportTable>(in, "table-raters", Text::tr("Raters beside each other"),
+      individualItem<ReportTable>(in, "table-raters", Text::tr("Raters side by side"),
                                   Text::tr("Bland and Altman against the mean of the others, last occasion"));
   table.columns = {Text::tr("Rater"), Text::tr("Trainees"), Text::tr("Offset [95 %], all occasions"),
                    Text::tr("Limits of agreement, last occasion")};

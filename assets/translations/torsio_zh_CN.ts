@@ -106,7 +106,7 @@
         <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
     </message>
     <message>
-        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <source>Everything may be changed; nobody is affected until it is published as version %1.</source>
         <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
     </message>
     <message>
@@ -1407,7 +1407,7 @@
         <translation>尝试次数已用完</translation>
     </message>
     <message>
-        <source>First master: %1</source>
+        <source>Master first: %1</source>
         <translation>请先掌握：%1</translation>
     </message>
     <message>
@@ -1537,7 +1537,7 @@
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
     <message>
-        <source>So few attempts can show nobody to be able.</source>
+        <source>So few attempts cannot show that anybody is able.</source>
         <translation>尝试这么少，无法表明任何人已胜任。</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@
         <translation>评分者以代码显示，供研究组织者参考；并非排名。</translation>
     </message>
     <message>
-        <source>Raters beside each other</source>
+        <source>Raters side by side</source>
         <translation>评分者对照</translation>
     </message>
     <message>
@@ -11294,7 +11294,7 @@
         <translation>结束得分减模型预测值</translation>
     </message>
     <message>
-        <source>Residuals beside those of a normal distribution</source>
+        <source>Residuals against a normal distribution</source>
         <translation>残差与正态分布的对照</translation>
     </message>
     <message>
@@ -13648,7 +13648,7 @@ audit trail %3</source>
         <translation>返回评分表</translation>
     </message>
     <message>
-        <source>Back to the sign-in</source>
+        <source>Back to sign-in</source>
         <translation>返回登录</translation>
     </message>
     <message>
@@ -13656,7 +13656,7 @@ audit trail %3</source>
         <translation>录制的开头、结尾</translation>
     </message>
     <message>
-        <source>begun and saved with every key</source>
+        <source>begun, saved at every keystroke</source>
         <translation>已开始，每次按键均已保存</translation>
     </message>
     <message>
@@ -15620,7 +15620,7 @@ audit trail %3</source>
         <translation>误报警的概率</translation>
     </message>
     <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lost it by a false alarm.</source>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false alarm.</source>
         <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
     </message>
     <message>
@@ -16016,7 +16016,7 @@ audit trail %3</source>
         <translation>您的全部训练记录，可打印或保存。生成成绩单会记入审计记录。</translation>
     </message>
     <message>
-        <source>For your eyes only: overall marks of cases that all have submitted. The mean of the others does not hold your own mark.</source>
+        <source>For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not hold your own mark.</source>
         <translation>仅供您本人查看：所有人均已提交的案例的总分。他人均分不含您自己的评分。</translation>
     </message>
     <message>
@@ -16156,7 +16156,7 @@ audit trail %3</source>
         <translation>已安排</translation>
     </message>
     <message>
-        <source>points from the panel: you are milder.</source>
+        <source>points from the panel: you are more lenient.</source>
         <translation>分（与专家组之差）：您较宽松。</translation>
     </message>
     <message>
@@ -16820,7 +16820,7 @@ audit trail %3</source>
         <translation>没有待处理的分歧。</translation>
     </message>
     <message>
-        <source>Only cases that all have submitted, and only where your mark lies apart from the others. Nobody is named.</source>
+        <source>Only cases that everyone has submitted, and only where your mark lies apart from the others. Nobody is named.</source>
         <translation>只列出所有人均已提交、且您的评分与他人相差较大的案例，不透露任何人的姓名。</translation>
     </message>
     <message>
@@ -20838,7 +20838,7 @@ MSM = 质点弹簧</translation>
         <translation>您的操作（三维）</translation>
     </message>
     <message>
-        <source>Judged is the force on the tissue. The device gave at most %1 N of it.</source>
+        <source>What is judged is the force on the tissue. The device gave at most %1 N of it.</source>
         <translation>评判的是组织所受的力。设备最多输出了其中的 %1 N。</translation>
     </message>
     <message>
@@ -21692,7 +21692,7 @@ MSM = 质点弹簧</translation>
         <translation>评分分歧复核</translation>
     </message>
     <message>
-        <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
+        <source>Only cases that everyone has submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
         <translation>仅列出所有人都已提交、且您的评分与他人差异较大的案例。他人不具名，您对他人也不具名。</translation>
     </message>
     <message>
@@ -21755,7 +21755,7 @@ MSM = 质点弹簧</translation>
         <translation>器官按此模型建立：不能录制。</translation>
     </message>
     <message>
-        <source>The organ is built as its scene says.</source>
+        <source>The organ is built as in its scene.</source>
         <translation>器官按其场景的设定建立。</translation>
     </message>
     <message>
@@ -22972,7 +22972,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>返回</translation>
     </message>
     <message>
-        <source>Find it anew</source>
+        <source>Find again</source>
         <translation>重新查找</translation>
     </message>
     <message>
@@ -24065,7 +24065,7 @@ Leave it empty to remove it.</source>
         <translation>✓ 已复制并核对：%2 个表的 %1 行在两边的数量和哈希值一致，%3 条审计记录相符。</translation>
     </message>
     <message>
-        <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody may be at work meanwhile: close Torsio at all other stations.</source>
+        <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody must be working meanwhile: close Torsio at all other stations.</source>
         <translation>复制全部内容并逐行核对两边。您的记录保持不变。期间不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
@@ -24085,7 +24085,7 @@ Leave it empty to remove it.</source>
         <translation>迁移到 PostgreSQL</translation>
     </message>
     <message>
-        <source>One record on a server, for several stations. The file of today stays as it is.</source>
+        <source>One record on a server, for several stations. Today&apos;s file stays as it is.</source>
         <translation>服务器上的一份记录，供多个工作站使用。现在的文件保持不变。</translation>
     </message>
     <message>
@@ -24420,7 +24420,7 @@ Leave it empty to remove it.</source>
         <translation>测得：%1</translation>
     </message>
     <message>
-        <source>Nothing had to be mended, and nothing is to be told.</source>
+        <source>No repairs were needed; nothing to report.</source>
         <translation>无需修补，也无须提示。</translation>
     </message>
 </context>
@@ -24680,7 +24680,7 @@ Leave it empty to remove it.</source>
         <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修补找到的结果。患者姓名既不显示也不保存。</translation>
     </message>
     <message>
-        <source>Take slices at uneven distances</source>
+        <source>Accept unevenly spaced slices</source>
         <translation>接受间距不均的切片</translation>
     </message>
     <message>
@@ -24736,7 +24736,7 @@ Leave it empty to remove it.</source>
         <translation>切片最多的一个</translation>
     </message>
     <message>
-        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, mended where that is safe, and twisted to see how it bears it.</source>
+        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in isolation, checked, mended where that is safe, and twisted to see how it bears it.</source>
         <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并试扭转以查看其承受情况。</translation>
     </message>
     <message>
@@ -24744,7 +24744,7 @@ Leave it empty to remove it.</source>
         <translation>按个人尺寸绘制的手臂</translation>
     </message>
     <message>
-        <source>A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or is treated. The fields begin with a man&apos;s; the girths of the forearm follow those of the wrist.</source>
+        <source>A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or is treated. The preset values are a man&apos;s; the girths of the forearm follow those of the wrist.</source>
         <translation>绘制的前臂与手：腕部和手指按受训者或患者的测量值。各栏以男性尺寸为初值；前臂围度随腕部而变。</translation>
     </message>
     <message>
@@ -24799,7 +24799,7 @@ Leave it empty to remove it.</source>
         <translation>您于 %2 申请了%1：%3。%4</translation>
     </message>
     <message>
-        <source>Ask for erasing</source>
+        <source>Ask for erasure</source>
         <translation>申请删除</translation>
     </message>
     <message>
@@ -24953,7 +24953,7 @@ Leave it empty to remove it.</source>
         <translation>新密码(&amp;N)</translation>
     </message>
     <message>
-        <source>Back to the sign-in</source>
+        <source>Back to sign-in</source>
         <translation>返回登录</translation>
     </message>
     <message>
@@ -25340,7 +25340,7 @@ Leave it empty to remove it.</source>
         <translation>已提交 %1 份</translation>
     </message>
     <message>
-        <source>begun and saved with every key</source>
+        <source>begun, saved at every keystroke</source>
         <translation>已开始，每次按键均已保存</translation>
     </message>
     <message>
@@ -25376,7 +25376,7 @@ Leave it empty to remove it.</source>
         <translation>所有人均已提交。您与他人差异较大的评分：%1。</translation>
     </message>
     <message>
-        <source>Tissue models that ask for your nine marks: %1.</source>
+        <source>Tissue models awaiting your nine marks: %1.</source>
         <translation>等待您九项评分的组织模型：%1 个。</translation>
     </message>
     <message>
@@ -26547,7 +26547,7 @@ Leave it empty to remove it.</source>
         <translation>1  备份</translation>
     </message>
     <message>
-        <source>It is first read from end to end in a copy; your record is not touched. Nobody may be at work: close Torsio at all other stations.</source>
+        <source>It is first read from end to end in a copy; your record is not touched. Nobody must be working: close Torsio at all other stations.</source>
         <translation>首先在副本中从头到尾读取备份，不会改动您的记录。此时不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
@@ -26778,7 +26778,7 @@ Leave it empty to remove it.</source>
         <translation>让医师在自己的浏览器中评分</translation>
     </message>
     <message>
-        <source>Physicians open the address in any browser of the hospital and score the same cases as at the desk; nothing is installed. Each needs an account, and comes in by an invitation (Users, Invite) or a password. This computer must stay on.</source>
+        <source>Physicians open the address in any browser in the hospital and score the same cases as at the desk; nothing is installed. Each needs an account, and signs in with an invitation (Users, Invite) or a password. This computer must stay on.</source>
         <translation>医师在院内任意浏览器中打开此地址，即可为与评分台相同的案例评分，无需安装任何软件。每人需有账户，凭邀请链接（用户页中的“邀请”）或密码进入。这台计算机须保持开机。</translation>
     </message>
     <message>
@@ -26802,7 +26802,7 @@ Leave it empty to remove it.</source>
         <translation>来自文件</translation>
     </message>
     <message>
-        <source>&amp;Who reaches it</source>
+        <source>&amp;Who can reach it</source>
         <translation>谁可访问(&amp;W)</translation>
     </message>
     <message>
@@ -27672,7 +27672,7 @@ Leave it empty to remove it.</source>
         <translation>✗ %1 检查：不可用，%2</translation>
     </message>
     <message>
-        <source>Who is at what, what is left, which sheets are missing, and whether the devices are fit.</source>
+        <source>Who is doing what, what is left, which sheets are missing, and whether the devices are fit.</source>
         <translation>谁在做什么、还剩多少、缺哪些评分表、设备是否可用。</translation>
     </message>
     <message>
@@ -28165,7 +28165,7 @@ Leave it empty to remove it.</source>
         <translation>掩膜的一个标签</translation>
     </message>
     <message>
-        <source>&amp;Number of the label</source>
+        <source>&amp;Label number</source>
         <translation>标签编号(&amp;N)</translation>
     </message>
     <message>
@@ -28213,7 +28213,7 @@ Leave it empty to remove it.</source>
         <translation>清除种子、框和画笔的全部笔画</translation>
     </message>
     <message>
-        <source>Window of grey</source>
+        <source>Grey window</source>
         <translation>灰度窗</translation>
     </message>
     <message>
@@ -28448,7 +28448,7 @@ Leave it empty to remove it.</source>
         <translation>分（与专家组之差）：您较严格。</translation>
     </message>
     <message>
-        <source>points from the panel: you are milder.</source>
+        <source>points from the panel: you are more lenient.</source>
         <translation>分（与专家组之差）：您较宽松。</translation>
     </message>
     <message>
@@ -28484,7 +28484,7 @@ Leave it empty to remove it.</source>
         <translation>我的严格度</translation>
     </message>
     <message>
-        <source>For your eyes only. Overall marks of cases that all have submitted; the mean of the others does not contain yours.</source>
+        <source>For your eyes only. Overall marks of cases that everyone has submitted; the mean of the others does not contain yours.</source>
         <translation>仅供您本人查看。取所有人均已提交案例的总分；他人均分不含您的评分。</translation>
     </message>
     <message>
@@ -28535,7 +28535,7 @@ Leave it empty to remove it.</source>
         <translation>他人均分</translation>
     </message>
     <message>
-        <source>you are milder</source>
+        <source>you are more lenient</source>
         <translation>您较宽松</translation>
     </message>
     <message>

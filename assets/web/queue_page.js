@@ -54,7 +54,7 @@ export class QueuePage {
     return h('section', { class: 'figures', 'aria-label': t('Progress') },
       waiting,
       card(t('Drafts'), figure(queue.drafts),
-        queue.drafts > 0 ? t('begun and saved with every key') : t('nothing is half done')),
+        queue.drafts > 0 ? t('begun, saved at every keystroke') : t('nothing is half done')),
       card(t('Time needed'), t('%1 min', figure(Math.ceil(queue.minutes))),
         queue.in_ten_minutes > 0
           ? t('%1 {case fits|cases fit} into ten minutes', queue.in_ten_minutes)

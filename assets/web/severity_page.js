@@ -19,7 +19,7 @@ export class SeverityPage {
   async load() {
     const own = await api.get('/api/severity');
     this.element.replaceChildren(h('h1', {}, t('My severity')),
-      h('p', { class: 'quiet' }, t('For your eyes only: overall marks of cases that all have submitted. The mean of the others does not hold your own mark.')),
+      h('p', { class: 'quiet' }, t('For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not hold your own mark.')),
       this.#figure(own), this.#cases(own));
   }
   resume() {
@@ -32,7 +32,7 @@ export class SeverityPage {
         h('p', { class: 'quiet' }, t('Cases appear here once all physicians have submitted them.')));
     }
     const reading = Math.abs(off) < kNear_points ? t('points from the panel: you judge as the others do.')
-      : off < 0 ? t('points from the panel: you are stricter.') : t('points from the panel: you are milder.');
+      : off < 0 ? t('points from the panel: you are stricter.') : t('points from the panel: you are more lenient.');
     const interval = own.interval_points
       ? t("95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.", figure(own.interval_points[0], 1),
         figure(own.interval_points[1], 1), figure(own.cases.length), figure(own.own_mean_points, 1), figure(own.panel_mean_points, 1))

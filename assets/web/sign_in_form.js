@@ -120,7 +120,7 @@ function putNewPassword(place, { title, heading = 'h2', words, login = '', field
     h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
     fields.map((field) => field.row),
     fresh.row, again.row, said, go,
-    button(t('Back to the sign-in'), onBack),
+    button(t('Back to sign-in'), onBack),
   );
   place.replaceChildren(form);
   (fields[0] ?? fresh).input.focus();

@@ -247,7 +247,7 @@ void InstrumentPanel::retranslate() {
   otherEnd_->setText(tr("The tip is at the other end"));
   turnHinge_->setText(tr("Turn the hinge by a right angle"));
   back_->setText(tr("Back"));
-  again_->setText(tr("Find it anew"));
+  again_->setText(tr("Find again"));
   save_->setText(tr("Save instrument\u2026"));
   showNumbers();
   view_->update();

@@ -150,7 +150,7 @@ void OrganFindings::fill() {
     addFinding(finding);
   }
   if (import_->findings.empty()) {
-    addLine(tr("Nothing had to be mended, and nothing is to be told."), true);
+    addLine(tr("No repairs were needed; nothing to report."), true);
   }
 }
 

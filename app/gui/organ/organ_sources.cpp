@@ -127,7 +127,8 @@ void OrganWizard::chooseScanFolder(Opening open) {
 void OrganWizard::retranslateSources() {
   meshCard_->setTitle(tr("Mesh"));
   meshText_->setText(
-      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read apart, checked, "
+      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in isolation, "
+         "checked, "
          "mended where that is safe, and twisted to see how it bears it."));
   mesh_->setText(tr("Choose a mesh\u2026"));
   scanCard_->setTitle(tr("Scan"));
@@ -136,13 +137,13 @@ void OrganWizard::retranslateSources() {
          "mend what was found. Names of patients are neither shown nor kept."));
   nameField(seriesLabel_, tr("&Series, where a folder holds several"));
   series_->setSpecialValueText(tr("the one with the most slices"));
-  resample_->setText(tr("Take slices at uneven distances"));
+  resample_->setText(tr("Accept unevenly spaced slices"));
   scanFile_->setText(tr("NIfTI file\u2026"));
   scanFolder_->setText(tr("DICOM folder\u2026"));
   armCard_->setTitle(tr("Arm with a person's measures"));
   armText_->setText(
       tr("A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or "
-         "is treated. The fields begin with a man's; the girths of the forearm follow those of the wrist."));
+         "is treated. The preset values are a man's; the girths of the forearm follow those of the wrist."));
   arm_->retranslate();
   makeArm_->setText(tr("Draw the arm"));
   instrumentCard_->setTitle(tr("Instrument"));

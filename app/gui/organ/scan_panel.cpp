@@ -418,7 +418,7 @@ void ScanPanel::retranslate() {
   for (int i = 0; i < tissues.size(); ++i) {
     tissue_->setItemText(i, tissues[i]);
   }
-  nameField(numberLabel_, tr("&Number of the label"));
+  nameField(numberLabel_, tr("&Label number"));
   fluid_->setText(tr("with the fluid below the gas"));
   toolCard_->setTitle(tr("What a click does"));
   const QStringList tools{tr("Look there"), tr("Seed: the organ lies there"), tr("Box: drag round the organ"),
@@ -431,7 +431,7 @@ void ScanPanel::retranslate() {
   undo_->setText(tr("Undo stroke"));
   clear_->setText(tr("Clear"));
   clear_->setToolTip(tr("Forgets seed, box and all strokes of the brush"));
-  greyCard_->setTitle(tr("Window of grey"));
+  greyCard_->setTitle(tr("Grey window"));
   nameField(presetLabel_, tr("&Preset"));
   const QStringList presets{tr("Soft tissue"), tr("Gas and lung"), tr("Bone"), tr("All values")};
   for (int i = 0; i < presets.size(); ++i) {

@@ -232,7 +232,7 @@ void DiscrepancyReviewPage::decide(const Action& action, const QString& said) {
 
 void DiscrepancyReviewPage::retranslate() {
   heading_->setTexts(tr("Discrepancy review"),
-                     tr("Only cases that all have submitted, and only where your mark differs from the "
+                     tr("Only cases that everyone has submitted, and only where your mark differs from the "
                         "others. The others are not named, nor are you to them."));
   empty_->setText(tr("No disagreement waits for you."));
   table_->view().setAccessibleName(tr("Cases where your mark differs"));

@@ -144,7 +144,7 @@ void QueuePage::showFigures() {
   waiting_.words->setText(worked_min == 0 ? submitted
                                           : tr("%1, in %2 of your time: thank you").arg(submitted, worked));
   drafts_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.drafts)));
-  drafts_.words->setText(queue_.drafts > 0 ? tr("begun and saved with every key")
+  drafts_.words->setText(queue_.drafts > 0 ? tr("begun, saved at every keystroke")
                                            : tr("nothing is half done"));
   const auto minutes = static_cast<int>(std::ceil(queue_.minutes));
   time_.figure->setText(tr("%1 min").arg(locale.toString(minutes)));
@@ -170,7 +170,7 @@ void QueuePage::showDoors() {
   setLook(live_.text, "caution", queue_.liveCalled > 0);
   discrepancies_.text->setText(
       tr("All have submitted. Your marks that differ from the others: %1.").arg(queue_.disagreements));
-  evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
+  evaluation_.text->setText(tr("Tissue models awaiting your nine marks: %1.").arg(queue_.models));
   const std::pair<Door*, bool> all[] = {{&calibration_, queue_.calibrationWaiting},
                                         {&live_, queue_.liveCalled + queue_.liveWaiting > 0},
                                         {&discrepancies_, queue_.disagreements > 0},

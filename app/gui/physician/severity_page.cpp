@@ -78,7 +78,7 @@ void SeverityPlot::drawAxes(QPainter& painter, const QRectF& area) const {
   painter.drawText(QRectF(area.left(), area.bottom() + line + 2, area.width(), line), Qt::AlignCenter,
                    tr("mean of the others, points"));
   painter.drawText(area.adjusted(kSpace, kSpace, -kSpace, -kSpace), Qt::AlignLeft | Qt::AlignTop,
-                   tr("you are milder"));
+                   tr("you are more lenient"));
   painter.drawText(area.adjusted(kSpace, kSpace, -kSpace, -kSpace), Qt::AlignRight | Qt::AlignBottom,
                    tr("you are stricter"));
 }
@@ -147,7 +147,7 @@ void SeverityPage::showSeverity() {
     reading_->setText(std::abs(off) < kAsThePanel_points
                           ? tr("points from the panel: you judge as the others do.")
                       : off < 0.0 ? tr("points from the panel: you are stricter.")
-                                  : tr("points from the panel: you are milder."));
+                                  : tr("points from the panel: you are more lenient."));
     interval_->setText(severity_.interval_points
                            ? tr("95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.")
                                  .arg(signedText(severity_.interval_points->lower),
@@ -177,7 +177,7 @@ void SeverityPage::showSeverity() {
 
 void SeverityPage::retranslate() {
   heading_->setTexts(tr("My severity"),
-                     tr("For your eyes only. Overall marks of cases that all have submitted; the mean of "
+                     tr("For your eyes only. Overall marks of cases that everyone has submitted; the mean of "
                         "the others does not contain yours."));
   figureCard_->setTitle(tr("You and the panel"));
   plotCard_->setTitle(tr("Your mark (upwards) against the panel's mean"));

@@ -194,7 +194,7 @@ void EngineerPanel::noteChange() {
   apply_->setEnabled(!(choice() == shown_));
   reset_->setEnabled(chosen_);
   state_->setText(chosen_ ? tr("The organ is built with this model: nothing can be recorded.")
-                          : tr("The organ is built as its scene says."));
+                          : tr("The organ is built as in its scene."));
 }
 
 void EngineerPanel::retranslate() {

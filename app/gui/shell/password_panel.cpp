@@ -126,7 +126,7 @@ void PasswordPanel::retranslate() {
   nameField(oldLabel_, tr("&Present password"));
   nameField(newLabel_, tr("&New password"));
   nameField(againLabel_, tr("Repeat p&assword"));
-  back_->setText(forced_ ? tr("Back to the sign-in") : tr("Cancel"));
+  back_->setText(forced_ ? tr("Back to sign-in") : tr("Cancel"));
   save_->setText(tr("Save password"));
 }
 

@@ -298,7 +298,7 @@ void DebriefPage::fillNotes() {
                          static_cast<int>(debrief_.unfinishedTwists)));
   }
   if (debrief_.deviceForce_N && debrief_.forceFelt) {
-    add("deviceForce", tr("Judged is the force on the tissue. The device gave at most %1 N of it.")
+    add("deviceForce", tr("What is judged is the force on the tissue. The device gave at most %1 N of it.")
                            .arg(*debrief_.deviceForce_N, 0, 'f', 2));
   }
   if (debrief_.earlier && debrief_.earlier->peakForce_N) {

@@ -81,7 +81,7 @@ void OwnRecordCard::showState() {
 
 void OwnRecordCard::ask(PersonRequestKind kind) {
   if (kind == PersonRequestKind::kErase &&
-      QMessageBox::question(this, tr("Ask for erasing"),
+      QMessageBox::question(this, tr("Ask for erasure"),
                             tr("Your name and your recordings are removed, and nobody can bring them back; "
                                "marks stay without a person. Ask for it?")) != QMessageBox::Yes) {
     return;

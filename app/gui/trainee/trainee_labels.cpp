@@ -82,7 +82,7 @@ QString StationLabels::why(const ModuleStep& step) {
     for (const std::string& title : step.missing) {
       titles << toQString(Text(title));
     }
-    return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
+    return tr("Master first: %1").arg(titles.join(tr(", ", "between titles")));
   }
   if (step.state == StepState::kUsedUp) {
     return tr("Ask an administrator for another attempt.");
@@ -208,7 +208,7 @@ QString StationLabels::level(const CompetenceVerdict& verdict) {
 QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return tr("So few attempts can show nobody to be able.");
+      return tr("So few attempts cannot show that anybody is able.");
     case SkillLevel::kLearning:
       return tr("Not yet shown to be able. %n good attempt(s) in a row show it.", nullptr,
                 static_cast<int>(fewestForAble(verdict.design)));

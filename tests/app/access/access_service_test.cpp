@@ -5,6 +5,7 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
+#include "app/access/signing.h"
 #include "assessment/people/account.h"
 #include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
@@ -81,7 +82,7 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo
 
   EXPECT_EQ(trainee.login, "demo.trainee");
   EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
-  EXPECT_EQ(trainee.passwordShownUtc_us, 0);  // signs nothing
+  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs nothing
   const AuditEntry newest = AuditRepository(centre.connection()).entries({.limit = 1}).front();
   EXPECT_EQ(newest.action, "user.sign_in");
   EXPECT_EQ(newest.objectId, trainee.userId);

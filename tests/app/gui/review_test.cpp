@@ -232,7 +232,7 @@ TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
   ReviewCentre centre(ReviewCentre::Setup{});
   centre.addTwoModels(false);
   DeskOf desk(centre, 0);
-  const auto spoken = [&](Page& page, const char* sentence) {
+  const auto follows = [&](Page& page, const char* sentence) {
     const QString english = QString::fromLatin1(sentence);
     EXPECT_TRUE(wordsOf(page).contains(english)) << sentence;
     LanguageSwitch language;
@@ -245,14 +245,14 @@ TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
   };
   auto& scored = desk.open<CasePage>(inputOf(centre.cases(0).front()));
   desk.press(Qt::Key_8);
-  spoken(scored, "Saved");
-  spoken(desk.open<CasePage>(inputOf(centre.cases(0).front())), "Draft found and opened");
+  follows(scored, "Saved");
+  follows(desk.open<CasePage>(inputOf(centre.cases(0).front())), "Draft found and opened");
 
   auto& evaluated = desk.open<EvaluationPage>();
   desk.press(Qt::Key_8);
-  spoken(evaluated, "Saved");
+  follows(evaluated, "Saved");
   desk.press(Qt::Key_Return, Qt::ControlModifier);
-  spoken(evaluated, "Still open: 8 of 9");
+  follows(evaluated, "Still open: 8 of 9");
 }
 
 TEST(EvaluationPage, FitsASmallScreenBesideARecording) {

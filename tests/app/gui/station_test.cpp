@@ -115,7 +115,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   Station station(centre);
 
   station.open(PageId::kNextStep);
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("First master: Quarter turn, second")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Master first: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged able (false pass)")));  // beside it
   station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew

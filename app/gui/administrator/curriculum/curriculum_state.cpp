@@ -23,9 +23,9 @@ QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale)
     return CurriculumState::tr("%1: changed, not saved. The draft is also saved when you leave.")
         .arg(toQString(Text(row.curriculum.name)));
   }
-  QString next =
-      CurriculumState::tr("Everything may be changed; nobody is touched until it is published as version %1.")
-          .arg(row.versions.size() + 1);
+  QString next = CurriculumState::tr(
+                     "Everything may be changed; nobody is affected until it is published as version %1.")
+                     .arg(row.versions.size() + 1);
   if (row.hasDraft) {
     next = CurriculumState::tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale), next);
   }

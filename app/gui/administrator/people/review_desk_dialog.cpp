@@ -95,8 +95,8 @@ ReviewDeskDialog::ReviewDeskDialog(ShellContext& shell, DeskPlace place, QWidget
 void ReviewDeskDialog::build() {
   QLabel* words = sentence(this);
   words->setText(tr(
-      "Physicians open the address in any browser of the hospital and score the same cases as at the desk; "
-      "nothing is installed. Each needs an account, and comes in by an invitation (Users, Invite) or a "
+      "Physicians open the address in any browser in the hospital and score the same cases as at the desk; "
+      "nothing is installed. Each needs an account, and signs in with an invitation (Users, Invite) or a "
       "password. This computer must stay on."));
   address_->setAccessibleName(tr("Address"));
   trust_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -113,7 +113,7 @@ void ReviewDeskDialog::build() {
   port_->setValue(kUsualPort);
   certificate_->addItems({tr("Made by Torsio"), tr("From files")});
   auto* form = new QFormLayout;
-  form->addRow(tr("&Who reaches it"), reach_);
+  form->addRow(tr("&Who can reach it"), reach_);
   form->addRow(tr("&Port"), port_);
   form->addRow(tr("C&ertificate"), certificate_);
   auto* fileForm = new QFormLayout(files_);

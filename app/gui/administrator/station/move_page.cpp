@@ -280,7 +280,7 @@ void MovePage::showCopy() {
                      locale().toString(static_cast<qlonglong>(copied_->tables.size())),
                      locale().toString(static_cast<qlonglong>(copied_->auditEntries)))
           : tr("Everything is copied and both sides are compared, row by row. Your record stays as it is. "
-               "Nobody may be at work meanwhile: close Torsio at all other stations."));
+               "Nobody must be working meanwhile: close Torsio at all other stations."));
   copy_->setVisible(!copied_);
   switchCard_->setVisible(ready());
   if (!ready()) {
@@ -321,7 +321,7 @@ void MovePage::showButtons() {
 
 void MovePage::retranslate() {
   heading_->setTexts(tr("Move to PostgreSQL"),
-                     tr("One record on a server, for several stations. The file of today stays as it is."));
+                     tr("One record on a server, for several stations. Today's file stays as it is."));
   back_->setText(tr("&Back to maintenance"));
   server_->setTitle(tr("1  The server"));
   nameField(hostLabel_, tr("&Computer"));

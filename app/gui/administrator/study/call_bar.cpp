@@ -156,7 +156,8 @@ QString CallBar::lineText(const CalledCase& called, const QString& missing) cons
                           .arg(toQString(called.caseLabel), toQString(called.traineeCode),
                                occasionName(called.occasion), toQString(Text(called.call.room)));
   QString text = (called.call.endedUtc_us ? tr("! Late: %1") : tr("\u25CF Called: %1")).arg(who);
-  text += tr(": ") + tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);
+  text +=
+      tr(": ") + tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);
   if (!missing.isEmpty()) {
     text += tr("; ") + tr("missing: %1").arg(missing);
   }

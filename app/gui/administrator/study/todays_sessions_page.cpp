@@ -308,7 +308,7 @@ void TodaysSessionsPage::retranslate() {
   reminders_->setText(tr("Copy who owes which sheet"));
   heading_->setTexts(
       tr("Today's sessions"),
-      tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
+      tr("Who is doing what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
   callBar_->retranslate();
   call_->setText(tr("Call to the arm"));
