@@ -82,7 +82,7 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo
 
   EXPECT_EQ(trainee.login, "demo.trainee");
   EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
-  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs nothing
+  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs only what is simulated
   const AuditEntry newest = AuditRepository(centre.connection()).entries({.limit = 1}).front();
   EXPECT_EQ(newest.action, "user.sign_in");
   EXPECT_EQ(newest.objectId, trainee.userId);
