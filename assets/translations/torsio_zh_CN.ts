@@ -28165,7 +28165,7 @@ Leave it empty to remove it.</source>
         <translation>掩膜的一个标签</translation>
     </message>
     <message>
-        <source>&amp;Label number</source>
+        <source>Label &amp;number</source>
         <translation>标签编号(&amp;N)</translation>
     </message>
     <message>

@@ -418,7 +418,7 @@ void ScanPanel::retranslate() {
   for (int i = 0; i < tissues.size(); ++i) {
     tissue_->setItemText(i, tissues[i]);
   }
-  nameField(numberLabel_, tr("&Label number"));
+  nameField(numberLabel_, tr("Label &number"));
   fluid_->setText(tr("with the fluid below the gas"));
   toolCard_->setTitle(tr("What a click does"));
   const QStringList tools{tr("Look there"), tr("Seed: the organ lies there"), tr("Box: drag round the organ"),
