@@ -65,6 +65,9 @@ class RunPage : public Page {
 
   QWidget* createPanel();
   QVBoxLayout* createHeading(QWidget* panel);
+  void createTime(QWidget* panel);
+  void createAngle(QWidget* panel);
+  QLayout* createButtons(QWidget* side);
   /// Asks why training goes on while sheets of the real arm are missing; false: it does not.
   [[nodiscard]] bool askWhyUnscored(RunRequest& request);
   QWidget* createNotice();

@@ -86,6 +86,60 @@ QVBoxLayout* RunPage::createHeading(QWidget* panel) {
   return column;
 }
 
+void RunPage::createTime(QWidget* panel) {
+  time_ = new Card(QString(), panel);
+  countdown_ = plainLabel(time_);
+  countdown_->setObjectName(QStringLiteral("countdown"));
+  makeHuge(countdown_, kCountdown_pt);
+  progress_ = new QProgressBar(time_);
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  phase_ = plainLabel(time_, "quiet");
+  timeName_ = plainLabel(time_, "quiet");
+  auto* left = new QHBoxLayout;
+  left->addWidget(countdown_);
+  left->addWidget(timeName_, 1, Qt::AlignBottom);
+  time_->content()->addLayout(left);
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, phase_}) {
+    time_->content()->addWidget(widget);
+  }
+}
+
+void RunPage::createAngle(QWidget* panel) {
+  angle_ = new Card(QString(), panel);
+  dial_ = new AngleDial(angle_);
+  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  goal_ = plainLabel(angle_, "quiet");
+  goal_->setObjectName(QStringLiteral("goal"));
+  goal_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(goal_);
+  count_ = plainLabel(angle_, "subheading");
+  count_->setObjectName(QStringLiteral("twistCount"));
+  count_->setAlignment(Qt::AlignHCenter);
+  angle_->content()->addWidget(count_);
+}
+
+QLayout* RunPage::createButtons(QWidget* side) {
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);  // as wide as the cards above
+  buttons->setSpacing(kSpace);
+  rest_ = new QPushButton(side);
+  rest_->setObjectName(QStringLiteral("rest"));
+  stop_ = new QPushButton(side);
+  stop_->setObjectName(QStringLiteral("stop"));
+  buttons->addWidget(rest_);
+  buttons->addWidget(stop_);
+  connect(rest_, &QPushButton::clicked, this, [this] {
+    if (!runSession_ || !runSession_->rest()) {
+      return;
+    }
+    endRecording(TrialOutcome::kCompleted);
+    tick();
+  });
+  connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
+  return buttons;
+}
+
 QWidget* RunPage::createPanel() {
   // What must always be in reach stands below; what is taller than a small screen scrolls.
   auto* side = new QWidget(this);
@@ -110,42 +164,13 @@ QWidget* RunPage::createPanel() {
   told->addWidget(verdict_);
   told->addWidget(cue_);
   whole->addLayout(told);
-  auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);  // as wide as the cards above
-  buttons->setSpacing(kSpace);
-  whole->addLayout(buttons);
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
   column->setSpacing(kSpace);
   column->addLayout(createHeading(panel));
-  time_ = new Card(QString(), panel);
-  countdown_ = plainLabel(time_);
-  countdown_->setObjectName(QStringLiteral("countdown"));
-  makeHuge(countdown_, kCountdown_pt);
-  progress_ = new QProgressBar(time_);
-  progress_->setTextVisible(false);
-  progress_->setRange(0, 1000);
-  phase_ = plainLabel(time_, "quiet");
-  timeName_ = plainLabel(time_, "quiet");
-  auto* left = new QHBoxLayout;
-  left->addWidget(countdown_);
-  left->addWidget(timeName_, 1, Qt::AlignBottom);
-  time_->content()->addLayout(left);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, phase_}) {
-    time_->content()->addWidget(widget);
-  }
+  createTime(panel);
   column->addWidget(time_);
-  angle_ = new Card(QString(), panel);
-  dial_ = new AngleDial(angle_);
-  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
-  goal_ = plainLabel(angle_, "quiet");
-  goal_->setObjectName(QStringLiteral("goal"));
-  goal_->setAlignment(Qt::AlignHCenter);
-  angle_->content()->addWidget(goal_);
-  count_ = plainLabel(angle_, "subheading");
-  count_->setObjectName(QStringLiteral("twistCount"));
-  count_->setAlignment(Qt::AlignHCenter);
-  angle_->content()->addWidget(count_);
+  createAngle(panel);
   column->addWidget(angle_);
   detorsion_ = new DetorsionPanel(panel);
   detorsion_->steer(scene_->controller());
@@ -163,20 +188,7 @@ QWidget* RunPage::createPanel() {
   guide_->setObjectName(QStringLiteral("guide"));
   connect(guideMe_, &QPushButton::clicked, this, &RunPage::guide);
   column->addStretch(1);
-  rest_ = new QPushButton(side);
-  rest_->setObjectName(QStringLiteral("rest"));
-  stop_ = new QPushButton(side);
-  stop_->setObjectName(QStringLiteral("stop"));
-  buttons->addWidget(rest_);
-  buttons->addWidget(stop_);
-  connect(rest_, &QPushButton::clicked, this, [this] {
-    if (!runSession_ || !runSession_->rest()) {
-      return;
-    }
-    endRecording(TrialOutcome::kCompleted);
-    tick();
-  });
-  connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
+  whole->addLayout(createButtons(side));
   return side;
 }
 
