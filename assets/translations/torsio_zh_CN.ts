@@ -27995,6 +27995,10 @@ Leave it empty to remove it.</source>
         <translation>松开时达标，但没有保持：等圆环填满再松开。</translation>
     </message>
     <message>
+        <source>Turned the wrong way: turn in the opposite direction.</source>
+        <translation>转错方向：请向相反方向转动。</translation>
+    </message>
+    <message>
         <source>Released on target.</source>
         <translation>松开时达标。</translation>
     </message>

@@ -241,7 +241,8 @@ QString RunPage::verdict() const {
   QString how;
   if (off_rad > module.tolerance_rad) {
     const QString by = QLocale().toString(degrees(off_rad), 'f', 0);
-    how = std::abs(at_rad) > std::abs(target_rad) && at_rad * target_rad > 0.0
+    how = at_rad * target_rad < 0.0 ? tr("Turned the wrong way: turn in the opposite direction.")
+          : std::abs(at_rad) > std::abs(target_rad)
               ? tr("Let go %1\u00b0 too far: turn back before you open the jaw.").arg(by)
               : tr("Let go %1\u00b0 too early: turn further before you open the jaw.").arg(by);
   } else {
