@@ -19,10 +19,6 @@ QString numberText(double value, int decimals) {
   return QLocale().toString(zero ? 0.0 : value, 'f', decimals).replace(QLatin1Char('-'), kMinus);
 }
 
-QString countText(std::int64_t value) {
-  return QLocale().toString(static_cast<qlonglong>(value)).replace(QLatin1Char('-'), kMinus);
-}
-
 QString numberText(const QString& plain) {
   static const QRegularExpression kNumber(QStringLiteral("^-?(0|[1-9][0-9]*)(?:\\.([0-9]+))?$"));
   const QRegularExpressionMatch number = kNumber.match(plain);

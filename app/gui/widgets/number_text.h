@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <concepts>
 
 #include <QString>
 
@@ -11,7 +11,10 @@ namespace torsio::gui {
 // before a zero. What is typed, copied or written to a file keeps the plain form. Any thread.
 
 [[nodiscard]] QString numberText(double value, int decimals);
-[[nodiscard]] QString countText(std::int64_t value);
+template <std::integral Count>
+[[nodiscard]] QString countText(Count value) {
+  return numberText(static_cast<double>(value), 0);
+}
 
 /// A number that was written in the form of files ("-1808.50", "7666"), with its decimals; empty: it is none,
 /// or it has an exponent.
