@@ -21,6 +21,7 @@
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/time_units.h"
@@ -151,8 +152,9 @@ void QueuePage::showFigures() {
   const QString from =
       queue_.fromOwnPace ? tr("at your own pace so far") : tr("from the length of the recordings");
   const auto fitting = static_cast<int>(queue_.inTenMinutes);
-  time_.words->setText(fitting > 0 ? tr("%n case(s) fit into ten minutes, %1", nullptr, fitting).arg(from)
-                                   : from);
+  time_.words->setText(queue_.waiting + queue_.drafts == 0 ? tr("no case waits for you")
+                       : fitting > 0 ? tr("%n case(s) fit into ten minutes, %1", nullptr, fitting).arg(from)
+                                     : from);
   due_.figure->setText(queue_.nextDueUtc_us ? dayText(*queue_.nextDueUtc_us) : QStringLiteral("\u2013"));
   due_.words->setText(queue_.overdue > 0 ? tr("%1 overdue").arg(queue_.overdue) : tr("nothing is overdue"));
   setLook(due_.words, "caution", queue_.overdue > 0);
@@ -160,7 +162,9 @@ void QueuePage::showFigures() {
 
 void QueuePage::showDoors() {
   calibration_.text->setText(
-      tr("Before the first case: score the reference runs and see how far you are from the panel."));
+      queue_.submitted > 0
+          ? tr("Score the reference runs and see how far you are from the panel.")
+          : tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(queue_.liveCalled > 0
                           ? tr("Called to the real arm, your sheet is not in: %1. To be called: %2.")
                                 .arg(queue_.liveCalled)
@@ -194,7 +198,7 @@ void QueuePage::showQueue() {
   continue_->setEnabled(queue_.next.has_value());
   continue_->setText(queue_.drafts > 0    ? tr("&Continue the draft")
                      : queue_.waiting > 0 ? tr("&Continue")
-                                          : tr("All done"));
+                                          : tr("All scored"));
   std::vector<Row> rows;
   for (const QueueLine& line : queue_.lines) {
     const bool done = line.state == SheetState::kSubmitted;

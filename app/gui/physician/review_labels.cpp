@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QLocale>
 
 #include "app/gui/widgets/number_text.h"
@@ -26,10 +25,6 @@ QString signedText(double points) {
   const double rounded = std::round(points * 10.0) / 10.0;
   const QString figure = numberText(rounded, 1);
   return rounded > 0.0 ? QLatin1Char('+') + figure : figure;
-}
-
-QString dayText(std::int64_t utc_us) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000).date(), QLocale::ShortFormat);
 }
 
 namespace {

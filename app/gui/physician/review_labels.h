@@ -18,8 +18,6 @@ namespace torsio::gui {
 [[nodiscard]] QString scoreText(std::int64_t score_steps, const ScoreScale& scale);
 /// "+0.8", "-0.5", "0.0".
 [[nodiscard]] QString signedText(double points);
-/// A day as the reader writes it.
-[[nodiscard]] QString dayText(std::int64_t utc_us);
 
 /// For Page::keys(): what scores a sheet, and what moves a recording.
 [[nodiscard]] std::vector<std::pair<QString, QString>> sheetKeys();

@@ -2,9 +2,7 @@
 // What the window asks and tells in boxes of its own.
 #include <utility>
 
-#include <QDateTime>
 #include <QInputDialog>
-#include <QLocale>
 #include <QMessageBox>
 
 #include "app/base/build_info.h"
@@ -16,19 +14,12 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/pointer_controls.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "sim/base/error.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
-
-namespace {
-
-QString localTime(std::int64_t utc_us) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
-}
-
-}  // namespace
 
 void SimulatorWindow::chooseOrganFile() {
   const QString file = askFileToOpen(
@@ -85,7 +76,7 @@ void SimulatorWindow::chooseReplay() {
     QStringList lines;
     for (const RecordedTrial& trial : trials) {
       lines << tr("%1   %2, %3   %4")
-                   .arg(localTime(trial.startedUtc_us), titles.scene(trial.sceneId),
+                   .arg(shownTime(trial.startedUtc_us), titles.scene(trial.sceneId),
                         titles.pattern(trial.sceneId, trial.patternId), clockTenths(trial.duration_s));
     }
     bool chosen = false;

@@ -13,6 +13,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/ids.h"
@@ -93,7 +94,7 @@ void AskCard::addQuestion(const OwnQuestion& question) {
   head->setText(question.answered
                     ? (question.answerEditedUtc_us != 0 ? tr("%1  \u00b7  %2 answered on %3, edited since")
                                                         : tr("%1  \u00b7  %2 answered on %3"))
-                          .arg(moment, physician, StationLabels::when(question.answeredUtc_us))
+                          .arg(moment, physician, shownTime(question.answeredUtc_us))
                     : tr("%1  \u00b7  with %2, waiting for %3")
                           .arg(moment, physician,
                                StationLabels::waited(shell_.session().now_us() - question.askedUtc_us)));

@@ -22,6 +22,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/ids.h"
@@ -276,7 +277,7 @@ void DebriefPage::fillTexts(bool any) {
   heading_->setTexts(
       any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3")
-                .arg(mode, StationLabels::when(debrief_.startedUtc_us), clockTenths(debrief_.duration_s))
+                .arg(mode, shownTime(debrief_.startedUtc_us), clockTenths(debrief_.duration_s))
       : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
                    : tr("After your first run you see here what was good and what to work on."));
 }

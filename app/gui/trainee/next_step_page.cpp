@@ -18,6 +18,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
@@ -157,7 +158,7 @@ void NextStepPage::fillNotices() {
   for (const RecoveredTrial& trial : recovered_) {
     add(tr("Your run of %1 was interrupted. The %2 that were recorded count as training time; no attempt was "
            "used.")
-            .arg(StationLabels::when(trial.startedUtc_us), clockTenths(trial.recorded_s)),
+            .arg(shownTime(trial.startedUtc_us), clockTenths(trial.recorded_s)),
         tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {

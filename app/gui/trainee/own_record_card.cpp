@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
@@ -13,6 +12,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/people/person_requests.h"
 
@@ -61,8 +61,7 @@ void OwnRecordCard::showState() {
   QStringList lines;
   for (const PersonRequest& one : own_) {
     const QString what = toQString(Text(termsOf(one.kind)[static_cast<std::size_t>(one.kind)].label));
-    const QString asked = locale().toString(QDateTime::fromMSecsSinceEpoch(one.askedUtc_us / 1000).date(),
-                                            QLocale::ShortFormat);
+    const QString asked = dayText(one.askedUtc_us, locale());
     if (!one.answer) {
       lines << tr("You asked for %1 on %2; it waits for the centre.").arg(what, asked);
     } else if (*one.answer != PersonRequestAnswer::kTakenBack) {

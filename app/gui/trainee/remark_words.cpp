@@ -11,6 +11,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 
@@ -79,12 +80,12 @@ void RemarkWords::setWords(const QString& text, std::int64_t editedUtc_us,
   words_ = text;
   showText();
   history_->setVisible(editedUtc_us != 0);
-  history_->setText(tr("edited %1").arg(StationLabels::when(editedUtc_us)));
+  history_->setText(tr("edited %1").arg(shownTime(editedUtc_us)));
   history_->setToolTip(tr("Shows what stood there before"));
   edit_->setVisible(own && !text.isEmpty());
   QStringList lines;
   for (const RemarkWording& one : earlier) {
-    lines << tr("%1: %2").arg(StationLabels::when(one.writtenUtc_us), toQString(one.text));
+    lines << tr("%1: %2").arg(shownTime(one.writtenUtc_us), toQString(one.text));
   }
   earlier_->setText(lines.join(QLatin1Char('\n')));
   setEditing(false);

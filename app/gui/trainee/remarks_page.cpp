@@ -21,6 +21,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
@@ -142,8 +143,8 @@ void RemarksPage::fillList() {
     const QString head = title.isEmpty() ? tr("Run") : title;
     const QString line =
         trial.unread > 0
-            ? tr("%1\n%2, %3 not read").arg(head, StationLabels::when(trial.startedUtc_us)).arg(trial.unread)
-            : tr("%1\n%2").arg(head, StationLabels::when(trial.startedUtc_us));
+            ? tr("%1\n%2, %3 not read").arg(head, shownTime(trial.startedUtc_us)).arg(trial.unread)
+            : tr("%1\n%2").arg(head, shownTime(trial.startedUtc_us));
     list_->addItem(line);
   }
   const bool any = !all_.empty();
@@ -169,8 +170,8 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   }
   auto* who = plainLabel(remarks_, "quiet");
   who->setText(remark.question ? tr("You asked, at %1").arg(clockTenths(remark.at_s))
-               : remark.own    ? tr("You, %1").arg(StationLabels::when(remark.writtenUtc_us))
-               : reply         ? tr("Physician, %1").arg(StationLabels::when(remark.writtenUtc_us))
+               : remark.own    ? tr("You, %1").arg(shownTime(remark.writtenUtc_us))
+               : reply         ? tr("Physician, %1").arg(shownTime(remark.writtenUtc_us))
                                : tr("Physician, at %1").arg(clockTenths(remark.at_s)));
   head->addWidget(who, 1);
   if (!remark.read) {

@@ -3,8 +3,6 @@
 
 #include <optional>
 
-#include <QDateTime>
-#include <QLocale>
 #include <QStringList>
 
 #include "app/gui/base/clock_time.h"
@@ -56,10 +54,6 @@ QString StationLabels::waited(std::int64_t span_us) {
     return tr("%1 h").arg(minutes / 60);
   }
   return tr("%n day(s)", nullptr, static_cast<int>(minutes / (24 * 60)));
-}
-
-QString StationLabels::when(std::int64_t utc_us) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 
 QString StationLabels::state(StepState state) {

@@ -28,7 +28,6 @@ class StationLabels {
   [[nodiscard]] static QString minutes(std::int64_t span_us);
   /// How long something has waited: "3 h".
   [[nodiscard]] static QString waited(std::int64_t span_us);
-  [[nodiscard]] static QString when(std::int64_t utc_us);
 
   [[nodiscard]] static QString state(StepState state);
   /// Why it is locked, or what is missing for mastery.

@@ -19,6 +19,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -111,7 +112,7 @@ QString TranscriptPage::html(bool paper) const {
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
       page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
-                  .arg(cell(StationLabels::when(attempt.startedUtc_us)),
+                  .arg(cell(shownTime(attempt.startedUtc_us)),
                        cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
                        cell(clockTime(std::llround(1e6 * attempt.duration_s))),
                        cell(StationLabels::result(attempt)),
@@ -125,7 +126,7 @@ QString TranscriptPage::html(bool paper) const {
   }
   if (paper) {
     line(tr("Made on %1 with Torsio %2. A training record, no certificate of clinical competence.")
-             .arg(StationLabels::when(t.madeUtc_us), toQString(t.softwareVersion)));
+             .arg(shownTime(t.madeUtc_us), toQString(t.softwareVersion)));
     line(tr("Signature: ______________________________"));
   }
   return page;

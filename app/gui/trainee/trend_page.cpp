@@ -16,6 +16,7 @@
 #include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "assessment/study/curriculum.h"
@@ -241,7 +242,7 @@ void TrendPage::fill() {
     row.id = toQString(point.trialId);
     row.cells.push_back({QString::number(point.attempt), QVariant::fromValue<qlonglong>(point.attempt)});
     row.cells.push_back(
-        {StationLabels::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
+        {shownTime(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
     row.cells.push_back({point.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")});
     row.cells.push_back({point.value ? StationLabels::quantity(trend_.metric, *point.value)
                                      : StationLabels::without(trend_.metric),

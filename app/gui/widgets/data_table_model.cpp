@@ -5,11 +5,11 @@
 
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QDateTime>
 #include <QHelpEvent>
 #include <QPainter>
 #include <QToolTip>
 
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -69,7 +69,7 @@ QVariant DataTable::Model::data(const QModelIndex& index, int role) const {
   const Cell& cell = row.cells[column];
   switch (role) {
     case Qt::DisplayRole:
-      return cell.time ? timeText(cell.sortKey.toLongLong()) : cell.text;
+      return cell.time ? shownTime(cell.sortKey.toLongLong(), table_->locale()) : cell.text;
     case Qt::ToolTipRole:
       return cell.tip.isEmpty() ? QVariant() : QVariant(cell.tip);
     case kSortRole:
@@ -91,13 +91,6 @@ QVariant DataTable::Model::headerData(int section, Qt::Orientation orientation, 
     return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   }
   return {};
-}
-
-QString DataTable::Model::timeText(qlonglong utc_us) const {
-  if (utc_us == 0) {
-    return QStringLiteral("\u2013");
-  }
-  return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 
 SortedRows::SortedRows(QObject* parent) : QSortFilterProxyModel(parent), collator_(collation()) {

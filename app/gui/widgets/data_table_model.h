@@ -34,8 +34,6 @@ class DataTable::Model final : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  [[nodiscard]] QString timeText(qlonglong utc_us) const;
-
   const DataTable* table_;
   std::vector<Column> columns_;
   std::vector<Row> rows_;

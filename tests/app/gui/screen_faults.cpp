@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QDateTimeEdit>
 #include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
@@ -133,9 +134,10 @@ QStringList roughNumbers(QWidget& window) {
   static const QRegularExpression kHyphen(QStringLiteral("(?<![^\\s(:\uff1a\uff08])-[0-9]"));
   static const QRegularExpression kUngrouped(
       QStringLiteral("(?<![\\w.,:/+-])(?!(?:19|20)[0-9]{2}(?![0-9]))[1-9][0-9]{3,}(?![\\w,:/-])"));
+  static const QRegularExpression kTwoWays(QStringLiteral("(?<![0-9/])[0-9]{1,2}/[0-9]{1,2}/[0-9]{4}"));
   QStringList rough;
   const auto look = [&rough](const QString& text) {
-    if (text.contains(kHyphen) || text.contains(kUngrouped)) {
+    if (text.contains(kHyphen) || text.contains(kUngrouped) || text.contains(kTwoWays)) {
       rough << text;
     }
   };
@@ -148,6 +150,9 @@ QStringList roughNumbers(QWidget& window) {
     }
     if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
       look(button->text());
+    }
+    if (const auto* field = qobject_cast<const QDateTimeEdit*>(widget)) {
+      look(field->text());
     }
     const auto* view = qobject_cast<const QAbstractItemView*>(widget);
     const QAbstractItemModel* model = view != nullptr ? view->model() : nullptr;

@@ -15,7 +15,8 @@ namespace torsio::gui::testing {
 /// A title of the header that the page tells again.
 [[nodiscard]] QStringList doubledTitles(QWidget& window);
 /// Numbers of labels, buttons, lists and the cells of tables that are not as screens show them: a hyphen in
-/// place of the minus, four figures and more without groups. Years, times and identifiers are none.
+/// place of the minus, four figures and more without groups, days that can be read two ways (03/12/2026).
+/// Years, times and identifiers are none.
 [[nodiscard]] QStringList roughNumbers(QWidget& window);
 /// On a wide screen: whether a page crowds into a corner. It stands in the middle, or it uses the width;
 /// empty: it does.

@@ -26,6 +26,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/widgets/date_text.h"
 
 namespace torsio::gui {
 namespace {
@@ -387,8 +388,10 @@ TEST(LanguageSwitch, GoesWithNumbersAndDates) {
   EXPECT_EQ(inside->locale().language(), QLocale::Chinese);
   EXPECT_EQ(QLocale().language(), QLocale::Chinese);
   EXPECT_TRUE(QLocale().toString(day, QLocale::LongFormat).contains(QChar(0x5E74)));  // "year"
+  EXPECT_EQ(dateText(day), QStringLiteral("2026/1/5"));
   language.choose(Language::kEnglish);
   EXPECT_TRUE(QLocale().toString(day, QLocale::LongFormat).contains(QStringLiteral("January")));
+  EXPECT_EQ(dateText(day), QStringLiteral("5 Jan 2026"));  // 05/01 is May to some
 }
 
 TEST(LanguageSwitch, KnowsItsLanguagesByCodeAndByTheirOwnNames) {

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollArea>
@@ -112,13 +111,6 @@ QString firstFew(const QStringList& names) {
   const qsizetype more = names.size() - kFew;
   return more > 0 ? QCoreApplication::translate("Administration", "%1 and %2 more").arg(first).arg(more)
                   : first;
-}
-
-QString shownTime(std::int64_t utc_us, const QLocale& locale) {
-  if (utc_us == 0) {
-    return QStringLiteral("\u2013");
-  }
-  return locale.toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 
 }  // namespace torsio::gui

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <QLocale>
 #include <QString>
 #include <QStringList>
 
@@ -49,7 +48,5 @@ void chooseId(QComboBox* chooser, const std::string& id);
 [[nodiscard]] QStringList listOf(const std::vector<std::string>& texts);
 /// The first three of some names and how many more there are: "T-01, T-02, T-03 and 5 more".
 [[nodiscard]] QString firstFew(const QStringList& names);
-/// Date and time in the user's language; a dash for 0.
-[[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
 
 }  // namespace torsio::gui

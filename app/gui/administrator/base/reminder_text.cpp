@@ -8,6 +8,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/date_text.h"
 
 namespace torsio::gui {
 

@@ -7,6 +7,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/date_text.h"
 
 namespace torsio::gui {
 

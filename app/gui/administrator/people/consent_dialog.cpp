@@ -21,6 +21,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -60,6 +61,7 @@ ConsentDialog::ConsentDialog(ShellContext& shell, People people, QWidget* parent
   print_->setObjectName(QStringLiteral("printForm"));
   decisions_->setObjectName(QStringLiteral("decisions"));
   signed_->setCalendarPopup(true);
+  showAsDate(signed_);
   signed_->setMaximumDate(QDate::currentDate());
   version_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   purpose_->setSizeAdjustPolicy(QComboBox::AdjustToContents);

@@ -21,6 +21,7 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/person.h"
@@ -79,6 +80,7 @@ std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent, const std::vec
   auto* due = new QDateEdit(QDate::currentDate().addDays(kUsualDays), &dialog);
   due->setObjectName(QStringLiteral("due"));
   due->setCalendarPopup(true);
+  showAsDate(due);
   due->setMinimumDate(QDate::currentDate());
   due->setEnabled(false);
   due->setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Deadline")));

@@ -20,6 +20,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/reporting/coded_tables.h"
 #include "sim/base/time_units.h"
@@ -133,6 +134,9 @@ void AuditPage::retranslate() {
       tr("Audit trail"),
       tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
          "without being found."));
+  for (QDateEdit* day : {from_, to_}) {
+    showAsDate(day);
+  }
   verify_->setText(tr("&Verify"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded run"));
   heads_->setText(tr("&Heads\u2026"));

@@ -14,6 +14,7 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"

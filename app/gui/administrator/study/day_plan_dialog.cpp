@@ -24,6 +24,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/study/day_plan.h"
@@ -66,7 +67,7 @@ QString slotTime(std::int64_t utc_us, const QLocale& locale) {
   const QString hour = locale.toString(time.time(), QLocale::ShortFormat);
   return time.date() == QDate::currentDate()
              ? hour
-             : QStringLiteral("%1 %2").arg(locale.toString(time.date(), QLocale::ShortFormat), hour);
+             : QStringLiteral("%1 %2").arg(dateText(time.date(), locale), hour);
 }
 
 DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees,
@@ -142,6 +143,7 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   table_->setEmptyText(tr("Nobody is planned for this day yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &DayPlanDialog::reject);
   suggested_ = first_->time();
+  showAsDate(day_);
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::read);
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::suggestFirst);
   connect(day_, &QDateEdit::dateChanged, this, &DayPlanDialog::showOutlook);

@@ -9,6 +9,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/fold_line.h"
 #include "assessment/study/station_state.h"
 
@@ -32,8 +33,7 @@ QString TodaysSessionsPage::checkText(const StationDevice& device) const {
     return tr("\u25CB not checked yet");
   }
   if (checked.date() != now.date()) {
-    return tr("\u25CB not checked today, last on %1")
-        .arg(locale().toString(checked.date(), QLocale::ShortFormat));
+    return tr("\u25CB not checked today, last on %1").arg(dateText(checked.date(), locale()));
   }
   const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
   switch (*device.light) {

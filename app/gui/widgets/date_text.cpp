@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets/date_text.h"
+
+#include <QDateEdit>
+#include <QDateTime>
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr QChar kDash(0x2013);
+
+QDateTime timeOf(std::int64_t utc_us) {
+  return QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
+}
+
+}  // namespace
+
+QString dateFormat(const QLocale& locale) {
+  return locale.language() == QLocale::Chinese ? locale.dateFormat(QLocale::ShortFormat)
+                                               : QStringLiteral("d MMM yyyy");
+}
+
+QString dateText(const QDate& day, const QLocale& locale) {
+  return locale.toString(day, dateFormat(locale));
+}
+
+QString dayText(std::int64_t utc_us, const QLocale& locale) {
+  return utc_us == 0 ? QString(kDash) : dateText(timeOf(utc_us).date(), locale);
+}
+
+QString shownTime(std::int64_t utc_us, const QLocale& locale) {
+  return utc_us == 0 ? QString(kDash)
+                     : QStringLiteral("%1 %2").arg(
+                           dayText(utc_us, locale),
+                           locale.toString(timeOf(utc_us).time(), QLocale::ShortFormat));
+}
+
+void showAsDate(QDateEdit* field) {
+  field->setDisplayFormat(dateFormat(field->locale()));
+}
+
+}  // namespace torsio::gui
