@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-VARYING vec2 place;   // on the painted square, whose border goes on beyond it
+VARYING vec2 place;   // on the painted square; it goes on beyond it
 
 void MAIN()
 {

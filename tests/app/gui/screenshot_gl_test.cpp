@@ -99,6 +99,20 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
 }
 
+TEST_F(Screenshot, TheClothGoesOnInAViewMuchWiderThanHigh) {
+  const QImage wide = shot(QStringLiteral("wide.png"),
+                           {QStringLiteral("--organ"), QStringLiteral("forearm"), QStringLiteral("--quality"),
+                            QStringLiteral("fast"), QStringLiteral("--size"), QStringLiteral("1500x450"),
+                            QStringLiteral("--scene-only"), QStringLiteral("--angle"), QStringLiteral("0")});
+
+  ASSERT_FALSE(wide.isNull());
+  int streaks = 0;  // rows whose first pixels are all alike
+  for (int y = 0; y < wide.height(); ++y) {
+    streaks += colours(wide, QRect(0, y, wide.width() / 20, 1)) == 1 ? 1 : 0;
+  }
+  EXPECT_LT(streaks, wide.height() / 20);
+}
+
 TEST_F(Screenshot, ShowsAnOrganFromSixSidesAtRestAndTurned) {
   const QImage sheet =
       shot(QStringLiteral("sides.png"),
