@@ -47,7 +47,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("adjudicator requested"),
     Text::tr("After each figure the next row is marked by itself"),
     Text::tr("All are scored. Press again to seal them; sealed marks stay as they are."),
-    Text::tr("All done"),
+    Text::tr("All scored"),
     Text::tr("All models are submitted. Thank you."),
     Text::tr("all phases done"),
     Text::tr("All rows have the same mark. Is that meant?"),

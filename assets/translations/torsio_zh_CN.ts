@@ -13612,8 +13612,8 @@ audit trail %3</source>
         <translation>每次打分后自动选中下一行</translation>
     </message>
     <message>
-        <source>All done</source>
-        <translation>全部完成</translation>
+        <source>All scored</source>
+        <translation>全部评分完成</translation>
     </message>
     <message>
         <source>All rows have the same mark. Is that meant?</source>
@@ -21644,6 +21644,10 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::DiscrepancyReviewPage</name>
     <message>
+        <source>A reason is needed: write it in a few words</source>
+        <translation>需要说明理由：请简短填写</translation>
+    </message>
+    <message>
         <source>Your mark stays as it is</source>
         <translation>您的评分保持不变</translation>
     </message>
@@ -25368,6 +25372,14 @@ Leave it empty to remove it.</source>
         <translation>没有逾期</translation>
     </message>
     <message>
+        <source>Score the reference runs and see how far you are from the panel.</source>
+        <translation>为参考操作评分，看看与专家组的差距。</translation>
+    </message>
+    <message>
+        <source>no case waits for you</source>
+        <translation>没有待评分的案例</translation>
+    </message>
+    <message>
         <source>Before the first case: score the reference runs and see how far you are from the panel.</source>
         <translation>开始第一个案例之前：为参考操作评分，看看与专家组的差距。</translation>
     </message>
@@ -25388,8 +25400,8 @@ Leave it empty to remove it.</source>
         <translation>继续(&amp;C)</translation>
     </message>
     <message>
-        <source>All done</source>
-        <translation>全部完成</translation>
+        <source>All scored</source>
+        <translation>全部评分完成</translation>
     </message>
     <message>
         <source>submitted</source>

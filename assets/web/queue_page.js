@@ -30,7 +30,7 @@ export class QueuePage {
   }
 
   #head({ next, drafts, waiting }) {
-    const words = drafts > 0 ? t('Continue the draft') : waiting > 0 ? t('Continue') : t('All done');
+    const words = drafts > 0 ? t('Continue the draft') : waiting > 0 ? t('Continue') : t('All scored');
     return h('div', { class: 'page-head' },
       h('div', {},
         h('h1', {}, t('Your queue')),

@@ -19,6 +19,7 @@
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/review/case_sheet.h"
@@ -38,6 +39,7 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
       bars_(new ComparisonBars(this)),
       sheet_(new SheetEditorPanel(false, this)),
       reason_(new QLineEdit(this)),
+      why_(fieldHint(this)),
       keep_(new QPushButton(this)),
       move_(new QPushButton(this)),
       adjudicator_(new QPushButton(this)),
@@ -69,6 +71,7 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
   right->addWidget(sheet_, 1);
   right->addStretch(0);
   right->addWidget(reason_);
+  right->addWidget(why_);
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {keep_, move_, adjudicator_}) {
     buttons->addWidget(button);
@@ -104,7 +107,11 @@ void DiscrepancyReviewPage::connectAll() {
   });
   connect(move_, &QPushButton::clicked, this, &DiscrepancyReviewPage::startMoving);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &DiscrepancyReviewPage::startMoving);  // seals
+  connect(reason_, &QLineEdit::textChanged, this, [this] { sayHint(why_, QString()); });
   connect(adjudicator_, &QPushButton::clicked, this, [this] {
+    if (!hasReason()) {
+      return;
+    }
     decide([](SessionContext& w, const std::string& id,
               const std::string& why) { askForAdjudicator(w, id, why); },
            tr("An adjudicator has been requested"));
@@ -191,7 +198,7 @@ void DiscrepancyReviewPage::startMoving() {
     return;
   }
   if (sheet_->editor() != nullptr) {
-    if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
+    if (!hasReason() || !readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
       return;
     }
     const Sheet sheet = sheet_->editor()->sheet();
@@ -210,6 +217,16 @@ void DiscrepancyReviewPage::startMoving() {
 
 void DiscrepancyReviewPage::stopMoving() {
   sheet_->endSheet();
+  sayHint(why_, QString());
+}
+
+bool DiscrepancyReviewPage::hasReason() {
+  const bool has = !reason_->text().trimmed().isEmpty();
+  sayHint(why_, has ? QString() : tr("A reason is needed: write it in a few words"));
+  if (!has) {
+    reason_->setFocus(Qt::OtherFocusReason);
+  }
+  return has;
 }
 
 template <typename Action>

@@ -44,6 +44,8 @@ class DiscrepancyReviewPage : public Page {
   void showCase();
   void startMoving();
   void stopMoving();
+  /// False: it says so at the field, which has the focus then.
+  [[nodiscard]] bool hasReason();
   template <typename Action>
   void decide(const Action& action, const QString& said);
 
@@ -56,6 +58,7 @@ class DiscrepancyReviewPage : public Page {
   ComparisonBars* bars_;
   SheetEditorPanel* sheet_;
   QLineEdit* reason_;
+  QLabel* why_;  ///< what is wrong with the reason
   QPushButton* keep_;
   QPushButton* move_;
   QPushButton* adjudicator_;
