@@ -48,7 +48,7 @@ void MainWindow::enterDesk() {
 void MainWindow::openDesk() {
   DeskSetup setup;
   setup.assets = setup_.assets;
-  setup.centre = centre_;
+  setup.centre = lookedAt_ ? QString() : centre_;  // the line of the look round says it
   setup.language = language_.present();
   setup.theme = theme_;
   setup.kiosk = setup_.kiosk;
