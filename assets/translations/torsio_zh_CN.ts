@@ -18918,6 +18918,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         </translation>
     </message>
     <message>
+        <source>the organ is let go, and the jaw draws back.</source>
+        <translation>器官已松开，钳口退回。</translation>
+    </message>
+    <message>
         <source>the jaw goes to the marked band.</source>
         <translation>钳口移向标记的环带。</translation>
     </message>
@@ -24240,6 +24244,18 @@ Leave it empty to remove it.</source>
         <translation>先练习(&amp;P)</translation>
     </message>
     <message>
+        <source>New here?</source>
+        <translation>第一次使用？</translation>
+    </message>
+    <message>
+        <source>This trainee has learned something already; you begin with the first exercise, “%1”. It shows one movement after the other, takes two minutes, and nothing is graded.</source>
+        <translation>这名学员已有学习记录；您可从第一个练习“%1”开始：逐步提示每个动作，约两分钟，不评分。</translation>
+    </message>
+    <message>
+        <source>&amp;Try a first twist</source>
+        <translation>试做第一次扭转(&amp;T)</translation>
+    </message>
+    <message>
         <source>%1  ·  %2</source>
         <translation>%1  ·  %2</translation>
     </message>
@@ -28089,6 +28105,16 @@ Leave it empty to remove it.</source>
         <translation>
             <numerusform>扭转 %1 / %n</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s), at least %1 asked for</source>
+        <translation>
+            <numerusform>已扭转 %n 次，至少要求 %1 次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The keyboard left the organ: the jaw has opened.</source>
+        <translation>键盘焦点已离开器官，钳口已松开。</translation>
     </message>
     <message>
         <source>Guide me</source>

@@ -156,11 +156,15 @@ QWidget* RunPage::createPanel() {
   whole->addWidget(scroll, 1);
   auto* told = new QVBoxLayout;
   told->setContentsMargins(kSpace + 4, kSpace / 2, kSpace + 4, 0);
+  warning_ = plainLabel(side, "caution");
+  warning_->setObjectName(QStringLiteral("warning"));
+  warning_->hide();
   verdict_ = plainLabel(side);
   verdict_->setObjectName(QStringLiteral("verdict"));
   verdict_->hide();
   cue_ = plainLabel(side, "quiet");
   cue_->setObjectName(QStringLiteral("cue"));
+  told->addWidget(warning_);
   told->addWidget(verdict_);
   told->addWidget(cue_);
   whole->addLayout(told);
@@ -178,11 +182,8 @@ QWidget* RunPage::createPanel() {
   load_ = new Card(QString(), panel);
   torque_ = new LevelBar(QString(), QString(), 3, load_);
   force_ = new LevelBar(QString(), QString(), 2, load_);
-  warning_ = plainLabel(load_, "caution");
-  warning_->setObjectName(QStringLiteral("warning"));
   load_->content()->addWidget(torque_);
   load_->content()->addWidget(force_);
-  load_->content()->addWidget(warning_);
   column->addWidget(load_);
   guide_ = new TwistGuide(scene_);
   guide_->setObjectName(QStringLiteral("guide"));

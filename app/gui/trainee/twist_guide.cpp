@@ -17,7 +17,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kGuideWidth = 460;
+constexpr int kGuideWidth = 340;  // beside an upright arm in the smallest window
 
 }  // namespace
 
@@ -97,10 +97,10 @@ void TwistGuide::follow(const LiveState& state, bool onTarget, double heldShare)
 }
 
 void TwistGuide::showStep() {
-  const int number = std::min(static_cast<int>(step_) + 1, kMovements);
-  number_->setText(step_ == Step::kDone
-                       ? tr("Your first twist")
-                       : tr("Your first twist: movement %1 of %2").arg(number).arg(kMovements));
+  const int all = held_ ? kMovements : kMovements - 1;
+  const int number = std::min(static_cast<int>(step_) + 1, all);
+  number_->setText(step_ == Step::kDone ? tr("Your first twist")
+                                        : tr("Your first twist: movement %1 of %2").arg(number).arg(all));
   skip_->setText(step_ == Step::kDone ? tr("Close") : tr("Skip"));
   switch (step_) {
     case Step::kReach:
@@ -142,7 +142,7 @@ void TwistGuide::place() {
   const QWidget* over = parentWidget();
   const int width = std::min(kGuideWidth, over->width() - 4 * kSpace);
   const int height = std::max(sizeHint().height(), heightForWidth(width));
-  setGeometry((over->width() - width) / 2, 2 * kSpace, width, height);
+  setGeometry(2 * kSpace, 2 * kSpace, width, height);
 }
 
 bool TwistGuide::eventFilter(QObject* watched, QEvent* event) {
