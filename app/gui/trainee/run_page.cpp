@@ -144,10 +144,12 @@ void RunPage::enter(const QVariant& argument) {
     return;
   }
   waiting_ = true;
+  const TrainingModule& module = runSession_->step().module;
+  dial_->setTarget(module.targetAngle_rad, module.tolerance_rad);
   SceneRequest request;
   request.assets = shell().assets();
-  request.id = runSession_->step().module.sceneId;
-  request.pattern = runSession_->step().module.patternId;
+  request.id = module.sceneId;
+  request.pattern = module.patternId;
   scene_->controller().load(request);
   showState();
 }
@@ -390,8 +392,9 @@ void RunPage::askToStop() {
   question.setText(tr("End this run now?"));
   question.setInformativeText(runSession_->graded() ? tr("What was recorded is kept, and the attempt counts.")
                                                     : tr("What was recorded is kept."));
+  // Go on is what Enter means: whoever holds it on the button ends nothing.
   QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
-  question.addButton(tr("&Go on"), QMessageBox::RejectRole);
+  question.setDefaultButton(question.addButton(tr("&Go on"), QMessageBox::RejectRole));
   question.exec();
   if (question.clickedButton() != end || !runSession_) {
     focusDue_ = true;  // Space grips again and does not press the button

@@ -166,6 +166,27 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
+TEST(FirstRunByHand, EnterThatIsHeldOnEndTheRunUsesUpNoAttempt) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  bool asked = false;
+  QTimer::singleShot(0, qApp, [&asked] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    asked = true;
+    QTest::keyPress(question, Qt::Key_Return);
+  });
+
+  newcomer.click("stop");
+
+  EXPECT_TRUE(asked);
+  EXPECT_EQ(station.pageId, PageId::kRun);
+  EXPECT_TRUE(station.run().busy());
+}
+
 TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
