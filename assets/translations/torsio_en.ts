@@ -619,6 +619,13 @@
             <numerusform>%1 of %n twists</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n twist(s), at least %1 asked for</source>
+        <translation>
+            <numerusform>%n twist, at least %1 asked for</numerusform>
+            <numerusform>%n twists, at least %1 asked for</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ScoringPage</name>

@@ -18918,6 +18918,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         </translation>
     </message>
     <message>
+        <source>the organ is let go, and the jaw draws back.</source>
+        <translation>器官已松开，钳口退回。</translation>
+    </message>
+    <message>
         <source>the jaw goes to the marked band.</source>
         <translation>钳口移向标记的环带。</translation>
     </message>
@@ -23242,12 +23246,12 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::LevelBar</name>
     <message>
-        <source>%1, at the limit</source>
-        <translation>%1，已达上限</translation>
+        <source>%1, above the limit</source>
+        <translation>%1，超过限值</translation>
     </message>
     <message>
-        <source>at limit  %1</source>
-        <translation>已达上限  %1</translation>
+        <source>above limit  %1</source>
+        <translation>超限  %1</translation>
     </message>
 </context>
 <context>
@@ -24242,6 +24246,18 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Practise first</source>
         <translation>先练习(&amp;P)</translation>
+    </message>
+    <message>
+        <source>New here?</source>
+        <translation>第一次使用？</translation>
+    </message>
+    <message>
+        <source>This trainee has learned something already; you begin with the first exercise, “%1”. It shows one movement after the other, takes two minutes, and nothing is graded.</source>
+        <translation>这名学员已有学习记录；您可从第一个练习“%1”开始：逐步提示每个动作，约两分钟，不评分。</translation>
+    </message>
+    <message>
+        <source>&amp;Try a first twist</source>
+        <translation>试做第一次扭转(&amp;T)</translation>
     </message>
     <message>
         <source>%1  ·  %2</source>
@@ -28102,6 +28118,16 @@ Leave it empty to remove it.</source>
             <numerusform>扭转 %1 / %n</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n twist(s), at least %1 asked for</source>
+        <translation>
+            <numerusform>已扭转 %n 次，至少要求 %1 次</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The keyboard left the organ: the jaw has opened.</source>
+        <translation>键盘焦点已离开器官，钳口已松开。</translation>
+    </message>
     <message>
         <source>Guide me</source>
         <translation>引导我</translation>
@@ -30072,8 +30098,8 @@ T-02,master,17</translation>
         <translation>移动触笔，直到钳口接触器官。</translation>
     </message>
     <message>
-        <source>Move the mouse; the wheel moves the instrument nearer, until it touches.</source>
-        <translation>移动鼠标；滚轮使器械靠近，直到接触。</translation>
+        <source>Move the mouse, or press the arrows; the wheel or Page Up moves the instrument nearer, until it touches.</source>
+        <translation>移动鼠标或按方向键；用滚轮或 Page Up 使器械靠近，直到接触。</translation>
     </message>
     <message>
         <source>Close the jaw</source>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -12,6 +12,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/simulator/tool_tilt.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {
@@ -24,6 +25,7 @@ constexpr double kKeyRoll_rad_per_s = radians(60.0);
 constexpr double kTapShare = 0.25;  // of full speed: a tap turns finely
 constexpr double kTap_s = 0.15;
 constexpr double kFullSpeed_s = 0.5;
+constexpr double kShortestTap_s = 0.05;  // a key that was down between two frames was down for so long
 constexpr double kKeyTilt_rad_per_s = radians(40.0);
 constexpr double kKeyOrbit_px_per_s = 220.0;
 constexpr double kWheelDepth_m = 0.004;     // one notch
@@ -39,38 +41,6 @@ constexpr double kSettleTime_s = 0.12;  // of the tilt, as the tissue itself ret
 constexpr double kSettled_rad = radians(0.2);
 constexpr double kLean = 0.6;    // share of the surface's normal in the direction of the shaft
 constexpr float kEndOn = 0.25F;  // looking along the axis: no side of the tissue is the near one
-
-/// Angles of view * turn(y, yaw) * turn(x, pitch) * turn(z, roll).
-struct Tilt {
-  double yaw_rad = 0.0;
-  double pitch_rad = 0.0;
-  double roll_rad = 0.0;
-};
-
-double distance(const Tilt& a, const Tilt& b) {
-  return std::abs(a.yaw_rad - b.yaw_rad) + std::abs(a.pitch_rad - b.pitch_rad) +
-         std::abs(a.roll_rad - b.roll_rad);
-}
-
-double nearTo(double angle_rad, double reference_rad) {
-  return reference_rad + std::remainder(angle_rad - reference_rad, 2.0 * std::numbers::pi);
-}
-
-/// Two triples of angles mean the same turn; the one that continues `before` is taken.
-Tilt tiltOf(const Quat& turn, const Tilt& before) {
-  const Vec3 x = rotate(turn, {1.0, 0.0, 0.0});
-  const Vec3 y = rotate(turn, {0.0, 1.0, 0.0});
-  const Vec3 z = rotate(turn, {0.0, 0.0, 1.0});
-  const double yaw = std::atan2(z.x, z.z);
-  const double pitch = std::asin(std::clamp(-z.y, -1.0, 1.0));
-  const double roll = std::atan2(x.y, y.y);
-  const auto continued = [&before](double a, double b, double c) {
-    return Tilt{nearTo(a, before.yaw_rad), nearTo(b, before.pitch_rad), nearTo(c, before.roll_rad)};
-  };
-  const Tilt first = continued(yaw, pitch, roll);
-  const Tilt second = continued(yaw + std::numbers::pi, std::numbers::pi - pitch, roll + std::numbers::pi);
-  return distance(first, before) <= distance(second, before) ? first : second;
-}
 
 /// Share of the full speed of turning after a key has been down for so long.
 double turningShare(double held_s) {
@@ -124,6 +94,8 @@ void PointerControls::park(const Vec3& tip_m) {
 
 void PointerControls::letEverythingGo() {
   held_.clear();
+  unseen_.clear();
+  tapped_.clear();
   gripKept_ = false;
   input_.buttons = 0;
   setGrip(false);
@@ -259,7 +231,10 @@ void PointerControls::advance(double elapsed_s) {
   if (held_.empty()) {
     return;
   }
-  const auto down = [this](Qt::Key key) { return held_.contains(key) ? 1.0 : 0.0; };
+  const auto down = [this, elapsed_s](Qt::Key key) {
+    const double share = tapped_.contains(key) ? std::min(1.0, kShortestTap_s / elapsed_s) : 1.0;
+    return held_.contains(key) ? share : 0.0;
+  };
   const QPointF way(down(Qt::Key_Right) - down(Qt::Key_Left), down(Qt::Key_Down) - down(Qt::Key_Up));
   if (!way.isNull()) {
     moveInPicture(way * kKeyPixels_per_s * elapsed_s);
@@ -281,6 +256,10 @@ void PointerControls::advance(double elapsed_s) {
     input_.yaw_rad = std::clamp(input_.yaw_rad + yaw * step, -kSteepestTilt_rad, kSteepestTilt_rad);
     input_.pitch_rad = std::clamp(input_.pitch_rad + pitch * step, -kSteepestTilt_rad, kSteepestTilt_rad);
     publish();
+  }
+  unseen_.clear();
+  for (const int key : std::exchange(tapped_, {})) {
+    held_.erase(key);
   }
 }
 
@@ -306,9 +285,14 @@ bool PointerControls::eventFilter(QObject*, QEvent* event) {
     case QEvent::Leave:
       mouseKnown_ = false;
       return false;
-    case QEvent::FocusOut:
+    case QEvent::FocusOut: {
+      const bool gripped = input_.grip > 0.0;
       letEverythingGo();
+      if (gripped) {
+        Q_EMIT gripLost();
+      }
       return false;
+    }
     default:
       return false;
   }
@@ -398,6 +382,8 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
   if (movesWhileHeld(usual)) {
     if (!event.isAutoRepeat()) {
       held_.insert(usual);
+      unseen_.insert(usual);
+      tapped_.erase(usual);
       rollHeld_s_ = usual == Qt::Key_Q || usual == Qt::Key_E ? 0.0 : rollHeld_s_;
     }
     return true;
@@ -441,6 +427,10 @@ bool PointerControls::keyReleased(const QKeyEvent& event) {
   if (usual == Qt::Key_B) {
     input_.buttons &= ~static_cast<std::uint32_t>(kButtonBookmark);
     publish();
+    return true;
+  }
+  if (unseen_.contains(usual)) {
+    tapped_.insert(usual);
     return true;
   }
   return held_.erase(usual) > 0;

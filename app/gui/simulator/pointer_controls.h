@@ -67,6 +67,8 @@ class PointerControls : public QObject {
 
  Q_SIGNALS:
   void changed();
+  /// The jaw opened because the keyboard went elsewhere.
+  void gripLost();
 
  private:
   void mouseMoved(const QMouseEvent& event);
@@ -93,6 +95,8 @@ class PointerControls : public QObject {
   QPointF lastMouse_;
   bool mouseKnown_ = false;
   std::set<int> held_;       // keys that move something while they are down
+  std::set<int> unseen_;     // of these, pressed since the last frame
+  std::set<int> tapped_;     // of these, let go again already: they move something in the next frame
   double rollHeld_s_ = 0.0;  // how long a key has turned the tool
   bool gripKept_ = false;
   std::optional<Vec3> heldAxis_;  // world frame

@@ -8,7 +8,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStringList>
@@ -54,7 +53,7 @@ QStringList twist(const TrainingModule& module) {
           .arg(numberText(degrees(module.targetAngle_rad), 0), numberText(degrees(module.tolerance_rad), 0))};
   if (module.hold_us > 0) {
     task << BriefingPage::tr("Hold for %1 s before you let go.")
-                .arg(static_cast<double>(module.hold_us) * 1e-6, 0, 'f', 1);
+                .arg(numberText(static_cast<double>(module.hold_us) * 1e-6, 1));
   }
   if (module.leastTwists > 1) {
     task << BriefingPage::tr("Twist at least %n time(s).", nullptr, static_cast<int>(module.leastTwists));
@@ -69,7 +68,8 @@ constexpr double kSlowMotion = 0.25;
 QString doneNow(const LiveState& state, const TrainingModule& module, bool undone) {
   switch (state.phase) {
     case ExercisePhase::kTracking:
-      return BriefingPage::tr("the jaw goes to the marked band.");
+      return state.times.released_us >= 0 ? BriefingPage::tr("the organ is let go, and the jaw draws back.")
+                                          : BriefingPage::tr("the jaw goes to the marked band.");
     case ExercisePhase::kContact:
       return BriefingPage::tr("it touches, and the jaw closes.");
     case ExercisePhase::kTwisting:
@@ -89,8 +89,7 @@ QString doneNow(const LiveState& state, const TrainingModule& module, bool undon
 /// Says what an untwisting begins with and when it is done. The angle of the start is drawn at its beginning.
 QStringList untwistingTask(const Detorsion& detorsion) {
   const DetorsionLimits& limits = detorsion.limits;
-  const QLocale locale;
-  const auto figure = [&locale](double value) { return locale.toString(value, 'f', 0); };
+  const auto figure = [](double value) { return numberText(value, 0); };
   const double least_deg = degrees(detorsion.start.least_rad);
   const double most_deg = degrees(detorsion.start.most_rad);
   QStringList task;
@@ -176,6 +175,12 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(start_, &QPushButton::clicked, this, [this] { shell().open(PageId::kRun); });
   connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
+  connect(slow_, &QPushButton::toggled, this, [this](bool slow) {
+    const TrialPlayback* expert = scene_->controller().playback();
+    if (slow && expert != nullptr && expert->position_us() >= expert->duration_us()) {
+      showExpert();  // there is nothing left to be slowed down
+    }
+  });
   connect(scene_, &LiveScene::shown, this, &BriefingPage::follow);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     fill();
@@ -289,10 +294,10 @@ void BriefingPage::fill() {
   undone_ = undone != nullptr;
   QStringList task = undone ? untwistingTask(*undone) : twist(step_.module);
   if (step_.module.maxForce_N) {
-    task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
+    task << tr("Keep the force below %1 N.").arg(numberText(*step_.module.maxForce_N, 1));
   }
   if (step_.module.maxTorque_Nm) {
-    task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
+    task << tr("Keep the torque below %1 N m.").arg(numberText(*step_.module.maxTorque_Nm, 2));
   }
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;

@@ -24,6 +24,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/ids.h"
 
@@ -300,7 +301,7 @@ void DebriefPage::fillNotes() {
   }
   if (debrief_.deviceForce_N && debrief_.forceFelt) {
     add("deviceForce", tr("What is judged is the force on the tissue. The device gave at most %1 N of it.")
-                           .arg(*debrief_.deviceForce_N, 0, 'f', 2));
+                           .arg(numberText(*debrief_.deviceForce_N, 2)));
   }
   if (debrief_.earlier && debrief_.earlier->peakForce_N) {
     add("earlier", StationLabels::earlier(*debrief_.earlier));

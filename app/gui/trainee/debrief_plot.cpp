@@ -191,8 +191,11 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
   const double step = niceStep((range_.to_s - range_.from_s) / 8.0);
   painter.setPen(theme_->quietText);
   for (double t = std::ceil(range_.from_s / step) * step; t <= range_.to_s; t += step) {
-    painter.drawText(QRectF(xOf(t) - 40.0, force.area.bottom() + 4.0, 80.0, 18.0), Qt::AlignHCenter,
-                     clockTenths(t));
+    // Centred below its time, and whole where that is the end of the run.
+    const QString time = clockTenths(t);
+    const double wide = painter.fontMetrics().horizontalAdvance(time) + 2.0;
+    const double left = std::min(xOf(t) - 0.5 * wide, width() - wide);
+    painter.drawText(QRectF(left, force.area.bottom() + 4.0, wide, 18.0), Qt::AlignHCenter, time);
   }
 }
 

@@ -38,6 +38,7 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
   sayWaiting();
   pointer_->setKeys(PointerKeys::stored());
   view_->setInstrument(loadInstrument(assets, "grasper"));
+  connect(pointer_, &PointerControls::gripLost, this, &LiveScene::gripLost);
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
   connect(controller_.get(), &SimulationController::sceneChanged, this, [this] {
     if (controller_->scene() == nullptr) {

@@ -40,6 +40,8 @@ class LiveScene : public QWidget {
  Q_SIGNALS:
   /// After each frame, so that the gauges and the picture change together.
   void shown(const torsio::LiveState& state);
+  /// The jaw opened because the keyboard went elsewhere.
+  void gripLost();
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -64,6 +64,18 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
   notices_ = new QVBoxLayout;
   notices_->setSpacing(kSpace);
   page.column->addLayout(notices_);
+  visitor_ = new Card(QString(), this);
+  visitor_->setObjectName(QStringLiteral("visitor"));
+  visitorWords_ = plainLabel(visitor_);
+  tryTwist_ = primaryButton(visitor_);
+  tryTwist_->setObjectName(QStringLiteral("tryTwist"));
+  auto* visitorRow = new QHBoxLayout;
+  visitorRow->addWidget(visitorWords_, 1);
+  visitorRow->addWidget(tryTwist_);
+  visitor_->content()->addLayout(visitorRow);
+  page.column->addWidget(visitor_);
+  connect(tryTwist_, &QPushButton::clicked, this,
+          [this] { begin(steps_.modules.front().module.id, false, true); });
   next_ = new Card(QString(), this);
   nextContent_ = new QVBoxLayout;
   nextContent_->setSpacing(kSpace);
@@ -126,10 +138,11 @@ void NextStepPage::applyTheme(const Theme& theme) {
   fill();
 }
 
-void NextStepPage::begin(const ModuleId& moduleId, bool graded) {
+void NextStepPage::begin(const ModuleId& moduleId, bool graded, bool guided) {
   desk_.chosen = true;
   desk_.moduleId = moduleId;
   desk_.graded = graded;
+  desk_.guided = guided;
   if (!steps_.recordingAllowed) {
     shell().open(PageId::kConsent, QVariant::fromValue(PageId::kDeviceCheck));
     return;
@@ -166,6 +179,24 @@ void NextStepPage::fillNotices() {
            static_cast<int>(steps_.unreadRemarks)),
         tr("Read"), PageId::kRemarks, {});
   }
+}
+
+bool NextStepPage::forVisitor() const {
+  return steps_.demonstration && desk_.story.runs() == 0 && !steps_.allPhasesDone &&
+         !steps_.modules.empty() && steps_.modules.front().module.mode == AttemptMode::kPractice;
+}
+
+void NextStepPage::fillVisitor() {
+  visitor_->setVisible(forVisitor());
+  if (!forVisitor()) {
+    return;
+  }
+  visitor_->setTitle(tr("New here?"));
+  visitorWords_->setText(tr("This trainee has learned something already; you begin with the first exercise, "
+                            "\u201c%1\u201d. It shows one movement after the other, takes two minutes, and "
+                            "nothing is graded.")
+                             .arg(toQString(Text(steps_.modules.front().module.title))));
+  tryTwist_->setText(tr("&Try a first twist"));
 }
 
 void NextStepPage::fillNext() {
@@ -225,7 +256,7 @@ void NextStepPage::fillNext() {
   }
   const ModuleId id = steps_.next ? steps_.modules[*steps_.next].module.id : ModuleId();
   const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == AttemptMode::kGraded;
-  auto* start = primaryButton(next_);
+  auto* start = forVisitor() ? new QPushButton(next_) : primaryButton(next_);
   start->setObjectName(QStringLiteral("begin"));
   start->setText(real ? tr("&Begin on the real arm") : graded ? tr("&Begin graded run") : tr("&Begin"));
   connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
@@ -318,7 +349,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
 }
 
 QPushButton* NextStepPage::startButton() const {
-  return findChild<QPushButton*>(QStringLiteral("begin"));
+  return forVisitor() ? tryTwist_ : findChild<QPushButton*>(QStringLiteral("begin"));
 }
 
 void NextStepPage::fill() {
@@ -337,6 +368,7 @@ void NextStepPage::fill() {
   listTitle_->setText(tr("All modules"));
   listTitle_->setVisible(!steps_.modules.empty());
   fillNotices();
+  fillVisitor();
   fillNext();
   fillSession();
   emptyLayout(modules_);

@@ -35,14 +35,17 @@ class NextStepPage : public Page {
   StationDesk& desk_;
 
   void fill();
-  /// Of the next step; null when there is none.
+  /// What Enter presses: a visitor's first twist, or the next step; null when there is none.
   [[nodiscard]] QPushButton* startButton() const;
   void focusStart();
   void fillNext();
   void fillSession();
   void fillNotices();
   void addModule(const ModuleStep& step);
-  void begin(const ModuleId& moduleId, bool graded);
+  void begin(const ModuleId& moduleId, bool graded, bool guided = false);
+  /// Whoever is at the desk of a simulated trainee has not done what the record of that trainee says.
+  [[nodiscard]] bool forVisitor() const;
+  void fillVisitor();
 
   NextSteps steps_;
   std::vector<RecoveredTrial> recovered_;
@@ -50,6 +53,9 @@ class NextStepPage : public Page {
   PageHeading* heading_;
   QPushButton* consent_;
   QVBoxLayout* notices_;
+  Card* visitor_;
+  QLabel* visitorWords_;
+  QPushButton* tryTwist_;
   Card* next_;
   QVBoxLayout* nextContent_;
   Card* session_;

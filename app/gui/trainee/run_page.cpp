@@ -62,6 +62,12 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   row->addWidget(createPanel());
   scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
+  connect(scene_, &LiveScene::gripLost, this, [this] {
+    if (scene_->controller().state().phase == ExercisePhase::kTwisting) {
+      shell().notify(tr("The keyboard left the organ: the jaw has opened."));
+    }
+  });
+  scene_->view().installEventFilter(this);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     detorsion_->setScene(scene_->controller().scene());
     validity_->setScene(scene_->controller().scene());
@@ -138,10 +144,12 @@ void RunPage::enter(const QVariant& argument) {
     return;
   }
   waiting_ = true;
+  const TrainingModule& module = runSession_->step().module;
+  dial_->setTarget(module.targetAngle_rad, module.tolerance_rad);
   SceneRequest request;
   request.assets = shell().assets();
-  request.id = runSession_->step().module.sceneId;
-  request.pattern = runSession_->step().module.patternId;
+  request.id = module.sceneId;
+  request.pattern = module.patternId;
   scene_->controller().load(request);
   showState();
 }
@@ -224,10 +232,10 @@ void RunPage::record() {
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));
-  if (runSession_->firstEver() && runSession_->trials().size() == 1) {
+  if ((runSession_->firstEver() || desk_.guided) && runSession_->trials().size() == 1) {
     guide();
   }
-  scene_->view().setFocus();
+  focusDue_ = true;
 }
 
 void RunPage::guide() {
@@ -316,6 +324,9 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
   });
   if (!finished && !holdsButton(*this)) {
     showState();
+    if (std::exchange(focusDue_, false)) {
+      scene_->view().setFocus();  // a button that loses the keyboard loses its press
+    }
   }
 }
 
@@ -381,14 +392,24 @@ void RunPage::askToStop() {
   question.setText(tr("End this run now?"));
   question.setInformativeText(runSession_->graded() ? tr("What was recorded is kept, and the attempt counts.")
                                                     : tr("What was recorded is kept."));
+  // Go on is what Enter means: whoever holds it on the button ends nothing.
   QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
-  question.addButton(tr("&Go on"), QMessageBox::RejectRole);
+  question.setDefaultButton(question.addButton(tr("&Go on"), QMessageBox::RejectRole));
   question.exec();
   if (question.clickedButton() != end || !runSession_) {
+    focusDue_ = true;  // Space grips again and does not press the button
     return;
   }
   attempt(shell(), [&] { runSession_->stop("ended by the trainee"); });
   finish();
+}
+
+/// A mouse that comes back to the organ brings the keyboard along.
+bool RunPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &scene_->view() && event->type() == QEvent::Enter && busy() && !holdsButton(*this)) {
+    scene_->view().setFocus();
+  }
+  return Page::eventFilter(watched, event);
 }
 
 bool RunPage::leave() {

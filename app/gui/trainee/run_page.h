@@ -49,6 +49,7 @@ class RunPage : public Page {
   [[nodiscard]] bool leave() override;
   [[nodiscard]] bool busy() const override;
   void retranslate() override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void applyTheme(const Theme& theme) override;
 
   [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
@@ -87,6 +88,7 @@ class RunPage : public Page {
   void withoutDevice(const Problem& why);
   void showState();
   bool showNotice();
+  void showTold();
   void showLive(const LiveState& state);
   void showCount();
   /// Counts the twist that was let go just now.
@@ -107,6 +109,8 @@ class RunPage : public Page {
   std::int64_t onTarget_ = 0;          // of these
   bool held_ = false;                  // the present twist, as long as is wanted
   bool letGoHeld_ = false;             // the latest twist was
+  bool focusDue_ = false;              // the keyboard belongs to the instrument
+  bool turning_ = false;               // a hand turns what it holds
   bool waiting_ = false;               // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of RunPage: the widgets it is made of.
+#include <algorithm>
 #include <initializer_list>
 
 #include <QHBoxLayout>
@@ -29,6 +30,28 @@ constexpr int kPanelWidth = 316;
 constexpr int kTrackerWidth = 620;
 constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
+
+/// As high as what it holds where there is room, so that what follows stands close below; lower where there
+/// is none.
+class ShrinkingArea : public QScrollArea {
+ public:
+  explicit ShrinkingArea(QWidget* parent) : QScrollArea(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    const QSize held = widget()->sizeHint();
+    const int high = widget()->hasHeightForWidth() ? widget()->heightForWidth(width()) : held.height();
+    return {held.width(), std::max(held.height(), high)};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+      updateGeometry();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 }  // namespace
 
@@ -147,20 +170,24 @@ QWidget* RunPage::createPanel() {
   auto* whole = new QVBoxLayout(side);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->setSpacing(0);
-  auto* scroll = new QScrollArea(side);
+  auto* scroll = new ShrinkingArea(side);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* panel = new QWidget;
   scroll->setWidget(panel);
-  whole->addWidget(scroll, 1);
+  whole->addWidget(scroll);
   auto* told = new QVBoxLayout;
   told->setContentsMargins(kSpace + 4, kSpace / 2, kSpace + 4, 0);
+  warning_ = plainLabel(side, "caution");
+  warning_->setObjectName(QStringLiteral("warning"));
+  warning_->hide();
   verdict_ = plainLabel(side);
   verdict_->setObjectName(QStringLiteral("verdict"));
   verdict_->hide();
   cue_ = plainLabel(side, "quiet");
   cue_->setObjectName(QStringLiteral("cue"));
+  told->addWidget(warning_);
   told->addWidget(verdict_);
   told->addWidget(cue_);
   whole->addLayout(told);
@@ -178,16 +205,14 @@ QWidget* RunPage::createPanel() {
   load_ = new Card(QString(), panel);
   torque_ = new LevelBar(QString(), QString(), 3, load_);
   force_ = new LevelBar(QString(), QString(), 2, load_);
-  warning_ = plainLabel(load_, "caution");
-  warning_->setObjectName(QStringLiteral("warning"));
   load_->content()->addWidget(torque_);
   load_->content()->addWidget(force_);
-  load_->content()->addWidget(warning_);
   column->addWidget(load_);
   guide_ = new TwistGuide(scene_);
   guide_->setObjectName(QStringLiteral("guide"));
   connect(guideMe_, &QPushButton::clicked, this, &RunPage::guide);
   column->addStretch(1);
+  whole->addStretch(1);
   whole->addLayout(createButtons(side));
   return side;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -24,6 +23,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/number_text.h"
 #include "assessment/study/curriculum.h"
 #include "sim/base/angle.h"
 #include "sim/servo/surface_proxy.h"
@@ -84,6 +84,9 @@ void RunPage::showState() {
     goOn_->hide();
     tracker_->hide();
     rest_->hide();
+    for (QLabel* label : {warning_, verdict_, cue_}) {
+      label->hide();  // of the run before
+    }
     return;
   }
   const TrainingRun& run = runSession_->run();
@@ -109,11 +112,23 @@ void RunPage::showState() {
   detorsion_->setVisible(!real && undone);
   detorsion_->setUsable(runs && run.state() == RunState::kRunning);
   load_->setVisible(!real);
-  cue_->setVisible(!real && !runSession_->graded());
   guideMe_->setVisible(!real && !undone && !runSession_->graded());
   tracker_->setVisible(real && runs);
   tracker_->follow(tracked_ != nullptr);
   stage_->setCurrentIndex(showNotice() ? 1 : 0);
+  showTold();
+}
+
+/// One thing at a time: a warning stands in place of what else is said, and while a hand turns the gauges
+/// need the place.
+void RunPage::showTold() {
+  const bool simulated = stage_->currentIndex() == 0;
+  const bool practice = simulated && !runSession_->graded();
+  const bool warned = simulated && !warning_->text().isEmpty();
+  warning_->setVisible(warned);
+  verdict_->setVisible(practice && !warned && !turning_ && twists_.completed() > 0 &&
+                       angle_->isVisibleTo(this));
+  cue_->setVisible(practice && !warned);
 }
 
 /// What stands in place of the organ; false: nothing does.
@@ -215,14 +230,16 @@ void RunPage::showCount() {
   }
   const std::int64_t wanted = runSession_->step().module.leastTwists;
   count_->setVisible(wanted > 1);
-  count_->setText(tr("%1 of %n twist(s)", nullptr, static_cast<int>(wanted)).arg(twists_.completed()));
+  const std::int64_t done = twists_.completed();
+  count_->setText(done > wanted
+                      ? tr("%n twist(s), at least %1 asked for", nullptr, static_cast<int>(done)).arg(wanted)
+                      : tr("%1 of %n twist(s)", nullptr, static_cast<int>(wanted)).arg(done));
   const TrainingModule& module = runSession_->step().module;
-  const QString within = QLocale().toString(degrees(module.tolerance_rad), 'f', 0);
-  goal_->setText(
-      module.hold_us > 0
-          ? tr("Within %1\u00b0, held for %2 s, then let go")
-                .arg(within, QLocale().toString(static_cast<double>(module.hold_us) * 1e-6, 'f', 1))
-          : tr("Within %1\u00b0, then let go").arg(within));
+  const QString within = numberText(degrees(module.tolerance_rad), 0);
+  goal_->setText(module.hold_us > 0
+                     ? tr("Within %1\u00b0, held for %2 s, then let go")
+                           .arg(within, numberText(static_cast<double>(module.hold_us) * 1e-6, 1))
+                     : tr("Within %1\u00b0, then let go").arg(within));
   verdict_->setText(verdict());
 }
 
@@ -240,7 +257,7 @@ QString RunPage::verdict() const {
   const double off_rad = std::abs(at_rad - target_rad);
   QString how;
   if (off_rad > module.tolerance_rad) {
-    const QString by = QLocale().toString(degrees(off_rad), 'f', 0);
+    const QString by = numberText(degrees(off_rad), 0);
     how = at_rad * target_rad < 0.0 ? tr("Turned the wrong way: turn in the opposite direction.")
           : std::abs(at_rad) > std::abs(target_rad)
               ? tr("Let go %1\u00b0 too far: turn back before you open the jaw.").arg(by)
@@ -274,9 +291,6 @@ void RunPage::showLive(const LiveState& state) {
     judge();
   }
   showCount();
-  // While a hand turns the gauges need the place.
-  verdict_->setVisible(!runSession_->graded() && twists_.completed() > 0 && angle_->isVisibleTo(this) &&
-                       state.phase != ExercisePhase::kTwisting);
   const bool over = torque_->overLimit() || force_->overLimit();
   if (over && !wasOver_ && soundAtLimit_) {
     desk_.sound();
@@ -289,9 +303,11 @@ void RunPage::showLive(const LiveState& state) {
   warning_->setText(over   ? tr("Above the limit: ease off")
                     : deep ? tr("You are pressing too deep: draw back")
                            : otherwise);
+  turning_ = state.phase == ExercisePhase::kTwisting;
   if (!runSession_->graded()) {
     cue_->setText(cue(state));
   }
+  showTold();
 }
 
 }  // namespace torsio::gui

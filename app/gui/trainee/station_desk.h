@@ -54,6 +54,7 @@ class StationDesk {
   bool chosen = false;                       ///< something was chosen on the first page
   ModuleId moduleId;                         ///< what; empty: the real arm
   bool graded = false;
+  bool guided = false;  ///< movement by movement, whatever was done before
 
   /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be
   /// null.

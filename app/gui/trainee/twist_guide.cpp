@@ -17,7 +17,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kGuideWidth = 460;
+constexpr int kGuideWidth = 340;  // beside an upright arm in the smallest window
 
 }  // namespace
 
@@ -97,17 +97,18 @@ void TwistGuide::follow(const LiveState& state, bool onTarget, double heldShare)
 }
 
 void TwistGuide::showStep() {
-  const int number = std::min(static_cast<int>(step_) + 1, kMovements);
-  number_->setText(step_ == Step::kDone
-                       ? tr("Your first twist")
-                       : tr("Your first twist: movement %1 of %2").arg(number).arg(kMovements));
+  const int all = held_ ? kMovements : kMovements - 1;
+  const int number = std::min(static_cast<int>(step_) + 1, all);
+  number_->setText(step_ == Step::kDone ? tr("Your first twist")
+                                        : tr("Your first twist: movement %1 of %2").arg(number).arg(all));
   skip_->setText(step_ == Step::kDone ? tr("Close") : tr("Skip"));
   switch (step_) {
     case Step::kReach:
       what_->setText(lost_ ? tr("It came loose. Bring the jaw to the band once more")
                            : tr("Bring the jaw to the marked band"));
       how_->setText(haptic_ ? tr("Move the stylus until the jaw touches the organ.")
-                            : tr("Move the mouse; the wheel moves the instrument nearer, until it touches."));
+                            : tr("Move the mouse, or press the arrows; the wheel or Page Up moves the "
+                                 "instrument nearer, until it touches."));
       break;
     case Step::kClose:
       what_->setText(tr("Close the jaw"));
@@ -142,7 +143,7 @@ void TwistGuide::place() {
   const QWidget* over = parentWidget();
   const int width = std::min(kGuideWidth, over->width() - 4 * kSpace);
   const int height = std::max(sizeHint().height(), heightForWidth(width));
-  setGeometry((over->width() - width) / 2, 2 * kSpace, width, height);
+  setGeometry(2 * kSpace, 2 * kSpace, width, height);
 }
 
 bool TwistGuide::eventFilter(QObject* watched, QEvent* event) {

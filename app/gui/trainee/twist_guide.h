@@ -17,9 +17,9 @@ class TwistGuide : public QFrame {
 
  public:
   enum class Step { kReach, kClose, kTurn, kHold, kLetGo, kDone };
-  static constexpr int kMovements = 5;  ///< before kDone
+  static constexpr int kMovements = 5;  ///< before kDone; one less where nothing is to be held
 
-  /// Stands at the upper edge of `over`, hidden until begin().
+  /// Stands in the upper left corner of `over`, hidden until begin().
   explicit TwistGuide(QWidget* over);
 
   /// Shows the first movement. `haptic`: the hand feels force; else mouse and keys are named. `held`: the

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The office calls trainees from the board of the day.
+#include <utility>
+
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -24,6 +26,7 @@
 #include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/todays_sessions_page.h"
+#include "app/gui/base/background.h"
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -115,6 +118,65 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   press(*page_, QStringLiteral("End call"));
   ASSERT_EQ(lines().size(), 1);
   EXPECT_TRUE(lines()[0].startsWith(QStringLiteral("! Late"))) << lines()[0].toStdString();
+}
+
+// Somebody else calls while a button is held: neither a look that begins then nor one that is under way moves
+// the button.
+TEST_F(CallsFromTheBoard, TheClockMovesNoButtonThatIsHeld) {
+  constexpr int kLongest_ms = 20'000;
+  page_->resize(1146, 700);
+  page_->show();
+  QApplication::processEvents();
+  auto* clock = page_->findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+  auto* reader = page_->findChild<Background*>(QString(), Qt::FindDirectChildrenOnly);
+  ASSERT_TRUE(clock != nullptr && reader != nullptr);
+  int rings = 0;
+  bool pressAtRing = false;
+  QPushButton* held = testing::button(*page_, QStringLiteral("Deviation"));
+  ASSERT_NE(held, nullptr);
+  QObject::connect(clock, &QTimer::timeout, page_.get(), [&] {
+    ++rings;
+    if (std::exchange(pressAtRing, false)) {
+      EXPECT_TRUE(reader->working());
+      QTest::mousePress(held, Qt::LeftButton);
+    }
+  });
+  const auto ring = [&](int times) {
+    const int before = rings;
+    return QTest::qWaitFor(
+        [&] {
+          clock->setInterval(1);  // what is shown sets its own
+          return rings >= before + times && !reader->working();
+        },
+        kLongest_ms);
+  };
+  const std::vector<Enrolment> enrolled = enrolments(office_.centre.session(), cohort_);
+  for (const bool underWay : {false, true}) {
+    ASSERT_TRUE(ring(2));
+    const QPoint place = held->mapTo(page_.get(), QPoint());
+    const qsizetype before = lines().size();
+    if (!underWay) {
+      QTest::mousePress(held, Qt::LeftButton);
+    }
+    pressAtRing = underWay;
+    (void)callTrainee(office_.centre.as("administrator"), {.cohortId = cohort_,
+                                                           .enrolmentId = enrolled[underWay ? 1 : 0].id,
+                                                           .room = underWay ? "Room 2" : "Room 1"});
+    ASSERT_TRUE(ring(3));
+    EXPECT_TRUE(held->isDown());
+    EXPECT_EQ(lines().size(), before) << underWay;
+    EXPECT_EQ(held->mapTo(page_.get(), QPoint()), place) << underWay;
+
+    bool asked = false;
+    answer([&asked](QDialog& dialog) {
+      asked = true;
+      dialog.reject();
+    });
+    QTest::mouseRelease(held, Qt::LeftButton);
+    EXPECT_TRUE(asked) << underWay;
+    ASSERT_TRUE(ring(2));
+    EXPECT_EQ(lines().size(), before + 1) << underWay;
+  }
 }
 
 TEST_F(CallsFromTheBoard, SixRowsOfTheBoardAreSeenWhileCallsAlertsAndStationsStand) {

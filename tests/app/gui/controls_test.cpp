@@ -178,6 +178,21 @@ TEST_F(Controls, AKeyThatIsTappedTurnsFinely) {
   }
 }
 
+// On a slow machine a key may be pressed and let go between two frames.
+TEST_F(Controls, AKeyThatIsTappedBetweenTwoFramesTurnsToo) {
+  for (const double frame_s : {0.016, 0.2}) {
+    const double before = controls_.input().roll_rad;
+    key(QEvent::KeyPress, Qt::Key_E);
+    key(QEvent::KeyRelease, Qt::Key_E);
+    controls_.advance(frame_s);
+    const double turned = controls_.input().roll_rad - before;
+    EXPECT_GT(turned, radians(0.2)) << frame_s;
+    EXPECT_LT(turned, radians(1.0)) << frame_s;
+    controls_.advance(frame_s);
+    EXPECT_NEAR(controls_.input().roll_rad, before + turned, kAngle) << "once";
+  }
+}
+
 TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
   const Vec3 axis = normalized(Vec3{0.3, 0.1, 0.9});
   press({480, 340}, Qt::LeftButton);

@@ -26,6 +26,7 @@
 namespace torsio::gui {
 namespace {
 
+using torsio::testing::kMinute_us;
 using torsio::testing::kSecond_us;
 using torsio::testing::TrainingCentre;
 
@@ -165,6 +166,27 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
+TEST(FirstRunByHand, EnterThatIsHeldOnEndTheRunUsesUpNoAttempt) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  bool asked = false;
+  QTimer::singleShot(0, qApp, [&asked] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    asked = true;
+    QTest::keyPress(question, Qt::Key_Return);
+  });
+
+  newcomer.click("stop");
+
+  EXPECT_TRUE(asked);
+  EXPECT_EQ(station.pageId, PageId::kRun);
+  EXPECT_TRUE(station.run().busy());
+}
+
 TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
@@ -186,6 +208,31 @@ TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
 
   const QString told = station.find<QLabel>("verdict")->text();
   EXPECT_TRUE(told.contains(QStringLiteral("too far"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
+}
+
+TEST(FirstRunByHand, ATwistTheWrongWayIsToldByName) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  const TrainingModule module = station.run().runSession()->module();
+  newcomer.pass(0.5);
+  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
+  newcomer.hold(Qt::Key_Space);
+  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.hold(module.targetAngle_rad < 0.0 ? Qt::Key_E : Qt::Key_Q);
+  newcomer.waitUntil([&] {
+    return std::abs(newcomer.state().response.angle_rad - module.targetAngle_rad) >
+           std::abs(module.targetAngle_rad) + radians(30.0);
+  });
+  EXPECT_EQ(station.find<QLabel>("cue")->text(), QStringLiteral("Turn in the opposite direction."));
+  newcomer.release(Qt::Key_Space);
+  newcomer.pass(2.0);
+
+  const QString told = station.find<QLabel>("verdict")->text();
+  EXPECT_TRUE(told.startsWith(QStringLiteral("Turned the wrong way"))) << told.toStdString();
   EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
 }
 
@@ -220,6 +267,64 @@ TEST(FirstRunByHand, TheClockMovesNoButtonBetweenPressAndRelease) {
     station.run().tick();  // nor does it move under a pointer that is about to press
     EXPECT_EQ(stop->geometry(), place);
   }
+}
+
+TEST(FirstRunByHand, AJawThatOpensBecauseTheKeyboardWentElsewhereIsToldAndTheMouseBringsItBack) {
+  TrainingCentre centre;
+  Newcomer newcomer(centre);
+  Station& station = newcomer.station();
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.page->show();
+  QApplication::setActiveWindow(station.page.get());
+  SceneView& view = child<LiveScene>(station.run(), "scene").view();
+  view.setFocus();
+  station.notices.clear();
+  newcomer.pass(0.5);
+  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
+  newcomer.hold(Qt::Key_G);
+  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+
+  station.find<QPushButton>("stop")->setFocus();
+  newcomer.pass(0.5);
+  EXPECT_NE(newcomer.state().phase, ExercisePhase::kTwisting);
+  EXPECT_EQ(station.notices, QStringList{QStringLiteral("The keyboard left the organ: the jaw has opened.")});
+
+  QEnterEvent back(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
+  QApplication::sendEvent(&view, &back);
+  EXPECT_EQ(station.page->focusWidget(), &view);
+}
+
+// The rest is used up while "Go on now" is pressed: the button waits until it is let go.
+TEST(FirstRunByHand, TheClockTakesNoButtonAwayThatIsHeld) {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.restAllowance_us = 30 * kSecond_us;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.page->show();
+  station.press("rest");
+  QApplication::processEvents();
+  auto* goOn = station.find<QPushButton>("goOn");
+  ASSERT_TRUE(goOn->isVisible());
+  const QRect place = goOn->geometry();
+
+  QTest::mousePress(goOn, Qt::LeftButton);
+  for (int i = 0; i < 6; ++i) {
+    station.clock->advance_us(6 * kSecond_us);
+    station.run().tick();
+    QApplication::processEvents();
+    EXPECT_TRUE(goOn->isVisible()) << i;
+    EXPECT_EQ(goOn->geometry(), place) << i;
+  }
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kRunning) << "training went on by itself";
+  QTest::mouseRelease(goOn, Qt::LeftButton);
+  station.run().tick();
+
+  EXPECT_FALSE(goOn->isVisible());
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kRunning);
 }
 
 TEST(FirstRunByHand, EnterOnTheFirstPageBeginsThoughThePageIsSeenAlready) {

@@ -69,8 +69,17 @@ TEST(TwistGuide, LetsGoAtOnceWhereNothingIsToBeHeld) {
   QWidget over;
   TwistGuide guide(&over);
   guide.begin(true, false);
+  auto said = [&over] {
+    QStringList texts;
+    for (const QLabel* label : over.findChildren<QLabel*>()) {
+      texts << label->text();
+    }
+    return texts.join(QLatin1Char('\n'));
+  };
+  EXPECT_TRUE(said().contains(QStringLiteral("movement 1 of 4"))) << said().toStdString();
   guide.follow(inPhase(ExercisePhase::kTwisting), true, 0.0);
   EXPECT_EQ(guide.step(), Step::kLetGo);
+  EXPECT_TRUE(said().contains(QStringLiteral("movement 4 of 4"))) << said().toStdString();
 }
 
 TEST(FirstTwist, IsGuidedInTheFirstPracticeAndWhenAskedForAfterwards) {
@@ -101,6 +110,38 @@ TEST(FirstTwist, IsGuidedInTheFirstPracticeAndWhenAskedForAfterwards) {
   EXPECT_TRUE(later.find<TwistGuide>("guide")->going());
 }
 
+TEST(FirstTwist, AVisitorBeginsWithTheFirstExerciseWhateverTheSimulatedTraineeHasMastered) {
+  for (const bool simulated : {false, true}) {
+    TrainingCentre::Setup setup;
+    setup.simulated = simulated;
+    TrainingCentre centre(setup);
+    centre.attempt("first", "practice", 1.0);
+    centre.attempt("first", "practice", 1.0);
+    Station station(centre);
+    station.desk().openDevice = nullptr;
+    station.desk().probe = nullptr;
+    station.open(PageId::kNextStep);
+    const NextSteps steps = nextSteps(centre.session(), centre.person());
+    ASSERT_TRUE(steps.next);
+    EXPECT_EQ(steps.modules[*steps.next].module.id, centre.module("second"))
+        << "the record goes by its rules";
+    EXPECT_EQ(station.find<QWidget>("visitor")->isVisibleTo(station.page.get()), simulated);
+    EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>(simulated ? "tryTwist" : "begin"));
+    if (!simulated) {
+      continue;
+    }
+
+    station.press("tryTwist");
+    EXPECT_EQ(station.desk().moduleId, centre.module("first"));
+    station.press("goOn");
+    station.press("start");
+    ASSERT_EQ(station.pageId, PageId::kRun);
+    ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+    EXPECT_FALSE(station.run().runSession()->graded());
+    EXPECT_TRUE(station.find<TwistGuide>("guide")->going());
+  }
+}
+
 TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   TrainingCentre centre;
   Station station(centre);
@@ -126,6 +167,10 @@ TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   EXPECT_TRUE(saidWhile(ExercisePhase::kTwisting, torsio::testing::trainingBar().pattern.targetAngle_rad)
                   .contains(QStringLiteral("holds still")));
   EXPECT_TRUE(saidWhile(ExercisePhase::kReleased).contains(QStringLiteral("opens gently")));
+  LiveState drawsBack = inPhase(ExercisePhase::kTracking);
+  drawsBack.times.released_us = kSecond_us;
+  Q_EMIT scene->shown(drawsBack);
+  EXPECT_TRUE(caption->text().contains(QStringLiteral("draws back"))) << caption->text().toStdString();
   EXPECT_DOUBLE_EQ(scene->controller().playback()->speed(), 1.0);
   station.press("slow");
   (void)saidWhile(ExercisePhase::kContact);
@@ -137,6 +182,13 @@ TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   station.press("again");
   EXPECT_EQ(scene->controller().playback(), expert) << "at once, from the beginning";
   EXPECT_EQ(expert->position_us(), 0);
+  EXPECT_TRUE(expert->playing());
+
+  station.press("slow");
+  expert->seek_us(expert->duration_us());
+  expert->setPlaying(false);
+  station.press("slow");
+  EXPECT_EQ(expert->position_us(), 0) << "whoever asks for slow motion afterwards sees it";
   EXPECT_TRUE(expert->playing());
 }
 

@@ -33,6 +33,7 @@
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
 #include "app/people/consent_service.h"
 #include "app/people/person_requests.h"
@@ -316,6 +317,58 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   EXPECT_EQ(station.page->findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0);
 }
 
+// With the bar of a look round the page is lower still, and a verdict of two lines stands below.
+TEST(StationPages, AWarningIsSeenWholeInTheSmallestWindow) {
+  TrainingCentre::Setup setup;
+  setup.leastTwists = 2;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  station.openRun(false, nullptr);
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.page->resize(1146, 602);
+  station.page->show();
+  auto* scene = station.find<LiveScene>("scene");
+  scene->hide();  // its clock stands: the test says what it shows
+  const auto show = [&](ExercisePhase phase, double angle_rad, double depth_m, std::int64_t released_us) {
+    LiveState state;
+    state.phase = phase;
+    state.response.angle_rad = angle_rad;
+    state.response.depth_m = depth_m;
+    state.times.released_us = released_us;
+    Q_EMIT scene->shown(state);
+    QApplication::processEvents();
+  };
+  const auto whole = [](const QWidget* widget) {
+    return widget->isVisible() && widget->visibleRegion().boundingRect() == widget->rect();
+  };
+  auto* warning = station.find<QLabel>("warning");
+  auto* verdict = station.find<QLabel>("verdict");
+  show(ExercisePhase::kTwisting, 0.2, 0.0, -1);
+  show(ExercisePhase::kReleased, 0.2, 0.0, 900'000);
+  EXPECT_TRUE(whole(verdict)) << verdict->text().toStdString();
+  EXPECT_GT(verdict->height(), 2 * verdict->fontMetrics().height() - 2) << "two lines";
+
+  show(ExercisePhase::kContact, 0.0, 0.006, 900'000);
+  EXPECT_TRUE(whole(warning)) << warning->text().toStdString();
+  for (const LevelBar* bar : station.page->findChildren<LevelBar*>()) {
+    EXPECT_TRUE(whole(bar)) << "the gauge that it speaks of";
+  }
+  show(ExercisePhase::kContact, 0.0, 0.001, 900'000);
+  EXPECT_FALSE(warning->isVisible());
+  EXPECT_TRUE(whole(verdict));
+
+  station.page->resize(1700, 960);
+  show(ExercisePhase::kContact, 0.0, 0.006, 900'000);
+  int lowest = 0;
+  for (const LevelBar* bar : station.page->findChildren<LevelBar*>()) {
+    lowest = std::max(lowest, bar->mapTo(station.page.get(), QPoint(0, bar->height())).y());
+  }
+  const int below = warning->mapTo(station.page.get(), QPoint()).y() - lowest;
+  EXPECT_GE(below, 0);
+  EXPECT_LT(below, 6 * kSpace) << "close to the gauge that it speaks of";
+}
+
 TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
   TrainingCentre centre;
   {
@@ -447,6 +500,11 @@ TEST(StationPages, TheRunCountsItsTwists) {
   }
   EXPECT_EQ(cue->text(), QStringLiteral("All twists are done. End the run, or twist again."));
   EXPECT_EQ(count->text(), QStringLiteral("3 of 3 twists"));
+  for (int i = 0; i < 40 && !count->text().startsWith(QLatin1Char('4')); ++i) {
+    station.train(kSecond_us);
+    station.find<LiveScene>("scene")->frame(0.04);
+  }
+  EXPECT_EQ(count->text(), QStringLiteral("4 twists, at least 3 asked for"));
 
   auto* warning = station.find<QLabel>("warning");
   LiveState pressing;
@@ -457,6 +515,38 @@ TEST(StationPages, TheRunCountsItsTwists) {
   pressing.response.depth_m = 0.004;
   Q_EMIT station.find<LiveScene>("scene")->shown(pressing);
   EXPECT_TRUE(warning->text().isEmpty());
+}
+
+// What is said below the checks wraps; the cards grow with it, also while the page is seen already.
+TEST(StationPages, TheDebriefShowsEverySentenceWhole) {
+  TrainingCentre centre;
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  const TrialId run = centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.open(PageId::kDebrief);
+  station.page->resize(1176, 652);
+  station.page->show();
+  QApplication::processEvents();
+  for (int look = 0; look < 3; ++look) {
+    if (look == 0) {
+      station.page->enter(toQString(run));
+      station.shell().waitForJobs();
+    } else {
+      station.page->applyTheme(theme(look == 1 ? ThemeKind::kDark : ThemeKind::kLight));
+    }
+    for (int i = 0; i < 5; ++i) {
+      QApplication::processEvents();
+    }
+    int sentences = 0;
+    for (const QLabel* label : station.page->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->wordWrap()) {
+        ++sentences;
+        EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+            << look << ": " << label->text().toStdString();
+      }
+    }
+    EXPECT_GT(sentences, 5);
+  }
 }
 
 TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {

@@ -107,6 +107,7 @@ void TrainingCentre::fill(const Setup& setup) {
     trainee.person.id = ids_->newUuid();
     trainee.person.code = code;
     trainee.person.createdUtc_us = now_us_;
+    trainee.person.demonstration = setup.simulated;
     trainees.push_back(trainee);
   }
   people.addTrainees(trainees);

@@ -42,6 +42,7 @@ class TrainingCentre {
     std::int64_t restAllowance_us = 0;
     bool restSplittable = false;
     bool consent = true;
+    bool simulated = false;  ///< the trainees are
     SceneId sceneId = "bar";
     PatternId patternId = "quarter";
     /// Rules of every module in place of those of the table.
