@@ -23242,12 +23242,12 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::LevelBar</name>
     <message>
-        <source>%1, at the limit</source>
-        <translation>%1，已达上限</translation>
+        <source>%1, above the limit</source>
+        <translation>%1，超过限值</translation>
     </message>
     <message>
-        <source>at limit  %1</source>
-        <translation>已达上限  %1</translation>
+        <source>above limit  %1</source>
+        <translation>超限  %1</translation>
     </message>
 </context>
 <context>
@@ -30086,8 +30086,8 @@ T-02,master,17</translation>
         <translation>移动触笔，直到钳口接触器官。</translation>
     </message>
     <message>
-        <source>Move the mouse; the wheel moves the instrument nearer, until it touches.</source>
-        <translation>移动鼠标；滚轮使器械靠近，直到接触。</translation>
+        <source>Move the mouse, or press the arrows; the wheel or Page Up moves the instrument nearer, until it touches.</source>
+        <translation>移动鼠标或按方向键；用滚轮或 Page Up 使器械靠近，直到接触。</translation>
     </message>
     <message>
         <source>Close the jaw</source>

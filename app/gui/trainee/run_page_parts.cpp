@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of RunPage: the widgets it is made of.
+#include <algorithm>
 #include <initializer_list>
 
 #include <QHBoxLayout>
@@ -29,6 +30,28 @@ constexpr int kPanelWidth = 316;
 constexpr int kTrackerWidth = 620;
 constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
+
+/// As high as what it holds where there is room, so that what follows stands close below; lower where there
+/// is none.
+class ShrinkingArea : public QScrollArea {
+ public:
+  explicit ShrinkingArea(QWidget* parent) : QScrollArea(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    const QSize held = widget()->sizeHint();
+    const int high = widget()->hasHeightForWidth() ? widget()->heightForWidth(width()) : held.height();
+    return {held.width(), std::max(held.height(), high)};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+      updateGeometry();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
 
 }  // namespace
 
@@ -147,13 +170,13 @@ QWidget* RunPage::createPanel() {
   auto* whole = new QVBoxLayout(side);
   whole->setContentsMargins(0, 0, 0, 0);
   whole->setSpacing(0);
-  auto* scroll = new QScrollArea(side);
+  auto* scroll = new ShrinkingArea(side);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* panel = new QWidget;
   scroll->setWidget(panel);
-  whole->addWidget(scroll, 1);
+  whole->addWidget(scroll);
   auto* told = new QVBoxLayout;
   told->setContentsMargins(kSpace + 4, kSpace / 2, kSpace + 4, 0);
   warning_ = plainLabel(side, "caution");
@@ -189,6 +212,7 @@ QWidget* RunPage::createPanel() {
   guide_->setObjectName(QStringLiteral("guide"));
   connect(guideMe_, &QPushButton::clicked, this, &RunPage::guide);
   column->addStretch(1);
+  whole->addStretch(1);
   whole->addLayout(createButtons(side));
   return side;
 }

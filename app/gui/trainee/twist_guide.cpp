@@ -107,7 +107,8 @@ void TwistGuide::showStep() {
       what_->setText(lost_ ? tr("It came loose. Bring the jaw to the band once more")
                            : tr("Bring the jaw to the marked band"));
       how_->setText(haptic_ ? tr("Move the stylus until the jaw touches the organ.")
-                            : tr("Move the mouse; the wheel moves the instrument nearer, until it touches."));
+                            : tr("Move the mouse, or press the arrows; the wheel or Page Up moves the "
+                                 "instrument nearer, until it touches."));
       break;
     case Step::kClose:
       what_->setText(tr("Close the jaw"));

@@ -63,7 +63,7 @@ QString LevelBar::figure() const {
 }
 
 void LevelBar::describe() {
-  setAccessibleDescription(overLimit() ? tr("%1, at the limit").arg(figure()) : figure());
+  setAccessibleDescription(overLimit() ? tr("%1, above the limit").arg(figure()) : figure());
 }
 
 void LevelBar::paintEvent(QPaintEvent*) {
@@ -78,7 +78,7 @@ void LevelBar::paintEvent(QPaintEvent*) {
   painter.setFont(strong);
   painter.setPen(overLimit() ? theme_->caution : theme_->text);
   painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
-                   overLimit() ? tr("at limit  %1").arg(figure()) : figure());
+                   overLimit() ? tr("above limit  %1").arg(figure()) : figure());
 
   const QRectF track(0.5, line + 6.0, width() - 1.0, kBar);
   painter.setPen(Qt::NoPen);

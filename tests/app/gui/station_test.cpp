@@ -357,6 +357,16 @@ TEST(StationPages, AWarningIsSeenWholeInTheSmallestWindow) {
   show(ExercisePhase::kContact, 0.0, 0.001, 900'000);
   EXPECT_FALSE(warning->isVisible());
   EXPECT_TRUE(whole(verdict));
+
+  station.page->resize(1700, 960);
+  show(ExercisePhase::kContact, 0.0, 0.006, 900'000);
+  int lowest = 0;
+  for (const LevelBar* bar : station.page->findChildren<LevelBar*>()) {
+    lowest = std::max(lowest, bar->mapTo(station.page.get(), QPoint(0, bar->height())).y());
+  }
+  const int below = warning->mapTo(station.page.get(), QPoint()).y() - lowest;
+  EXPECT_GE(below, 0);
+  EXPECT_LT(below, 6 * kSpace) << "close to the gauge that it speaks of";
 }
 
 TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
