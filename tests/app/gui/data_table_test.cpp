@@ -254,11 +254,11 @@ TEST(DataTable, AddsUpWhatIsSeen) {
   DataTable table{QString()};
   table.setColumns({{"Code"}, {"Mark", true, true}});
   table.setRows(trainees());
-  EXPECT_EQ(table.totals(), "Together: Mark 27.5");
+  EXPECT_EQ(table.totals(), "Total: Mark 27.5");
 
   table.filter().setText("T-1");
 
-  EXPECT_EQ(table.totals(), "Together: Mark 19");
+  EXPECT_EQ(table.totals(), "Total: Mark 19");
 }
 
 /// A page of this role with a list, in which somebody moved a column.
