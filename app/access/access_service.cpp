@@ -118,7 +118,7 @@ void requireLegible(const std::string& login) {
   }
   if (const Text flaw = flawOf(login, kLongestLogin); !flaw.empty()) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the sign-in name %1", flaw), Text::tr("login"),
-                Text::tr("Type it anew"));
+                Text::tr("Type it again"));
   }
 }
 
@@ -237,7 +237,7 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
               physician ? Text::tr("there is no simulated physician here")
                         : Text::tr("there is no simulated trainee here"),
               Text::tr("people"),
-              Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
+              Text::tr("Set up a centre with a demonstration cohort, or explore before the first set-up"));
 }
 
 void signOut(SessionContext& session) {
@@ -338,7 +338,7 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
 void setOwnPin(SessionContext& session, const std::string& pin) {
   session.require(Operation::kPractice);
   if (session.actor().practiceOnly) {
-    throw Error(ErrorCode::kPermission, Text::tr("you came in with the PIN"), Text::tr("PIN"),
+    throw Error(ErrorCode::kPermission, Text::tr("you signed in with the PIN"), Text::tr("PIN"),
                 Text::tr("Sign in with your password to change it"));
   }
   AccessRepository access = repository(session);

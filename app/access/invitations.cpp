@@ -170,33 +170,31 @@ Text invitationWords(const std::string& centre, const std::string& login, const 
                      const std::string& until) {
   if (centre.empty()) {
     return Text::tr(
-        "You are asked to work with Torsio, in the browser of any computer. Open this link and choose a "
-        "password:\n%1\nYour sign-in name is %2. The link is good once, until %3, and for you alone: please "
+        "You are invited to use Torsio, in the browser of any computer. Open this link and choose a "
+        "password:\n%1\nYour sign-in name is %2. The link works once, until %3, and is for you alone: please "
         "do not pass it on.",
         link, login, until);
   }
   return Text::tr(
-      "You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a "
-      "password:\n%2\nYour sign-in name is %3. The link is good once, until %4, and for you alone: please do "
-      "not pass it on.",
+      "You are invited to use Torsio at %1, in the browser of any computer. Open this link and choose a "
+      "password:\n%2\nYour sign-in name is %3. The link works once, until %4, and is for you alone: please "
+      "do not pass it on.",
       centre, link, login, until);
 }
 
 Text invitationCodeWords(const std::string& centre, const std::string& code) {
   if (centre.empty()) {
-    return Text::tr("The code that goes with your invitation to Torsio is %1. The link comes by another way.",
-                    code);
+    return Text::tr("The code for your invitation to Torsio is %1. The link is sent separately.", code);
   }
-  return Text::tr(
-      "The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.", centre,
-      code);
+  return Text::tr("The code for your invitation to Torsio at %1 is %2. The link is sent separately.", centre,
+                  code);
 }
 
 std::size_t revokeInvitations(SessionContext& session, std::span<const UserId> userIds,
                               const std::string& reason) {
   session.require(Operation::kUserManage);
   if (reason.empty()) {
-    refuseParameter(Text::tr("an invitation is taken back with a reason only"), Text::tr("invitations"),
+    refuseParameter(Text::tr("revoking an invitation needs a reason"), Text::tr("invitations"),
                     Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());

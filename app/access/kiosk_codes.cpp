@@ -59,7 +59,7 @@ bool kioskCodesAllowed(Connection& connection) {
 std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const UserId> userIds) {
   session.require(Operation::kUserManage);
   if (!kioskCodesAllowed(session.connection())) {
-    refuseParameter(Text::tr("the centre does not let anybody in by a code"), Text::tr("cards for the kiosk"),
+    refuseParameter(Text::tr("the centre does not allow sign-in by code"), Text::tr("cards for the kiosk"),
                     Text::tr("Switch it on under Devices, At every station"));
   }
   if (userIds.empty()) {
@@ -89,7 +89,7 @@ std::size_t revokeKioskCodes(SessionContext& session, std::span<const UserId> us
                              const std::string& reason) {
   session.require(Operation::kUserManage);
   if (reason.empty()) {
-    refuseParameter(Text::tr("a code is taken back with a reason only"), Text::tr("cards for the kiosk"),
+    refuseParameter(Text::tr("revoking a code needs a reason"), Text::tr("cards for the kiosk"),
                     Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());

@@ -220,7 +220,7 @@ void requireAskable(SessionContext& session, const DutyWish& wish) {
   for (const DutyRequest& request : openIn(session)) {
     if (request.act == wish.act && request.subject == wish.subject) {
       throw Error(ErrorCode::kBadData, Text::tr("this is asked for already"), Text::tr("two people"),
-                  Text::tr("Let another administrator confirm it, or take the request back first"));
+                  Text::tr("Let another administrator confirm it, or withdraw the request first"));
     }
   }
 }
@@ -335,7 +335,7 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
   const std::optional<UserAccount> user = findUser(session, request.subject);
   if (!user) {
     throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), request.subject,
-                Text::tr("Take the request back"));
+                Text::tr("Withdraw the request"));
   }
   if (request.act == DutyAct::kInvite) {
     return confirmInvitation(session, request, *user);

@@ -31,7 +31,7 @@ std::string stateOf(const ImportedRoster& one) {
   if (one.takenBack) {
     return "taken back";
   }
-  return one.hindrance.empty() ? "can be taken back" : one.hindrance.str();
+  return one.hindrance.empty() ? "can be undone" : one.hindrance.str();
 }
 
 void listImports(const RosterArguments& arguments) {

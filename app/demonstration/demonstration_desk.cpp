@@ -328,7 +328,7 @@ RubricRevision demonstrationRubric() {
                  {"tissue",
                   words(Text::tr("Care for the tissue")),
                   scale,
-                  {{10, words(Text::tr("Tears and jerks"))},
+                  {{10, words(Text::tr("Pulls and jerks"))},
                    {50, words(Text::tr("Some force peaks"))},
                    {100, words(Text::tr("Soft build-up, soft release"))}}}};
   return rubric;

@@ -424,8 +424,8 @@ class Check {
   void close() {
     if (!device_->close()) {
       add(FindingGrade::kBad, Text::tr("Shutdown"),
-          Text::tr("the vendor's library does not let go of the device"),
-          Text::tr("Quit Torsio, plug the device in again and start anew"));
+          Text::tr("the vendor's library does not release the device"),
+          Text::tr("Quit Torsio, plug the device in again and start again"));
     }
   }
 

@@ -118,7 +118,7 @@ void monitorDevice(const DeviceMonitorRequest& request) {
     request.show(shown);
     if (now.state == DeviceState::kLost) {
       throw Error(ErrorCode::kDevice, device.lossText(now.lostBecause), device.capabilities().model,
-                  Text::tr("Check cable and power, plug the device in again and start anew"));
+                  Text::tr("Check cable and power, plug the device in again and start again"));
     }
     requireServo(now, device.capabilities().model);
   }

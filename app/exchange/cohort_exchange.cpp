@@ -175,11 +175,11 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   session.require(Operation::kReportExportCoded);
   if (request.rate_Hz < 1 || kRecordedRate_Hz % request.rate_Hz != 0) {
     refuseParameter(Text::tr("trajectories cannot be written at this rate"), std::to_string(request.rate_Hz),
-                    Text::tr("Take a rate that divides 1000 Hz, for example 100"));
+                    Text::tr("Use a rate that divides 1000 Hz, for example 100"));
   }
   if (request.whole && (data.pseudonyms || request.layout == DatasetLayout::kBids)) {
     refuseParameter(Text::tr("a data set for another record needs codes, and is no BIDS"),
-                    std::string("whole"), Text::tr("Take frictionless or ro-crate, and not pseudonymised"));
+                    std::string("whole"), Text::tr("Use frictionless or ro-crate, and not pseudonymised"));
   }
   if (request.whole && !data.inputs.singleMarks) {
     refuseParameter(Text::tr("single marks may not be seen yet"), std::string("whole"),

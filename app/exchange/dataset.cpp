@@ -368,7 +368,7 @@ DatasetLayout datasetLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such form of a data set"), word,
-              Text::tr("Take frictionless, ro-crate or bids"));
+              Text::tr("Use frictionless, ro-crate or bids"));
 }
 
 void requireWhole(const DatasetAbout& about) {

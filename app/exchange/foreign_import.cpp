@@ -28,7 +28,7 @@ class PoseRecorder {
     sample.device = quantize({.time_us = pose.time_us, .pose = pose.pose, .grip = pose.grip}, {});
     if (sample.device.status != kDeviceOk) {
       refuse(Text::tr("the place is more than 200 m away"), file + ", line " + std::to_string(line),
-             Text::tr("Look at the unit that the map states"));
+             Text::tr("Check the unit that the map states"));
     }
     samples_.push_back(sample);
     if (std::ssize(samples_) == kSamplesPerChunk) {

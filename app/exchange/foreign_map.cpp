@@ -52,7 +52,7 @@ class MapPart {
  public:
   MapPart(const nlohmann::json& json, std::string where) : json_(json), where_(std::move(where)) {
     if (!json_.is_object()) {
-      refuse(Text::tr("this is no object of JSON"), where_, Text::tr("Look at the example of a map"));
+      refuse(Text::tr("this is no object of JSON"), where_, Text::tr("See the example of a map"));
     }
   }
 
@@ -63,8 +63,7 @@ class MapPart {
   void allow(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : json_.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        refuseAt(key, Text::tr("the map has a word that means nothing here"),
-                 Text::tr("Look at its spelling"));
+        refuseAt(key, Text::tr("the map has a word that means nothing here"), Text::tr("Check its spelling"));
       }
     }
   }
@@ -123,7 +122,7 @@ class MapPart {
  private:
   [[nodiscard]] const nlohmann::json& array(const char* key) const {
     if (!has(key) || !json_[key].is_array()) {
-      refuseAt(key, Text::tr("a list belongs here"), Text::tr("Look at the example of a map"));
+      refuseAt(key, Text::tr("a list belongs here"), Text::tr("See the example of a map"));
     }
     return json_[key];
   }
@@ -320,8 +319,7 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
   const auto whole = [&marks](const char* key) {
     const double value = marks.number(key);
     if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
-      marks.refuseAt(key, Text::tr("a whole number belongs here"),
-                     Text::tr("Look at the scale of the marks"));
+      marks.refuseAt(key, Text::tr("a whole number belongs here"), Text::tr("Check the scale of the marks"));
     }
     return static_cast<std::int64_t>(value);
   };
@@ -369,7 +367,7 @@ ForeignLayout foreignLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such layout of recordings"), word,
-              Text::tr("Take jigsaws, rosma, perktutor or csv"));
+              Text::tr("Use jigsaws, rosma, perktutor or csv"));
 }
 
 std::size_t numbersOf(RotationForm form) noexcept {
@@ -386,7 +384,7 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   ForeignMap out;
   out.name = file.filename().string();
   if (json.is_discarded()) {
-    refuse(Text::tr("the map is no JSON"), out.name, Text::tr("Look at its quotes, commas and brackets"));
+    refuse(Text::tr("the map is no JSON"), out.name, Text::tr("Check its quotes, commas and brackets"));
   }
   Digest digest;
   digest.update(text);

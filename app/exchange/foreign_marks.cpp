@@ -46,7 +46,7 @@ std::vector<ForeignMark> jigsawsMarks(const std::filesystem::path& file, const s
   }
   if (marks.empty()) {
     refuse(Text::tr("there is no mark of any recording of the map"), file.filename().string(),
-           Text::tr("Look at the names of the recordings"));
+           Text::tr("Check the names of the recordings"));
   }
   return marks;
 }

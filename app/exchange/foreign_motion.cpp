@@ -28,11 +28,11 @@ class HashedLines {
   explicit HashedLines(const fs::path& file) : in_(file, std::ios::binary) {
     if (!fs::is_regular_file(file)) {
       throw Error(ErrorCode::kFileMissing, Text::tr("there is no such file"), file.string(),
-                  Text::tr("Look at the names in the map"));
+                  Text::tr("Check the names in the map"));
     }
     if (!in_) {
       throw Error(ErrorCode::kFileUnreadable, Text::tr("the file cannot be read"), file.string(),
-                  Text::tr("Look at its rights"));
+                  Text::tr("Check its permissions"));
     }
   }
   bool next(std::string_view& line) {
@@ -86,7 +86,7 @@ using Where = std::function<std::string()>;
 
 [[noreturn]] void refuseRotation(const Where& where) {
   refuse(Text::tr("these numbers are no rotation"), where(),
-         Text::tr("Look at the line, and at the form of rotation that the map names"));
+         Text::tr("Check the line and the form of rotation that the map names"));
 }
 
 Quat matrixRotation(const std::array<double, 9>& m, const Where& where) {
@@ -188,7 +188,7 @@ ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const
   }
   if (poses < 2) {
     refuse(Text::tr("the recording has fewer than two lines"), recording.name,
-           Text::tr("Look at the instrument and the columns that the map names"));
+           Text::tr("Check the instrument and the columns that the map names"));
   }
   return {poses, clock.period_us(), lines.hash()};
 }

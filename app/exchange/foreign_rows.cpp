@@ -100,7 +100,7 @@ class JigsawsRows final : public RowReaderBase {
     }
     if (count != kNumbers) {
       refuseLine(number, Text::tr("the line has %1 {number|numbers}, not 76", count),
-                 Text::tr("Take the kinematics files of JIGSAWS as they are"));
+                 Text::tr("Use the kinematics files of JIGSAWS as they are"));
     }
     row.position = {own[0], own[1], own[2]};
     row.rotation.assign(own.begin() + 3, own.begin() + 12);
@@ -179,7 +179,7 @@ class TableRows : public RowReaderBase {
   [[nodiscard]] std::size_t columnNamed(const std::string& wanted) const {
     if (std::count(header_.begin(), header_.end(), wanted) != 1) {
       refuseLine(1, Text::tr("there is not one column '%1'", wanted),
-                 Text::tr("Look at the names in the map and in the first line"));
+                 Text::tr("Check the names in the map and in the first line"));
     }
     return static_cast<std::size_t>(std::find(header_.begin(), header_.end(), wanted) - header_.begin());
   }
@@ -318,7 +318,7 @@ class PerkTutorRows final : public RowReaderBase {
     }
     if (count != numbers.size()) {
       refuseLine(line, Text::tr("the transform has %1 {number|numbers}, not 16", count),
-                 Text::tr("Take the files of Perk Tutor as they are"));
+                 Text::tr("Use the files of Perk Tutor as they are"));
     }
     return numbers;
   }

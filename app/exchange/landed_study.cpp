@@ -107,7 +107,7 @@ class Landing {
       });
       if (!known) {
         refuse(Text::tr("the record has no class of raters '%1'", one.classCode), one.name,
-               Text::tr("Take intern, deputy_chief, chief or another of its classes"));
+               Text::tr("Use intern, deputy_chief, chief or another of its classes"));
       }
       const Person person = newPerson(one.name, one.code, kRaterPrefix);
       people_.addRaters(std::vector<Rater>{{person, one.classCode}});

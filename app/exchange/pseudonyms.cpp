@@ -133,7 +133,7 @@ void sortByCode(CohortInputs& in) {
 Pseudonyms::Pseudonyms(std::string key) : key_(std::move(key)) {
   if (key_.size() < kShortestKey) {
     refuseParameter(Text::tr("the key of the pseudonyms is too short"), std::to_string(key_.size()),
-                    Text::tr("Take at least 32 characters, or none for a new key"));
+                    Text::tr("Use at least 32 characters, or none for a new key"));
   }
 }
 

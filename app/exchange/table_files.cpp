@@ -135,7 +135,7 @@ TableFormat tableFormat(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such format of tables"), word,
-              Text::tr("Take csv, r or spss"));
+              Text::tr("Use csv, r or spss"));
 }
 
 std::vector<fs::path> writeTables(const std::vector<const ExportTable*>& tables, TableFormat format,

@@ -86,7 +86,7 @@ std::vector<Quantity> quantities() {
                   {{0, Text::tr("moves freely")},
                    {1, Text::tr("touches")},
                    {2, Text::tr("holds and twists")},
-                   {3, Text::tr("has let go")}}},
+                   {3, Text::tr("has released")}}},
                  [](const Line& at) { return static_cast<double>(at.sample.phase); }});
   all.push_back({{"contact", Text::tr("what touches, sum of: 1 jaw, 2 shaft, 4 tissue is held"), number},
                  [](const Line& at) { return static_cast<double>(at.sample.contact); }});

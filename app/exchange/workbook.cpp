@@ -201,7 +201,7 @@ void requireWritten(int error, const std::string& file) {
   if (error != LXW_NO_ERROR) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the workbook cannot be written"),
                 Text(file + ": " + lxw_strerror(static_cast<lxw_error>(error))),
-                Text::tr("Look for free space and the rights of the folder"));
+                Text::tr("Check the free space and the permissions of the folder"));
   }
 }
 

@@ -16,7 +16,7 @@ std::vector<Text> othersAtWork(SessionContext& session) {
       continue;
     }
     if (!state.trialId.empty() && !state.ended) {
-      sentences.push_back(Text::tr("a run is going on at the station %1", state.station));
+      sentences.push_back(Text::tr("a run is in progress at the station %1", state.station));
     } else if (state.station != session.station()) {
       sentences.push_back(Text::tr("the station %1 is connected", state.station));
     }
@@ -31,8 +31,7 @@ void requireNobodyAtWork(SessionContext& session) {
   }
   throw Error(
       ErrorCode::kDatabase, others.front(), session.connection().location(),
-      Text::tr("Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
-               "again"));
+      Text::tr("Let the run finish, close Torsio at all other stations, wait half a minute, and try again"));
 }
 
 }  // namespace torsio

@@ -137,7 +137,7 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
   session.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(session);
   requireNothingWaits(session.key().locator, unstored);
-  tellProgress(progress, Text::tr("Looking at the server"), 0.0);
+  tellProgress(progress, Text::tr("Checking the server"), 0.0);
   const ServerCheck check = checkServer(session, address);
   if (!check.hindrance.empty()) {
     throw Error(ErrorCode::kBadData, check.hindrance, check.location,

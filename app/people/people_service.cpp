@@ -90,7 +90,7 @@ void checkTexts(const PersonEntry& entry) {
       {&entry.experience, Text::tr("experience"), kLongestField}};
   for (const auto& [text, field, longest] : texts) {
     if (const Text flaw = flawOf(*text, longest); !flaw.empty()) {
-      refuse(Text::tr("this text %1", flaw), field, Text::tr("Type it anew"));
+      refuse(Text::tr("this text %1", flaw), field, Text::tr("Type it again"));
     }
   }
 }

@@ -78,7 +78,7 @@ void answerPersonRequest(SessionContext& session, const std::string& requestId, 
                          const std::string& reason) {
   session.require(Operation::kPersonExport);
   if (!done && reason.empty()) {
-    refuseParameter(Text::tr("a request is declined with a reason only"), requestId,
+    refuseParameter(Text::tr("declining a request needs a reason"), requestId,
                     Text::tr("Say in a few words why"));
   }
   close(session, requestId, done ? PersonRequestAnswer::kDone : PersonRequestAnswer::kDeclined, reason);

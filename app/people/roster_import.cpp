@@ -238,7 +238,7 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
   }
   if (now.fingerprint != fingerprint) {
     throw Error(ErrorCode::kBadData, Text::tr("the record has changed since the preview"), file.name,
-                Text::tr("Look at the preview again"));
+                Text::tr("Check the preview again"));
   }
   if (kind == RosterKind::kRaters) {
     ensureRaterClasses(session);

@@ -160,7 +160,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
     std::string& value = row.values[rosterIndex(field)];
     const Text flaw = flawOf(value, field == RosterField::kExternalId ? kLongestNumber : kLongestField);
     if (!flaw.empty()) {
-      refuseRow(row, Text::verbatim("%1 %2", rosterFieldLabel(field), flaw), Text::tr("Type the cell anew"));
+      refuseRow(row, Text::verbatim("%1 %2", rosterFieldLabel(field), flaw), Text::tr("Type the cell again"));
       value.clear();  // what cannot be shown is shown nowhere
     }
   }

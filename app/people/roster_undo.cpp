@@ -131,7 +131,8 @@ void takeBack(SessionContext& session, const std::string& importId, const std::s
       !hindrance.empty()) {
     refuse(
         hindrance, importId,
-        Text::tr("Nothing was taken back. Set who should not be here to \"left\", or erase them one by one"));
+        Text::tr(
+            "Nothing was undone. Mark those who should not be here as \"left\", or erase them one by one"));
   }
   repository.takeBack(importId, session.now_us());
   std::size_t restored = 0;

@@ -200,7 +200,7 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a submitted mark is changed with a reason only"), where,
+    throw Error(ErrorCode::kBadParameter, Text::tr("changing a submitted mark needs a reason"), where,
                 Text::tr("Write why you change it"));
   }
   requireWords(reason, kLongestReason, Text::tr("case %1", assignment.caseLabel));

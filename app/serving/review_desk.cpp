@@ -156,7 +156,7 @@ Notice startedDesk(const SessionContext& session, const DeskPlace& place, const 
     askToEnd(process);
   }
   throw Error(ErrorCode::kFileUnreadable, Text::tr("the review desk did not open"), lastLine(logOf(file)),
-              Text::tr("Look at what it said last, mend that, and try again"));
+              Text::tr("Check its last message, correct the problem and try again"));
 }
 
 }  // namespace

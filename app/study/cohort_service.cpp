@@ -207,7 +207,7 @@ void checkStep(SessionContext& session, const Cohort& cohort, CohortState state)
   const std::int64_t open = archives ? SheetRepository(session.connection()).openAssignments(cohort.id) : 0;
   if (open > 0) {
     refuse(Text::tr("%1 {sheet is|sheets are} still open", open), cohort.name,
-           Text::tr("Wait for them, or take them back under Scoring"));
+           Text::tr("Wait for them, or withdraw them under Scoring"));
   }
 }
 

@@ -111,7 +111,7 @@ LiveCall openCall(SessionContext& session, const CohortId& cohortId, const LiveC
       return std::move(call);
     }
   }
-  refuse(Text::tr("this call has ended already"), callId, Text::tr("Read the board again"));
+  refuse(Text::tr("this call has ended already"), callId, Text::tr("Refresh Today's sessions"));
 }
 
 std::string callJson(const std::string& occasionCode, const std::string& room) {
@@ -177,13 +177,12 @@ LiveCallId callTrainee(SessionContext& session, const CallRequest& request) {
   session.require(Operation::kStudySetup);
   if (request.room.empty()) {
     refuseParameter(Text::tr("a call needs a room"), Text::tr("today's sessions"),
-                    Text::tr("Say where the real arm stands"));
+                    Text::tr("Enter the room of the real arm"));
   }
   Transaction transaction(session.connection());
   const CallCheck check = checkCall(session, request);
   if (check.objection && request.reason.empty()) {
-    refuseParameter(*check.objection, check.occasion.code,
-                    Text::tr("Say why the trainee is called nevertheless"));
+    refuseParameter(*check.objection, check.occasion.code, Text::tr("Say why the trainee is called anyway"));
   }
   if (const auto open = alreadyCalled(session, request, check.occasion)) {
     return *open;
@@ -226,7 +225,7 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
                 const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
-    refuseParameter(Text::tr("a call is taken back with a reason only"), callId,
+    refuseParameter(Text::tr("withdrawing a call needs a reason"), callId,
                     Text::tr("Say in a few words why"));
   }
   Transaction transaction(session.connection());

@@ -191,11 +191,11 @@ void IgtlReader::beginBody() {
   const std::string kind = kindOf(head);
   if (head.version < 1 || head.version > kNewestHeader || !isKind(kind)) {
     refuse(Text::tr("what came is no OpenIGTLink"), Text::tr("tracker"),
-           Text::tr("Look at address and port, and at what runs there"));
+           Text::tr("Check the address and port, and what is running there"));
   }
   if (head.body_size > kLargestMessage) {
     refuse(Text::tr("a message of %1 bytes was announced", std::to_string(head.body_size)),
-           Text::tr("tracker"), Text::tr("Look at address and port, and at what runs there"));
+           Text::tr("tracker"), Text::tr("Check the address and port, and what is running there"));
   }
   inBody_ = true;
   left_ = head.body_size;

@@ -177,7 +177,7 @@ Remark visibleRemark(SessionContext& session, const RemarkId& remarkId) {
   static_cast<void>(ownTrial(session, record, remark->trialId));
   if (!Release(session.connection(), record).mayShow(remark->trialId)) {
     throw Error(ErrorCode::kPermission, Text::tr("the marks of this recording are not released yet"),
-                remark->trialId, Text::tr("Come back when they are"));
+                remark->trialId, Text::tr("Try again when they are"));
   }
   return *remark;
 }

@@ -148,7 +148,7 @@ HttpResponse answerJoin(Call& call) {
   if (joined && joined->outcome == SignIn::kWrong) {
     return refusal(401,
                    Error(ErrorCode::kPermission, Text::tr("this invitation is not good, or not any more"), "",
-                         Text::tr("Look at the link again, or ask an administrator for a new one")),
+                         Text::tr("Check the link, or ask an administrator for a new one")),
                    call.wording);
   }
   if (joined && joined->outcome == SignIn::kOk) {

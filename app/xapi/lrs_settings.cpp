@@ -105,7 +105,7 @@ std::optional<LrsKey> stationLrsKey() {
   const std::size_t end = text.find('\n');
   if (end == std::string::npos || end == 0) {
     throw Error(ErrorCode::kBadData, Text::tr("is no key of a learning record store"), file.string(),
-                Text::tr("Set it anew"));
+                Text::tr("Set it again"));
   }
   LrsKey key{text.substr(0, end), text.substr(end + 1)};
   if (!key.secret.empty() && key.secret.back() == '\n') {

@@ -250,7 +250,7 @@ class DetorsionMeasurer {
         return std::abs(ticks_[i].angle_rad);
       }
     }
-    return Outcome<double>::undefined(Text::tr("the recording ended too soon after the organ was let go"));
+    return Outcome<double>::undefined(Text::tr("the recording ended too soon after the organ was released"));
   }
 
   std::span<const DetorsionTick> ticks_;

@@ -275,7 +275,7 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kDiscrepancyAdjudicator, "alignment.third", Text::tr("Adjudicator requested")},
     {AuditAction::kCallBegin, "call.begin", Text::tr("Trainee called to the real arm")},
     {AuditAction::kCallEnd, "call.end", Text::tr("Call to the real arm ended")},
-    {AuditAction::kCallCancel, "call.cancel", Text::tr("Call to the real arm taken back")},
+    {AuditAction::kCallCancel, "call.cancel", Text::tr("Call to the real arm withdrawn")},
     {AuditAction::kReminderMail, "reminder.mail", Text::tr("Reminder sent by mail")},
     {AuditAction::kReminderCopy, "reminder.copy", Text::tr("Reminder copied")},
     {AuditAction::kSheetSubmit, "sheet.submit", Text::tr("Sheet submitted")},
@@ -283,7 +283,7 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kMarkSubmit, "mark.submit", Text::tr("Mark submitted")},
     {AuditAction::kMarkAmend, "mark.amend", Text::tr("Mark amended")},
     {AuditAction::kMarkRelease, "mark.release", Text::tr("Marks released to trainees")},
-    {AuditAction::kMarkRetract, "mark.retract", Text::tr("Release of marks taken back")},
+    {AuditAction::kMarkRetract, "mark.retract", Text::tr("Release of marks withdrawn")},
     {AuditAction::kCalibrationScore, "warmup.score", Text::tr("Reference run scored for rater calibration")},
     {AuditAction::kReferenceRunAdd, "reference_run.add", Text::tr("Reference run chosen")},
     {AuditAction::kReferenceRunWithdraw, "reference_run.withdraw", Text::tr("Reference run withdrawn")},
@@ -319,7 +319,7 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kRecordSeal, "record.seal", Text::tr("Rows of the record sealed")},
     {AuditAction::kDutyRequest, "duty.request", Text::tr("Second person asked for")},
     {AuditAction::kDutyConfirm, "duty.confirm", Text::tr("Confirmed by a second person")},
-    {AuditAction::kDutyDecline, "duty.decline", Text::tr("Request declined or taken back")},
+    {AuditAction::kDutyDecline, "duty.decline", Text::tr("Request declined or withdrawn")},
     {AuditAction::kSignatureGive, "signature.give", Text::tr("Signed")},
 });
 

@@ -58,7 +58,7 @@ bool isRun(const std::string& text) {
 void checkPassword(const std::string& password, const std::string& login) {
   if (charactersOf(password) < kShortestPassword) {
     refuse(Text::tr("the password is shorter than %1 characters", kShortestPassword),
-           Text::tr("Take a sentence: spaces and any letters are welcome"));
+           Text::tr("Use a sentence: spaces and any letters are allowed"));
   }
   if (password.size() > static_cast<std::size_t>(kLongestPassword)) {
     refuse(Text::tr("the password is too long"), Text::tr("Shorten it"));
@@ -67,14 +67,14 @@ void checkPassword(const std::string& password, const std::string& login) {
   const std::string name = lowered(login);
   if (isCommonPassword(password)) {
     refuse(Text::tr("the password is made of words that are tried first"),
-           Text::tr("Take a sentence of your own"));
+           Text::tr("Use a sentence of your own"));
   }
   if (repeats(plain) || isRun(plain)) {
-    refuse(Text::tr("the password is a simple pattern"), Text::tr("Take a sentence of your own"));
+    refuse(Text::tr("the password is a simple pattern"), Text::tr("Use a sentence of your own"));
   }
   if (name.size() >= 3 && plain.size() < name.size() + 8 && plain.find(name) != std::string::npos) {
     refuse(Text::tr("the password is little more than the login name"),
-           Text::tr("Take a sentence of your own"));
+           Text::tr("Use a sentence of your own"));
   }
 }
 

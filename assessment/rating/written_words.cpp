@@ -52,7 +52,7 @@ void requireWords(std::string_view words, std::size_t longest, const Text& where
                          (next->code < 0x7F || next->code > 0x9F);
     if (!written) {
       throw Error(ErrorCode::kBadParameter, Text::tr("the text holds a character that cannot be read"), where,
-                  Text::tr("Type it anew instead of pasting it"));
+                  Text::tr("Type it again instead of pasting it"));
     }
     rest.remove_prefix(next->bytes);
   }

@@ -38,10 +38,10 @@
 <context>
     <name>ReminderText</name>
     <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
+        <source>Copied: the outstanding sheets of %n rater(s)</source>
         <translation>
-            <numerusform>Copied: the sheets that %n rater owes</numerusform>
-            <numerusform>Copied: the sheets that %n raters owe</numerusform>
+            <numerusform>Copied: the outstanding sheets of one rater</numerusform>
+            <numerusform>Copied: the outstanding sheets of %n raters</numerusform>
         </translation>
     </message>
 </context>
@@ -83,10 +83,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Not yet shown to be able. %n good attempt(s) in a row show it.</source>
+        <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
         <translation>
-            <numerusform>Not yet shown to be able. One good attempt shows it.</numerusform>
-            <numerusform>Not yet shown to be able. %n good attempts in a row show it.</numerusform>
+            <numerusform>Competence not shown yet. %n successful attempt would show it.</numerusform>
+            <numerusform>Competence not shown yet. %n successful attempts in a row would show it.</numerusform>
         </translation>
     </message>
 </context>
@@ -211,10 +211,10 @@
 <context>
     <name>torsio::gui::CurriculumEditor</name>
     <message numerus="yes">
-        <source>Check: %n to mend</source>
+        <source>Check: %n to correct</source>
         <translation>
-            <numerusform>Check: %n to mend</numerusform>
-            <numerusform>Check: %n to mend</numerusform>
+            <numerusform>Check: one to correct</numerusform>
+            <numerusform>Check: %n to correct</numerusform>
         </translation>
     </message>
 </context>
@@ -329,10 +329,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
+        <source>The database finally refused %n entries of this station. Please tell its administrator</source>
         <translation>
-            <numerusform>The database refused an entry of this station for good. Please tell whoever looks after it</numerusform>
-            <numerusform>The database refused %n entries of this station for good. Please tell whoever looks after it</numerusform>
+            <numerusform>The database finally refused %n entry of this station. Please tell its administrator</numerusform>
+            <numerusform>The database finally refused %n entries of this station. Please tell its administrator</numerusform>
         </translation>
     </message>
 </context>
@@ -400,10 +400,10 @@
 <context>
     <name>torsio::gui::PeopleDialog</name>
     <message numerus="yes">
-        <source>Take %n</source>
+        <source>Add %n</source>
         <translation>
-            <numerusform>Take %n</numerusform>
-            <numerusform>Take %n</numerusform>
+            <numerusform>Add one</numerusform>
+            <numerusform>Add %n</numerusform>
         </translation>
     </message>
 </context>
@@ -559,10 +559,10 @@
 <context>
     <name>torsio::gui::RosterImportsDialog</name>
     <message numerus="yes">
-        <source>%n import(s) taken back</source>
+        <source>%n import(s) undone</source>
         <translation>
-            <numerusform>%n import taken back</numerusform>
-            <numerusform>%n imports taken back</numerusform>
+            <numerusform>One import undone</numerusform>
+            <numerusform>%n imports undone</numerusform>
         </translation>
     </message>
 </context>
@@ -606,10 +606,10 @@
 <context>
     <name>torsio::gui::RunPage</name>
     <message numerus="yes">
-        <source>Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <source>Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</source>
         <translation>
-            <numerusform>Only %1 of %n sheet of this occasion is in, and what is missing cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</numerusform>
-            <numerusform>Only %1 of %n sheets of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</numerusform>
+            <numerusform>%1 of %n sheet for this occasion is in; the other cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</numerusform>
+            <numerusform>Only %1 of %n sheets for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -637,10 +637,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sheet(s) changed hands. Reassign takes them back, too.</source>
+        <source>%n sheet(s) reassigned. Reassign can also return them.</source>
         <translation>
-            <numerusform>%n sheet changed hands. Reassign takes it back, too.</numerusform>
-            <numerusform>%n sheets changed hands. Reassign takes them back, too.</numerusform>
+            <numerusform>One sheet reassigned. Reassign can also return it.</numerusform>
+            <numerusform>%n sheets reassigned. Reassign can also return them.</numerusform>
         </translation>
     </message>
 </context>

@@ -188,7 +188,7 @@
         <translation>调整</translation>
     </message>
     <message>
-        <source>The draw put %1 into a group. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
+        <source>%1 was allocated to a group by the draw. A manual move is kept permanently beside the drawn record, with its reason, and weakens the study.</source>
         <translation>%1 由随机抽取分入组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
     </message>
 </context>
@@ -199,7 +199,7 @@
         <translation>邀请登录</translation>
     </message>
     <message>
-        <source>%1: a link each, with which they set a password of their own in a browser. A link made before is of no use then.</source>
+        <source>%1: each receives a link to set a password in a browser. Any earlier link stops working.</source>
         <translation>%1：每人一个链接，可在浏览器中设置自己的密码。之前生成的链接随即失效。</translation>
     </message>
     <message>
@@ -211,11 +211,11 @@
         <translation>原因(&amp;R)</translation>
     </message>
     <message>
-        <source>This needs two people: you get a code for each to hand over, and another administrator, who confirms it, the link.</source>
+        <source>This needs two people: you receive a code for each person, and another administrator, who confirms, receives the link.</source>
         <translation>此操作需要两人：您得到每人的代码并转交，另一位管理员确认后得到链接。</translation>
     </message>
     <message>
-        <source>As torsio serve says it when it starts, or as your proxy is called.</source>
+        <source>The address that torsio serve shows when it starts, or that of your proxy.</source>
         <translation>即 torsio serve 启动时显示的地址，或您的代理服务器的地址。</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>评分身份(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Reason of the change</source>
+        <source>&amp;Reason for the change</source>
         <translation>修改原因(&amp;R)</translation>
     </message>
     <message>
@@ -621,7 +621,7 @@
         <translation>密封卡片：%1</translation>
     </message>
     <message>
-        <source>Your way into Torsio. For you alone.</source>
+        <source>Your access to Torsio. For you alone.</source>
         <translation>您的 Torsio 登录信息。仅供本人使用。</translation>
     </message>
     <message>
@@ -637,7 +637,7 @@
         <translation>初始密码：%1</translation>
     </message>
     <message>
-        <source>%1. Your way into Torsio. For you alone.</source>
+        <source>%1. Your access to Torsio. For you alone.</source>
         <translation>%1。Torsio 登录信息，仅供本人使用。</translation>
     </message>
     <message>
@@ -661,7 +661,7 @@
         <translation>与您的链接配套的代码</translation>
     </message>
     <message>
-        <source>The link comes by another way.</source>
+        <source>The link is sent separately.</source>
         <translation>链接通过其他途径送达。</translation>
     </message>
     <message>
@@ -980,11 +980,11 @@
         <translation>%1：请在 Torsio 中提交：%2</translation>
     </message>
     <message>
-        <source>Nobody owes a sheet.</source>
-        <translation>没有人欠交评分表。</translation>
+        <source>No sheets are outstanding.</source>
+        <translation>没有欠交的评分表。</translation>
     </message>
     <message numerus="yes">
-        <source>Copied: the sheets that %n rater(s) owe</source>
+        <source>Copied: the outstanding sheets of %n rater(s)</source>
         <translation>
             <numerusform>已复制：%n 名评分者欠交的评分表</numerusform>
         </translation>
@@ -1029,7 +1029,7 @@
         <translation>记录保存规则</translation>
     </message>
     <message>
-        <source>After this long without activity a record is listed for review. Nothing is erased by itself.</source>
+        <source>A record that has been inactive for this long is listed for review. Nothing is erased automatically.</source>
         <translation>超过此期限无活动的记录将列入审查。任何内容都不会自动删除。</translation>
     </message>
     <message>
@@ -1230,7 +1230,7 @@
         <translation>评分时点(&amp;S)</translation>
     </message>
     <message>
-        <source>Do it</source>
+        <source>Apply</source>
         <translation>执行</translation>
     </message>
     <message>
@@ -1242,7 +1242,7 @@
         <translation>指派仲裁评分者</translation>
     </message>
     <message>
-        <source>Physicians could not agree about these cases and ask for one more. The freest one of the same class is suggested; nobody learns who asked.</source>
+        <source>Physicians could not agree on these cases and ask for another opinion. The least busy rater of the same class is suggested; nobody learns who asked.</source>
         <translation>医师对这些案例意见不一，请求再加一位。已建议同级别中任务最少者；被指派者不会知道由谁提出。</translation>
     </message>
     <message>
@@ -1278,7 +1278,7 @@
         <translation>指派</translation>
     </message>
     <message>
-        <source>To be done by the end of</source>
+        <source>Due by the end of</source>
         <translation>须于此日结束前完成</translation>
     </message>
     <message>
@@ -1298,26 +1298,26 @@
         <translation>%1，%2：待评 %3 份</translation>
     </message>
     <message>
-        <source>for each case the freest of the same class</source>
+        <source>for each case the least busy of the same class</source>
         <translation>每个案例交给同类别中任务最少者</translation>
     </message>
     <message>
         <source>Case labels tell neither name, group nor occasion. Recordings come in an order of their own for each rater, the real arm as you call.</source>
-        <translation>案例标签不透露姓名、组别或评分时点。每位评分者的录制顺序各不相同；实物手臂按您的叫号进行。</translation>
+        <translation>案例标签不透露姓名、组别或评分时点。每位评分者的录制顺序各不相同；实物手臂按您的呼叫进行。</translation>
     </message>
 </context>
 <context>
     <name>SecondPerson</name>
     <message>
-        <source>This is the first half of the start password of %1. Hand it over; the second half comes from the administrator who confirms. It is shown only now.</source>
+        <source>This is the first half of the start password of %1. Give it to them; the second half comes from the administrator who confirms. It is shown only now.</source>
         <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
     </message>
     <message>
-        <source>This is the second half of the start password of %1, behind the first one and a hyphen. Hand it over; the first half comes from whoever asked. It is shown only now.</source>
+        <source>This is the second half of the start password of %1, after the first half and a hyphen. Give it to them; the first half comes from whoever asked. It is shown only now.</source>
         <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由申请人给出。仅此时显示。</translation>
     </message>
     <message>
-        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
+        <source>Give this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
         <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
     </message>
     <message>
@@ -1465,7 +1465,7 @@
     </message>
     <message>
         <source>Stylus docked</source>
-        <translation>手柄已归位</translation>
+        <translation>操作笔已归位</translation>
     </message>
     <message>
         <source>Calibrated</source>
@@ -1537,20 +1537,20 @@
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
     <message>
-        <source>So few attempts cannot show that anybody is able.</source>
-        <translation>尝试这么少，无法表明任何人已胜任。</translation>
+        <source>Too few attempts to show competence.</source>
+        <translation>尝试次数太少，无法判定是否胜任。</translation>
     </message>
     <message>
-        <source>Able, and staying so.</source>
+        <source>Competent, and stable.</source>
         <translation>已胜任，并保持稳定。</translation>
     </message>
     <message>
-        <source>Able before; the last attempts raise a doubt.</source>
+        <source>Previously competent; the latest attempts raise doubts.</source>
         <translation>此前已胜任；最近几次尝试令人存疑。</translation>
     </message>
     <message>
-        <source>Able before, not now. Practise until the level is steady again.</source>
-        <translation>此前已胜任，现在不再是。请练习到水平重新稳定。</translation>
+        <source>Previously competent, but not now. Practise until your level is steady again.</source>
+        <translation>此前已胜任，目前未达到。请继续练习，直到水平重新稳定。</translation>
     </message>
     <message numerus="yes">
         <source>%n day(s)</source>
@@ -1583,9 +1583,9 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Not yet shown to be able. %n good attempt(s) in a row show it.</source>
+        <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
         <translation>
-            <numerusform>尚未表明已胜任。连续 %n 次成功即可表明。</numerusform>
+            <numerusform>尚未达到胜任标准。再连续成功 %n 次即可达到。</numerusform>
         </translation>
     </message>
     <message>
@@ -1926,7 +1926,7 @@
         <translation>实习医师</translation>
     </message>
     <message>
-        <source>This cannot be done like this</source>
+        <source>This action is not possible</source>
         <translation>无法这样操作</translation>
     </message>
     <message>
@@ -1962,7 +1962,7 @@
         <translation>数据库由更新的版本写入</translation>
     </message>
     <message>
-        <source>Your role may not do this</source>
+        <source>Your role does not allow this</source>
         <translation>您的角色没有此权限</translation>
     </message>
     <message>
@@ -2226,7 +2226,7 @@
         <translation>请检查两台计算机，然后重新复制</translation>
     </message>
     <message>
-        <source>Check cable and power, plug the device in again and start anew</source>
+        <source>Check cable and power, plug the device in again and start again</source>
         <translation>请检查电缆和电源，重新插拔设备后再开始</translation>
     </message>
     <message>
@@ -2530,7 +2530,7 @@
         <translation>请封闭贯通孔：器官外表面没有贯通孔</translation>
     </message>
     <message>
-        <source>Come back when they are</source>
+        <source>Try again when they are</source>
         <translation>请待其提交后再来</translation>
     </message>
     <message>
@@ -3010,7 +3010,7 @@
         <translation>请让设备休息并重新校准，然后再次检查</translation>
     </message>
     <message>
-        <source>Let the run come to its end, close Torsio at all other stations, wait half a minute, and try again</source>
+        <source>Let the run finish, close Torsio at all other stations, wait half a minute, and try again</source>
         <translation>请等待操作结束，关闭其他所有工作站上的 Torsio，等待半分钟后重试</translation>
     </message>
     <message>
@@ -3046,7 +3046,7 @@
         <translation>请先锁定一个方案</translation>
     </message>
     <message>
-        <source>Look at the preview again</source>
+        <source>Check the preview again</source>
         <translation>请重新查看预览</translation>
     </message>
     <message>
@@ -3370,7 +3370,7 @@
         <translation>Qt 没有 %1 驱动</translation>
     </message>
     <message>
-        <source>Quit Torsio, plug the device in again and start anew</source>
+        <source>Quit Torsio, plug the device in again and start again</source>
         <translation>请退出 Torsio，重新插拔设备后再开始</translation>
     </message>
     <message>
@@ -3658,19 +3658,19 @@
         <translation>已提交的评分保持不变；请改用修订</translation>
     </message>
     <message>
-        <source>Take a longer one</source>
+        <source>Use a longer one</source>
         <translation>请使用更长的密码</translation>
     </message>
     <message>
-        <source>Take a sentence of your own</source>
+        <source>Use a sentence of your own</source>
         <translation>请使用您自己的句子</translation>
     </message>
     <message>
-        <source>Take a sentence: spaces and any letters are welcome</source>
+        <source>Use a sentence: spaces and any letters are allowed</source>
         <translation>请使用一个句子：空格和任何文字均可</translation>
     </message>
     <message>
-        <source>Take the instrument that was installed with the program</source>
+        <source>Use the instrument that was installed with the program</source>
         <translation>请使用随程序安装的器械</translation>
     </message>
     <message>
@@ -3678,7 +3678,7 @@
         <translation>请将操作笔从笔座取出，握在工作空间中央</translation>
     </message>
     <message>
-        <source>Tears and jerks</source>
+        <source>Pulls and jerks</source>
         <translation>牵拉、猛拽</translation>
     </message>
     <message>
@@ -3859,7 +3859,7 @@
     </message>
     <message>
         <source>Write it into the comment of the sheet</source>
-        <translation>请写入评分表的评论</translation>
+        <translation>请写入评分表的评语</translation>
     </message>
     <message>
         <source>Write sizes like 1366x768,1920x1080</source>
@@ -3954,7 +3954,7 @@
         <translation>有一行缺少代码或名称</translation>
     </message>
     <message>
-        <source>a run is going on at the station %1</source>
+        <source>a run is in progress at the station %1</source>
         <translation>工作站“%1”上有操作正在进行</translation>
     </message>
     <message>
@@ -3966,7 +3966,7 @@
         <translation>语句缺少 ;</translation>
     </message>
     <message>
-        <source>a submitted mark is changed with a reason only</source>
+        <source>changing a submitted mark needs a reason</source>
         <translation>已提交的评分只能附理由更改</translation>
     </message>
     <message>
@@ -5518,7 +5518,7 @@
         <translation>厂商程序库 %1 存在，但系统拒绝加载：%2</translation>
     </message>
     <message>
-        <source>the vendor&apos;s library does not let go of the device</source>
+        <source>the vendor&apos;s library does not release the device</source>
         <translation>厂商程序库未释放设备</translation>
     </message>
     <message>
@@ -5930,7 +5930,7 @@
         <translation>您以 %1 登录，没有此权限</translation>
     </message>
     <message>
-        <source>you came in with the PIN</source>
+        <source>you signed in with the PIN</source>
         <translation>您是用 PIN 码进入的</translation>
     </message>
     <message>
@@ -8010,7 +8010,7 @@
         <translation>参考操作已撤回</translation>
     </message>
     <message>
-        <source>Release of marks taken back</source>
+        <source>Release of marks withdrawn</source>
         <translation>撤回评分公布</translation>
     </message>
     <message>
@@ -8358,7 +8358,7 @@
         <translation>就绪</translation>
     </message>
     <message>
-        <source>Looking at the server</source>
+        <source>Checking the server</source>
         <translation>正在查看服务器</translation>
     </message>
     <message>
@@ -9443,7 +9443,7 @@
     </message>
     <message>
         <source>RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its largest change. Roughness: what the radius of a key point changes differently from its four neighbours.</source>
-        <translation>RMSE：对点阵的全部关键点计算；标记点与曲线：对其位移计算。半径：其最大变化。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
+        <translation>RMSE：对网格线的全部关键点计算；标记点与曲线：对其位移计算。半径：其最大变化。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
     </message>
     <message>
         <source>frame (ms)</source>
@@ -9626,7 +9626,7 @@
         <translation>此文本%1</translation>
     </message>
     <message>
-        <source>Type it anew</source>
+        <source>Type it again</source>
         <translation>请重新输入</translation>
     </message>
     <message>
@@ -9654,7 +9654,7 @@
         <translation>请将两者写成一致，或更改其中一个</translation>
     </message>
     <message>
-        <source>Type the cell anew</source>
+        <source>Type the cell again</source>
         <translation>请重新输入该单元格</translation>
     </message>
     <message>
@@ -9751,7 +9751,7 @@
     </message>
     <message>
         <source>the library&apos;s servo stopped calling after %1 s</source>
-        <translation>%1 秒后厂商库的伺服停止了调用</translation>
+        <translation>%1 秒后厂商程序库的伺服停止了调用</translation>
     </message>
     <message>
         <source>Position</source>
@@ -9763,14 +9763,14 @@
     </message>
     <message>
         <source>the position stands still while the stylus is turned</source>
-        <translation>转动手柄笔时位置保持不动</translation>
+        <translation>转动操作笔时位置保持不动</translation>
     </message>
     <message>
         <source>the library&apos;s servo loop stopped calling</source>
-        <translation>厂商库的伺服循环停止了调用</translation>
+        <translation>厂商程序库的伺服循环停止了调用</translation>
     </message>
     <message>
-        <source>the device is still being let go</source>
+        <source>the device is still being released</source>
         <translation>设备仍在释放中</translation>
     </message>
     <message>
@@ -9786,7 +9786,7 @@
         <translation>无法启动设备进程 %1：%2</translation>
     </message>
     <message>
-        <source>Install Torsio anew; torsio-device lies beside the program</source>
+        <source>Install Torsio again; torsio-device belongs beside the program</source>
         <translation>请重新安装 Torsio；torsio-device 位于程序所在的文件夹中</translation>
     </message>
     <message>
@@ -9842,7 +9842,7 @@
         <translation>录制结束时器官仍被夹住</translation>
     </message>
     <message>
-        <source>the recording ended too soon after the organ was let go</source>
+        <source>the recording ended too soon after the organ was released</source>
         <translation>松开器官后录制结束得太早</translation>
     </message>
     <message>
@@ -10087,7 +10087,7 @@
     </message>
     <message>
         <source>The period lies above zero, the latency in 0..16 ticks</source>
-        <translation>周期须大于零，延迟须在 0 至 16 个节拍之间</translation>
+        <translation>周期须大于零，延迟须在 0 至 16 个周期之间</translation>
     </message>
     <message>
         <source>Driver</source>
@@ -10319,7 +10319,7 @@
     </message>
     <message>
         <source>Four trainees also undo organs that come twisted, as a cohort of their own that follows the curriculum &quot;Volvulus and torsion: undo it&quot;. Two of these hands stop a turn too early and one closes the jaw too tightly, by design.</source>
-        <translation>四名学员还练习复位扭转的器官，单独成为一个队列，按照课程《肠胃扭转与睾丸扭转：复位》进行。其中有意让两次操作省去最后一转，让一次操作钳夹过紧。</translation>
+        <translation>四名学员还练习复位扭转的器官，单独组成一个批次，按照课程《肠胃扭转与睾丸扭转：复位》进行。其中有意让两次操作省去最后一转，让一次操作钳夹过紧。</translation>
     </message>
     <message>
         <source>Tissue hurt</source>
@@ -10390,8 +10390,8 @@
         <translation>该呼叫已经结束</translation>
     </message>
     <message>
-        <source>Read the board again</source>
-        <translation>请刷新看板</translation>
+        <source>Refresh Today&apos;s sessions</source>
+        <translation>请刷新“今日训练”页面</translation>
     </message>
     <message>
         <source>this trainee is called in %1 already</source>
@@ -10434,15 +10434,15 @@
         <translation>呼叫必须指明房间</translation>
     </message>
     <message>
-        <source>Say where the real arm stands</source>
+        <source>Enter the room of the real arm</source>
         <translation>请填写实物手臂所在的房间</translation>
     </message>
     <message>
-        <source>Say why the trainee is called nevertheless</source>
+        <source>Say why the trainee is called anyway</source>
         <translation>请说明为何仍要呼叫该学员</translation>
     </message>
     <message>
-        <source>a call is taken back with a reason only</source>
+        <source>withdrawing a call needs a reason</source>
         <translation>撤回呼叫必须说明原因</translation>
     </message>
     <message>
@@ -10470,7 +10470,7 @@
         <translation>实物手臂呼叫结束</translation>
     </message>
     <message>
-        <source>Call to the real arm taken back</source>
+        <source>Call to the real arm withdrawn</source>
         <translation>实物手臂呼叫已撤回</translation>
     </message>
     <message>
@@ -11491,7 +11491,7 @@
     </message>
     <message>
         <source>record before a restore</source>
-        <translation>还原之前的记录</translation>
+        <translation>恢复之前的记录</translation>
     </message>
     <message>
         <source>record before a new schema</source>
@@ -11539,7 +11539,7 @@
     </message>
     <message>
         <source>tells of an erase that did not take place</source>
-        <translation>记述了并未发生的抹除</translation>
+        <translation>记述了并未发生的删除</translation>
     </message>
     <message>
         <source>tells of a removal that did not take place</source>
@@ -11654,7 +11654,7 @@
         <translation>此事已有申请</translation>
     </message>
     <message>
-        <source>Let another administrator confirm it, or take the request back first</source>
+        <source>Let another administrator confirm it, or withdraw the request first</source>
         <translation>请由另一位管理员确认，或先撤回该申请</translation>
     </message>
     <message>
@@ -11666,7 +11666,7 @@
         <translation>请提出申请，并由另一位管理员在“申请”中确认；小型中心可在设置中关闭此规则</translation>
     </message>
     <message>
-        <source>Take the request back</source>
+        <source>Withdraw the request</source>
         <translation>请撤回该申请</translation>
     </message>
     <message>
@@ -11742,7 +11742,7 @@
         <translation>已由第二人确认</translation>
     </message>
     <message>
-        <source>Request declined or taken back</source>
+        <source>Request declined or withdrawn</source>
         <translation>申请被拒绝或撤回</translation>
     </message>
     <message>
@@ -11854,7 +11854,7 @@
         <translation>此名称不能作为工作站角色</translation>
     </message>
     <message>
-        <source>Take a name of lower-case letters, digits and underscores that is not the owner&apos;s</source>
+        <source>Use a name of lower-case letters, digits and underscores that is not the owner&apos;s</source>
         <translation>请使用由小写字母、数字和下划线组成、且不同于所有者的名称</translation>
     </message>
     <message>
@@ -12039,7 +12039,7 @@
     </message>
     <message>
         <source>Verdict of the registered competence design, with both error rates</source>
-        <translation>按已登记的胜任判定方案得出的结论及其两类错误率</translation>
+        <translation>按已登记的胜任标准得出的结论及其两类错误率</translation>
     </message>
     <message>
         <source>Level reached</source>
@@ -12067,7 +12067,7 @@
     </message>
     <message>
         <source>Version of the design</source>
-        <translation>方案版本</translation>
+        <translation>标准版本</translation>
     </message>
     <message>
         <source>Statistic</source>
@@ -12118,7 +12118,7 @@
         <translation>假名化密钥过短</translation>
     </message>
     <message>
-        <source>Take at least 32 characters, or none for a new key</source>
+        <source>Use at least 32 characters, or none for a new key</source>
         <translation>请使用至少 32 个字符，或留空以生成新密钥</translation>
     </message>
     <message>
@@ -12130,7 +12130,7 @@
         <translation>没有这种表格格式</translation>
     </message>
     <message>
-        <source>Take csv, r or spss</source>
+        <source>Use csv, r or spss</source>
         <translation>请选择 csv、r 或 spss</translation>
     </message>
     <message>
@@ -12174,7 +12174,7 @@
         <translation>无法写入工作簿</translation>
     </message>
     <message>
-        <source>Look for free space and the rights of the folder</source>
+        <source>Check the free space and the permissions of the folder</source>
         <translation>请检查可用空间和文件夹权限</translation>
     </message>
     <message>
@@ -12305,7 +12305,7 @@
         <source>Report %1  |  numbers %2
 audit trail %3</source>
         <translation>报告 %1  |  数值 %2
-审计追踪 %3</translation>
+审计记录 %3</translation>
     </message>
     <message>
         <source>another cohort has this name</source>
@@ -12332,7 +12332,7 @@ audit trail %3</source>
         <translation>仍有 %1 份评分表未完成</translation>
     </message>
     <message>
-        <source>Wait for them, or take them back under Scoring</source>
+        <source>Wait for them, or withdraw them under Scoring</source>
         <translation>请等待其完成，或在“评分”中收回</translation>
     </message>
     <message>
@@ -12421,7 +12421,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>the library took %1 {frame|frames} with force and refused %2</source>
-        <translation>厂商库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
+        <translation>厂商程序库接受了 %1 帧带力的数据，拒绝了 %2 帧</translation>
     </message>
     <message>
         <source>the machine was too busy: the force was cut %1 {time|times}, %2 of %3 {tick was|ticks were} skipped</source>
@@ -12705,7 +12705,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>tick period %1 us, latency %2 {tick|ticks}</source>
-        <translation>节拍周期 %1 微秒，延迟 %2 个节拍</translation>
+        <translation>周期 %1 微秒，延迟 %2 个周期</translation>
     </message>
     <message>
         <source>a recorded run</source>
@@ -12873,7 +12873,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not say that the groups differ.</source>
-        <translation>随队列计划规定：不超过 %1 分的差异无关紧要。等效：90 % 区间落在 -%1 到 %1 之内，即 p 小于 0.05。未显示等效并不说明各组不同。</translation>
+        <translation>随批次计划规定：不超过 %1 分的差异无关紧要。等效：90 % 区间落在 -%1 到 %1 之内，即 p 小于 0.05。未显示等效并不说明各组不同。</translation>
     </message>
     <message>
         <source>not shown</source>
@@ -12920,7 +12920,7 @@ audit trail %3</source>
         <translation>无法按此频率写出轨迹</translation>
     </message>
     <message>
-        <source>Take a rate that divides 1000 Hz, for example 100</source>
+        <source>Use a rate that divides 1000 Hz, for example 100</source>
         <translation>请选择能整除 1000 Hz 的频率，例如 100</translation>
     </message>
     <message>
@@ -13092,7 +13092,7 @@ audit trail %3</source>
         <translation>夹持并扭转</translation>
     </message>
     <message>
-        <source>has let go</source>
+        <source>has released</source>
         <translation>已松开</translation>
     </message>
     <message>
@@ -13104,7 +13104,7 @@ audit trail %3</source>
         <translation>设备状态，0 为正常</translation>
     </message>
     <message>
-        <source>Take frictionless, ro-crate or bids</source>
+        <source>Use frictionless, ro-crate or bids</source>
         <translation>请选择 frictionless、ro-crate 或 bids</translation>
     </message>
     <message>
@@ -13156,8 +13156,8 @@ audit trail %3</source>
         <translation>人员</translation>
     </message>
     <message>
-        <source>Set up a centre with a demonstration cohort, or look round before the first set-up</source>
-        <translation>请在设置中心时加入演示队列，或在首次设置之前先随意看看</translation>
+        <source>Set up a centre with a demonstration cohort, or explore before the first set-up</source>
+        <translation>请在设置中心时加入演示批次，或在首次设置之前先浏览</translation>
     </message>
     <message>
         <source>this case has no such remark</source>
@@ -13244,7 +13244,7 @@ audit trail %3</source>
         <translation>数值在这些尝试之内没有趋于平稳</translation>
     </message>
     <message>
-        <source>the centre does not let anybody in by a code</source>
+        <source>the centre does not allow sign-in by code</source>
         <translation>中心不允许凭代码登录</translation>
     </message>
     <message>
@@ -13268,7 +13268,7 @@ audit trail %3</source>
         <translation>请选择仅有学员角色的用户</translation>
     </message>
     <message>
-        <source>a code is taken back with a reason only</source>
+        <source>revoking a code needs a reason</source>
         <translation>撤销代码必须说明理由</translation>
     </message>
     <message>
@@ -13296,7 +13296,7 @@ audit trail %3</source>
         <translation>请重新打开该页</translation>
     </message>
     <message>
-        <source>a request is declined with a reason only</source>
+        <source>declining a request needs a reason</source>
         <translation>拒绝申请必须说明理由</translation>
     </message>
     <message>
@@ -13604,7 +13604,7 @@ audit trail %3</source>
         <translation>前进 5 秒</translation>
     </message>
     <message>
-        <source>A training tool and not a medical device. No patient data.</source>
+        <source>A training tool, not a medical device. No patient data.</source>
         <translation>培训工具，不是医疗器械。不含患者数据。</translation>
     </message>
     <message>
@@ -13725,11 +13725,11 @@ audit trail %3</source>
     </message>
     <message>
         <source>comment</source>
-        <translation>评论</translation>
+        <translation>评语</translation>
     </message>
     <message>
         <source>Comment for the trainee</source>
-        <translation>给学员的评论</translation>
+        <translation>给学员的评语</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -13828,7 +13828,7 @@ audit trail %3</source>
         <translation>前进五秒；跳过的部分不计入已观看</translation>
     </message>
     <message>
-        <source>Keep mine on top</source>
+        <source>Keep mine</source>
         <translation>以我的为准</translation>
     </message>
     <message>
@@ -13873,7 +13873,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Not assessable: type why, Enter</source>
-        <translation>无法评定：输入原因，回车</translation>
+        <translation>无法评判：输入原因，回车</translation>
     </message>
     <message>
         <source>Not saved yet, trying again</source>
@@ -14076,11 +14076,11 @@ audit trail %3</source>
         <translation>提交后评分表即封存。</translation>
     </message>
     <message>
-        <source>Take the mark back</source>
-        <translation>收回评分</translation>
+        <source>Clear the mark</source>
+        <translation>清除评分</translation>
     </message>
     <message>
-        <source>Take the newer one</source>
+        <source>Use the newer one</source>
         <translation>采用较新的</translation>
     </message>
     <message>
@@ -14172,7 +14172,7 @@ audit trail %3</source>
         <translation>扭矩不超过 %1 N m</translation>
     </message>
     <message>
-        <source>Twist to %1° and let go within ±%2°</source>
+        <source>Twist to %1° and release within ±%2°</source>
         <translation>扭转至 %1°，在 ±%2° 内松开</translation>
     </message>
     <message>
@@ -14336,7 +14336,7 @@ audit trail %3</source>
         <translation>文本中含有无法识别的字符</translation>
     </message>
     <message>
-        <source>Type it anew instead of pasting it</source>
+        <source>Type it again instead of pasting it</source>
         <translation>请重新输入，不要粘贴</translation>
     </message>
     <message>
@@ -14348,7 +14348,7 @@ audit trail %3</source>
         <translation>供另一记录使用的数据集须用编码，且不能是 BIDS</translation>
     </message>
     <message>
-        <source>Take frictionless or ro-crate, and not pseudonymised</source>
+        <source>Use frictionless or ro-crate, and not pseudonymised</source>
         <translation>请选 frictionless 或 ro-crate，且不要假名化</translation>
     </message>
     <message>
@@ -14396,7 +14396,7 @@ audit trail %3</source>
         <translation>位置超出 200 m</translation>
     </message>
     <message>
-        <source>Look at the unit that the map states</source>
+        <source>Check the unit that the map states</source>
         <translation>请检查映射文件中写明的单位</translation>
     </message>
     <message>
@@ -14404,7 +14404,7 @@ audit trail %3</source>
         <translation>这不是 JSON 对象</translation>
     </message>
     <message>
-        <source>Look at the example of a map</source>
+        <source>See the example of a map</source>
         <translation>请参照映射文件示例</translation>
     </message>
     <message>
@@ -14412,7 +14412,7 @@ audit trail %3</source>
         <translation>映射文件中有一个在此没有意义的词</translation>
     </message>
     <message>
-        <source>Look at its spelling</source>
+        <source>Check its spelling</source>
         <translation>请检查拼写</translation>
     </message>
     <message>
@@ -14552,7 +14552,7 @@ audit trail %3</source>
         <translation>此处应为整数</translation>
     </message>
     <message>
-        <source>Look at the scale of the marks</source>
+        <source>Check the scale of the marks</source>
         <translation>请检查评分的量表</translation>
     </message>
     <message>
@@ -14580,7 +14580,7 @@ audit trail %3</source>
         <translation>没有此种录制格式</translation>
     </message>
     <message>
-        <source>Take jigsaws, rosma, perktutor or csv</source>
+        <source>Use jigsaws, rosma, perktutor or csv</source>
         <translation>请选 jigsaws、rosma、perktutor 或 csv</translation>
     </message>
     <message>
@@ -14588,7 +14588,7 @@ audit trail %3</source>
         <translation>映射文件不是 JSON</translation>
     </message>
     <message>
-        <source>Look at its quotes, commas and brackets</source>
+        <source>Check its quotes, commas and brackets</source>
         <translation>请检查引号、逗号与括号</translation>
     </message>
     <message>
@@ -14604,7 +14604,7 @@ audit trail %3</source>
         <translation>没有映射文件所列录制的评分</translation>
     </message>
     <message>
-        <source>Look at the names of the recordings</source>
+        <source>Check the names of the recordings</source>
         <translation>请检查录制名称</translation>
     </message>
     <message>
@@ -14628,11 +14628,11 @@ audit trail %3</source>
         <translation>没有此文件</translation>
     </message>
     <message>
-        <source>Look at the names in the map</source>
+        <source>Check the names in the map</source>
         <translation>请检查映射文件中的名称</translation>
     </message>
     <message>
-        <source>Look at its rights</source>
+        <source>Check its permissions</source>
         <translation>请检查其权限</translation>
     </message>
     <message>
@@ -14640,7 +14640,7 @@ audit trail %3</source>
         <translation>这些数值不构成旋转</translation>
     </message>
     <message>
-        <source>Look at the line, and at the form of rotation that the map names</source>
+        <source>Check the line and the form of rotation that the map names</source>
         <translation>请检查该行，以及映射文件写明的旋转形式</translation>
     </message>
     <message>
@@ -14656,7 +14656,7 @@ audit trail %3</source>
         <translation>录制不足两行</translation>
     </message>
     <message>
-        <source>Look at the instrument and the columns that the map names</source>
+        <source>Check the instrument and the columns that the map names</source>
         <translation>请检查映射文件写明的器械与列</translation>
     </message>
     <message>
@@ -14688,7 +14688,7 @@ audit trail %3</source>
         <translation>该行有 %1 个数值，而非 76 个</translation>
     </message>
     <message>
-        <source>Take the kinematics files of JIGSAWS as they are</source>
+        <source>Use the kinematics files of JIGSAWS as they are</source>
         <translation>请直接使用 JIGSAWS 的运动学文件</translation>
     </message>
     <message>
@@ -14704,7 +14704,7 @@ audit trail %3</source>
         <translation>没有唯一的列“%1”</translation>
     </message>
     <message>
-        <source>Look at the names in the map and in the first line</source>
+        <source>Check the names in the map and in the first line</source>
         <translation>请检查映射文件与首行中的名称</translation>
     </message>
     <message>
@@ -14740,7 +14740,7 @@ audit trail %3</source>
         <translation>变换有 %1 个数值，而非 16 个</translation>
     </message>
     <message>
-        <source>Take the files of Perk Tutor as they are</source>
+        <source>Use the files of Perk Tutor as they are</source>
         <translation>请直接使用 Perk Tutor 的文件</translation>
     </message>
     <message>
@@ -14760,7 +14760,7 @@ audit trail %3</source>
         <translation>记录中没有评分者类别“%1”</translation>
     </message>
     <message>
-        <source>Take intern, deputy_chief, chief or another of its classes</source>
+        <source>Use intern, deputy_chief, chief or another of its classes</source>
         <translation>请选 intern、deputy_chief、chief 或记录中的其他类别</translation>
     </message>
     <message>
@@ -15304,7 +15304,7 @@ audit trail %3</source>
         <translation>已封闭 %1 个孔，最大的宽 %2 mm</translation>
     </message>
     <message>
-        <source>Look whether the organ ends there, or close it in a mesh editor</source>
+        <source>Check whether the organ ends there, or close it in a mesh editor</source>
         <translation>请确认器官是否在该处终止，或在网格编辑软件中封闭</translation>
     </message>
     <message>
@@ -15868,8 +15868,8 @@ audit trail %3</source>
         <translation>请至少选择一名用户</translation>
     </message>
     <message>
-        <source>an invitation is taken back with a reason only</source>
-        <translation>撤回登录邀请必须说明原因</translation>
+        <source>revoking an invitation needs a reason</source>
+        <translation>撤销登录邀请必须说明原因</translation>
     </message>
     <message>
         <source>this evaluation does not ask for you</source>
@@ -15888,7 +15888,7 @@ audit trail %3</source>
         <translation>此登录邀请无效或已失效</translation>
     </message>
     <message>
-        <source>Look at the link again, or ask an administrator for a new one</source>
+        <source>Check the link, or ask an administrator for a new one</source>
         <translation>请核对链接，或向管理员索取新的链接</translation>
     </message>
     <message>
@@ -15980,7 +15980,7 @@ audit trail %3</source>
         <translation>所有医师提交后，案例会显示在这里。</translation>
     </message>
     <message>
-        <source>Choose a password that only you know: at least fifteen characters, a short sentence for example. The link is good once.</source>
+        <source>Choose a password that only you know: at least fifteen characters, a short sentence for example. The link works once.</source>
         <translation>请设置只有您知道的密码：至少十五个字符，例如一个短句。此链接只能使用一次。</translation>
     </message>
     <message>
@@ -16056,7 +16056,7 @@ audit trail %3</source>
         <translation>时长</translation>
     </message>
     <message>
-        <source>Let go at</source>
+        <source>Released at</source>
         <translation>松开角度</translation>
     </message>
     <message>
@@ -16097,7 +16097,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>No reference run has been chosen yet. You may begin with your queue.</source>
-        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
+        <translation>尚未选定参考操作，您可以直接从待评列表开始。</translation>
     </message>
     <message>
         <source>No try has this figure yet.</source>
@@ -16129,7 +16129,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>On to the queue</source>
-        <translation>前往队列</translation>
+        <translation>前往待评列表</translation>
     </message>
     <message>
         <source>open</source>
@@ -16685,7 +16685,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>this is no address of a web server</source>
-        <translation>这不是网络服务器的地址</translation>
+        <translation>这不是 Web 服务器的地址</translation>
     </message>
     <message>
         <source>Write it like https://lrs.example.org/xapi</source>
@@ -16708,7 +16708,7 @@ audit trail %3</source>
         <translation>不是学习记录库的密钥</translation>
     </message>
     <message>
-        <source>Set it anew</source>
+        <source>Set it again</source>
         <translation>请重新设置</translation>
     </message>
     <message>
@@ -16725,7 +16725,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Run completed</source>
-        <translation>练习完成</translation>
+        <translation>操作完成</translation>
     </message>
     <message>
         <source>Passed or failed</source>
@@ -16888,8 +16888,8 @@ audit trail %3</source>
         <translation>正在绘制器官</translation>
     </message>
     <message>
-        <source>Judging the organ</source>
-        <translation>正在评判器官</translation>
+        <source>Checking the organ</source>
+        <translation>正在检验器官</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
@@ -16900,11 +16900,11 @@ audit trail %3</source>
         <translation>画笔的笔画过多或过大</translation>
     </message>
     <message>
-        <source>Mend the mask with fewer strokes</source>
+        <source>Correct the mask with fewer strokes</source>
         <translation>请用较少的笔画修补掩膜</translation>
     </message>
     <message>
-        <source>the mask was mended by hand: %1 ml added, %2 ml taken away</source>
+        <source>the mask was corrected by hand: %1 ml added, %2 ml removed</source>
         <translation>掩膜经手工修补：增加 %1 ml，去除 %2 ml</translation>
     </message>
     <message>
@@ -16916,7 +16916,7 @@ audit trail %3</source>
         <translation>请撤销部分笔画</translation>
     </message>
     <message>
-        <source>Leave out --fluid and mend the mask with the brush, or give a label mask</source>
+        <source>Leave out --fluid and correct the mask with the brush, or give a label mask</source>
         <translation>请不加 --fluid 并用画笔修补掩膜，或给出标签掩膜</translation>
     </message>
     <message>
@@ -16944,7 +16944,7 @@ audit trail %3</source>
         <translation>气体下方（朝%3）的 %1 ml 液体（%2 HU）已并入</translation>
     </message>
     <message>
-        <source>Look at the mask over the slices</source>
+        <source>Check the mask over the slices</source>
         <translation>请在切片上查看掩膜</translation>
     </message>
     <message>
@@ -17044,7 +17044,7 @@ audit trail %3</source>
         <translation>跟踪器</translation>
     </message>
     <message>
-        <source>Look at address and port, and at what runs there</source>
+        <source>Check the address and port, and what is running there</source>
         <translation>请检查地址和端口，以及那里运行的是什么程序</translation>
     </message>
     <message>
@@ -17136,8 +17136,8 @@ audit trail %3</source>
         <translation>说明理由并调整…</translation>
     </message>
     <message>
-        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
-        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+        <source>Still there? The screen will be locked in %1. Press any key to stay</source>
+        <translation>您还在吗？%1 后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>Please wait %1, then try again.</source>
@@ -17240,15 +17240,15 @@ audit trail %3</source>
         <translation>Torsio 登录邀请</translation>
     </message>
     <message>
-        <source>You are asked to work with Torsio, in the browser of any computer. Open this link and choose a password:
+        <source>You are invited to use Torsio, in the browser of any computer. Open this link and choose a password:
 %1
-Your sign-in name is %2. The link is good once, until %3, and for you alone: please do not pass it on.</source>
+Your sign-in name is %2. The link works once, until %3, and is for you alone: please do not pass it on.</source>
         <translation>邀请您使用 Torsio，任何电脑的浏览器均可。请打开此链接并设置密码：
 %1
 您的登录名是 %2。链接仅供您本人使用一次，有效期至 %3：请勿转发。</translation>
     </message>
     <message>
-        <source>The code that goes with your invitation to Torsio is %1. The link comes by another way.</source>
+        <source>The code for your invitation to Torsio is %1. The link is sent separately.</source>
         <translation>您的 Torsio 登录邀请代码是 %1。链接通过其他途径送达。</translation>
     </message>
     <message>
@@ -17256,15 +17256,15 @@ Your sign-in name is %2. The link is good once, until %3, and for you alone: ple
         <translation>%1 的 Torsio 登录邀请</translation>
     </message>
     <message>
-        <source>You are asked to work with Torsio at %1, in the browser of any computer. Open this link and choose a password:
+        <source>You are invited to use Torsio at %1, in the browser of any computer. Open this link and choose a password:
 %2
-Your sign-in name is %3. The link is good once, until %4, and for you alone: please do not pass it on.</source>
+Your sign-in name is %3. The link works once, until %4, and is for you alone: please do not pass it on.</source>
         <translation>邀请您在 %1 使用 Torsio，任何电脑的浏览器均可。请打开此链接并设置密码：
 %2
 您的登录名是 %3。链接仅供您本人使用一次，有效期至 %4：请勿转发。</translation>
     </message>
     <message>
-        <source>The code that goes with your invitation to Torsio at %1 is %2. The link comes by another way.</source>
+        <source>The code for your invitation to Torsio at %1 is %2. The link is sent separately.</source>
         <translation>您在 %1 使用 Torsio 的登录邀请代码是 %2。链接通过其他途径送达。</translation>
     </message>
     <message>
@@ -17576,7 +17576,7 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>%1，由 %2 申请：%3</translation>
     </message>
     <message>
-        <source>A link of their own, with which people set a password in a browser. It is good once and for a week; a link made before is of no use then.</source>
+        <source>A personal link to set a password in a browser. It works once and for a week; any earlier link stops working.</source>
         <translation>个人专用链接，用于在浏览器中设置密码。链接一周内可用一次；此前生成的链接随即作废。</translation>
     </message>
     <message>
@@ -17608,15 +17608,15 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>复制</translation>
     </message>
     <message>
-        <source>Each is for one person. A code goes to its person by another way than the link that another administrator hands over.</source>
+        <source>Each is for one person. Send each code by a different channel from the link, which another administrator hands over.</source>
         <translation>每张仅供一人。代码与另一位管理员转交的链接应经不同途径送达本人。</translation>
     </message>
     <message>
         <source>Film strip</source>
-        <translation>关键画面</translation>
+        <translation>连续画面</translation>
     </message>
     <message>
-        <source>Good once, until</source>
+        <source>Works once, until</source>
         <translation>仅可使用一次，有效期至</translation>
     </message>
     <message>
@@ -17672,8 +17672,8 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>须由他人确认</translation>
     </message>
     <message>
-        <source>Take the links back</source>
-        <translation>收回链接</translation>
+        <source>Revoke the links</source>
+        <translation>撤销链接</translation>
     </message>
     <message>
         <source>Targets</source>
@@ -17692,15 +17692,15 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>请使用较短的地址</translation>
     </message>
     <message>
-        <source>The links are of no use any more</source>
+        <source>The links no longer work</source>
         <translation>链接已作废</translation>
     </message>
     <message>
         <source>This browser draws nothing in three dimensions (no WebGL 2): a film strip shows some moments; the traces are complete.</source>
-        <translation>此浏览器不能绘制三维画面（无 WebGL 2）：以关键画面显示若干时刻；曲线完整。</translation>
+        <translation>此浏览器不能绘制三维画面（无 WebGL 2）：以连续画面显示若干时刻；曲线完整。</translation>
     </message>
     <message>
-        <source>This needs two people: you get a code for each to hand over, and another administrator, who confirms it, the link.</source>
+        <source>This needs two people: you receive a code for each person, and another administrator, who confirms, receives the link.</source>
         <translation>此操作需要两人：您得到每人的代码并转交，另一位管理员确认后得到链接。</translation>
     </message>
     <message>
@@ -17808,11 +17808,11 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>缺少原因</translation>
     </message>
     <message>
-        <source>Nothing was taken back. Set who should not be here to &quot;left&quot;, or erase them one by one</source>
+        <source>Nothing was undone. Mark those who should not be here as &quot;left&quot;, or erase them one by one</source>
         <translation>未撤回任何内容。请将不应在此的人员设为“已离开”，或逐个删除</translation>
     </message>
     <message>
-        <source>this import was taken back already, or there is no such import</source>
+        <source>this import has already been undone, or does not exist</source>
         <translation>该导入已被撤回，或不存在该导入</translation>
     </message>
     <message>
@@ -18056,12 +18056,12 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>评分台未能开放</translation>
     </message>
     <message>
-        <source>Look at what it said last, mend that, and try again</source>
+        <source>Check its last message, correct the problem and try again</source>
         <translation>请查看其最后的提示，排除问题后重试</translation>
     </message>
     <message>
         <source>this record lies on a server</source>
-        <translation>该记录库位于服务器上</translation>
+        <translation>该记录位于服务器上</translation>
     </message>
     <message>
         <source>Whoever runs the server opens the review desk there, by torsio serve</source>
@@ -18258,7 +18258,7 @@ Your sign-in name is %3. The link is good once, until %4, and for you alone: ple
         <translation>初始密码</translation>
     </message>
     <message>
-        <source>These start passwords are shown only now. Hand each to its person, on a card in a closed envelope for example. At the first sign-in everybody chooses a password of their own.</source>
+        <source>These start passwords are shown only now. Give each to its owner, for example on a card in a sealed envelope. Everybody chooses their own password at the first sign-in.</source>
         <translation>这些初始密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
     </message>
     <message>
@@ -18345,7 +18345,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>启封种子</translation>
     </message>
     <message>
-        <source>From now on anybody can repeat the draw, and foresee what is left of it.</source>
+        <source>From now on anybody can repeat the draw and predict the remaining allocations.</source>
         <translation>此后任何人都可以重复抽取，也能预知剩余的抽取结果。</translation>
     </message>
     <message>
@@ -18365,7 +18365,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>核对抽取</translation>
     </message>
     <message>
-        <source>The draw does not fit its record: %1</source>
+        <source>The draw does not match its record: %1</source>
         <translation>抽取与记录不符：%1</translation>
     </message>
     <message>
@@ -18373,7 +18373,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>随机分组</translation>
     </message>
     <message>
-        <source>Random groups that anybody can check afterwards: design, lock, draw, proof.</source>
+        <source>Random allocation that anybody can verify afterwards: design, lock, draw, check.</source>
         <translation>任何人事后都可核对的随机分组：设计、锁定、抽取、验证。</translation>
     </message>
     <message>
@@ -18417,7 +18417,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>卡片(&amp;R)…</translation>
     </message>
     <message>
-        <source>A page with a label and a card for each envelope, to print</source>
+        <source>A printable page with a label and a card for each envelope</source>
         <translation>供打印的页面：每个信封一张标签和一张卡片</translation>
     </message>
     <message>
@@ -18485,7 +18485,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>手动调整(&amp;V)…</translation>
     </message>
     <message>
-        <source>Puts a trainee into another group than the draw did, with a reason</source>
+        <source>Moves a trainee to a group other than the one drawn, with a reason</source>
         <translation>将学员调整到与抽取结果不同的组，并注明原因</translation>
     </message>
     <message>
@@ -18649,8 +18649,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>Who did what, when, where and why. Entries are chained: none can be changed or taken out without being found.</source>
-        <translation>何人在何时、何地、因何做了何事。条目相互链接，任何修改或删除都会被发现。</translation>
+        <source>Who did what, when, where and why. Entries are chained, so none can be changed or removed unnoticed.</source>
+        <translation>何人在何时、何地、因何做了何事。各条目前后链接，任何修改或删除都会被发现。</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
@@ -18673,19 +18673,19 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>全部</translation>
     </message>
     <message>
-        <source>Only the newest entries of this time are shown; this shows twice as many</source>
-        <translation>目前只显示该时间段内最新的条目；点击后显示两倍的条目</translation>
+        <source>Only the newest entries of this period are shown; press to show twice as many</source>
+        <translation>仅显示该时间段内最新的条目；点击可显示两倍的条目</translation>
     </message>
     <message>
         <source>Time span</source>
         <translation>时间范围</translation>
     </message>
     <message>
-        <source>Chosen entry</source>
+        <source>Selected entry</source>
         <translation>所选条目</translation>
     </message>
     <message>
-        <source>Choose an entry to see what was changed.</source>
+        <source>Select an entry to see what was changed.</source>
         <translation>选择一个条目以查看更改内容。</translation>
     </message>
     <message>
@@ -18717,8 +18717,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>原因</translation>
     </message>
     <message>
-        <source>Nothing happened in this time.</source>
-        <translation>此时间段内没有记录。</translation>
+        <source>There are no entries in this period.</source>
+        <translation>此时间段内没有条目。</translation>
     </message>
     <message>
         <source>When (UTC)</source>
@@ -18734,7 +18734,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     </message>
     <message>
         <source>Seal</source>
-        <translation>封印</translation>
+        <translation>封存</translation>
     </message>
     <message>
         <source>Verifying the audit trail</source>
@@ -18755,7 +18755,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>显示更多（共 %1 条）(&amp;M)</translation>
     </message>
     <message>
-        <source>Between two days</source>
+        <source>Between two dates</source>
         <translation>两个日期之间</translation>
     </message>
     <message>
@@ -18771,8 +18771,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>导出(&amp;E)…</translation>
     </message>
     <message>
-        <source>All entries of this time as a table (CSV)</source>
-        <translation>将此时段的全部条目导出为表格（CSV）</translation>
+        <source>All entries of this period as a table (CSV)</source>
+        <translation>将此时间段的全部条目导出为表格（CSV）</translation>
     </message>
     <message numerus="yes">
         <source>%n entries saved</source>
@@ -18793,7 +18793,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>检查每个条目、每个已封存的评分和每次已录制的操作</translation>
     </message>
     <message>
-        <source>✓ Everything is as it was written: entries, marks and runs.</source>
+        <source>✓ Entries, marks and runs are exactly as they were recorded.</source>
         <translation>✓ 条目、评分和操作均与写入时一致。</translation>
     </message>
     <message>
@@ -18801,8 +18801,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>链头(&amp;H)…</translation>
     </message>
     <message>
-        <source>The key of this station, its witness file, and what kept heads say</source>
-        <translation>本站的密钥、见证文件，以及已保存链头的核对结果</translation>
+        <source>The key of this station, its witness file, and the check against saved heads</source>
+        <translation>本站的密钥、见证文件，以及与已保存链头的核对</translation>
     </message>
 </context>
 <context>
@@ -18824,11 +18824,11 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>操作方法</translation>
     </message>
     <message>
-        <source>Twist to %1° and let go within %2°.</source>
+        <source>Twist to %1° and release within %2°.</source>
         <translation>扭转至 %1°，松开时误差不超过 %2°。</translation>
     </message>
     <message>
-        <source>Hold for %1 s before you let go.</source>
+        <source>Hold for %1 s before releasing.</source>
         <translation>松开前保持 %1 秒。</translation>
     </message>
     <message>
@@ -18899,16 +18899,16 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
         <source>Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns back. Let gas out first where it resists.
 C: clip. V: gas out. 1, 2, 3: look, feel the pulse, Doppler.
 Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
-        <translation>抓住扭转的部分并转回。松手重新抓持之前请先上夹子，否则会回转。遇到阻力时先排气。
+        <translation>夹住扭转的部分并转回。松手重新夹持之前请先上夹子，否则会回转。遇到阻力时先排气。
 C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
-鼠标：左键抓持，拖动转动，滚轮靠近。</translation>
+鼠标：左键夹持，拖动转动，滚轮靠近。</translation>
     </message>
     <message>
         <source>An expert undoes the same organ</source>
         <translation>专家为同一器官复位</translation>
     </message>
     <message>
-        <source>When you are judged able</source>
+        <source>When you count as competent</source>
         <translation>何时被认为胜任</translation>
     </message>
     <message numerus="yes">
@@ -18934,7 +18934,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>夹住扭转的部分并将其转回。</translation>
     </message>
     <message>
-        <source>on target; it holds still before it lets go.</source>
+        <source>on target; it holds still before it releases.</source>
         <translation>已到目标；松开之前保持不动。</translation>
     </message>
     <message>
@@ -18969,11 +18969,11 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>当前到期的</translation>
     </message>
     <message>
-        <source>Say in which room the real arm stands.</source>
+        <source>Enter the room of the real arm.</source>
         <translation>请填写实物手臂所在的房间。</translation>
     </message>
     <message>
-        <source>Call nevertheless</source>
+        <source>Call anyway</source>
         <translation>仍然呼叫</translation>
     </message>
     <message>
@@ -19025,11 +19025,11 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>结束呼叫</translation>
     </message>
     <message>
-        <source>Take the call back</source>
+        <source>Withdraw the call</source>
         <translation>撤回呼叫</translation>
     </message>
     <message>
-        <source>Somebody else than %1 stood at the arm: the sheets are closed again, what was typed is kept for the next call.</source>
+        <source>Somebody other than %1 was at the arm: the sheets are closed again; what was typed is kept for the next call.</source>
         <translation>站在手臂旁的不是 %1：评分表将重新关闭，已填写的内容保留到下次呼叫。</translation>
     </message>
     <message>
@@ -19077,7 +19077,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>PM = proposed model
 FEM = finite elements
 MSM = mass-spring</source>
-        <translation>PM = 本文模型
+        <translation>PM = 所提模型
 FEM = 有限元
 MSM = 质点弹簧</translation>
     </message>
@@ -19122,7 +19122,7 @@ MSM = 质点弹簧</translation>
         <translation>、</translation>
     </message>
     <message>
-        <source>Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
+        <source>Code = name. After a bar (|) you may give the id of a recording made with the model, for all models or for none: the raters then watch it under its letter.</source>
         <translation>代码 = 名称。竖线（|）之后可写用该模型录制的录制编号，须为所有模型都写或都不写：评分者将在字母代号下观看录制。</translation>
     </message>
     <message>
@@ -19159,14 +19159,14 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>proposed model</source>
-        <translation>本文模型</translation>
+        <translation>所提模型</translation>
     </message>
     <message>
         <source>Enter a name.</source>
         <translation>请输入名称。</translation>
     </message>
     <message>
-        <source>The weights must sum to 1, and sum to %1.</source>
+        <source>The weights must sum to 1; they sum to %1.</source>
         <translation>权重之和须为 1，目前为 %1。</translation>
     </message>
     <message>
@@ -19219,7 +19219,7 @@ MSM = 质点弹簧</translation>
         <translation>模型评价</translation>
     </message>
     <message>
-        <source>Raters score tissue models on nine indices; they see letters, not names, in an order of their own.</source>
+        <source>Raters score tissue models on nine indices; they see letters, not names, each in a different order.</source>
         <translation>评分者按九项指标为组织模型评分；他们只看到字母而非名称，顺序各不相同。</translation>
     </message>
     <message>
@@ -19379,7 +19379,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Not assessable: type why, Enter</source>
-        <translation>无法评定：输入原因，回车</translation>
+        <translation>无法评判：输入原因，回车</translation>
     </message>
     <message>
         <source>Overall</source>
@@ -19609,7 +19609,7 @@ MSM = 质点弹簧</translation>
         <translation>批次改名</translation>
     </message>
     <message>
-        <source>Reports made before keep the name that they were made under.</source>
+        <source>Earlier reports keep the previous name.</source>
         <translation>此前生成的报告保留当时的名称。</translation>
     </message>
     <message>
@@ -19621,15 +19621,15 @@ MSM = 质点弹簧</translation>
         <translation>关闭或归档</translation>
     </message>
     <message>
-        <source>close: nobody trains, is enrolled, called or newly asked for sheets</source>
-        <translation>关闭：不再训练、登记、叫号，也不再分派新的评分表</translation>
+        <source>close: no more training, enrolment, calls or new sheets</source>
+        <translation>关闭：不再训练、登记、呼叫，也不再分派新的评分表</translation>
     </message>
     <message>
-        <source>archive: closed, and left out of the lists</source>
+        <source>archive: closed and hidden from lists</source>
         <translation>归档：已关闭，并且不再出现在列表中</translation>
     </message>
     <message>
-        <source>open again: it trains and is scored as before</source>
+        <source>reopen: training and scoring as before</source>
         <translation>重新开放：照常训练和评分</translation>
     </message>
     <message>
@@ -19641,7 +19641,7 @@ MSM = 质点弹簧</translation>
         <translation>原因(&amp;R)</translation>
     </message>
     <message>
-        <source>Do it</source>
+        <source>Apply</source>
         <translation>执行</translation>
     </message>
     <message>
@@ -19673,8 +19673,8 @@ MSM = 质点弹簧</translation>
         <translation>与当前名称相同。</translation>
     </message>
     <message>
-        <source>The groups of %1 go through its arms, number by number.</source>
-        <translation>%1 的各组按编号依次对应课程的各分支。</translation>
+        <source>The groups of %1 follow its arms in order.</source>
+        <translation>%1 的各组按编号依次对应课程的各组别。</translation>
     </message>
 </context>
 <context>
@@ -19712,7 +19712,7 @@ MSM = 质点弹簧</translation>
         <translation>没有进行中的课程。请在“课程”中发布并启用。</translation>
     </message>
     <message>
-        <source>Back into the study</source>
+        <source>Return to the study</source>
         <translation>重新加入研究</translation>
     </message>
     <message>
@@ -19724,7 +19724,7 @@ MSM = 质点弹簧</translation>
         <translation>%1 重新参加。</translation>
     </message>
     <message>
-        <source>%1 trains no further; what was recorded stays.</source>
+        <source>%1 stops training; existing records are kept.</source>
         <translation>%1 不再训练；已有记录保留。</translation>
     </message>
     <message>
@@ -19957,11 +19957,11 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::CompetenceDialog</name>
     <message>
-        <source>Take from &amp;experts</source>
+        <source>Derive from &amp;experts</source>
         <translation>取自专家(&amp;E)</translation>
     </message>
     <message>
-        <source>When trainees are judged able</source>
+        <source>When trainees count as competent</source>
         <translation>学员何时被认为胜任</translation>
     </message>
     <message>
@@ -19973,23 +19973,23 @@ MSM = 质点弹簧</translation>
         <translation>现行标准</translation>
     </message>
     <message>
-        <source>Tolerance &amp;comes</source>
-        <translation>容差来源(&amp;C)</translation>
+        <source>Tolerance &amp;source</source>
+        <translation>容差来源(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Tolerance</source>
         <translation>容差(&amp;T)</translation>
     </message>
     <message>
-        <source>Experts: people of</source>
+        <source>Experts from cohort</source>
         <translation>专家所在批次</translation>
     </message>
     <message>
-        <source>Failures of somebody &amp;able</source>
-        <translation>胜任者的失败率(&amp;A)</translation>
+        <source>Failure rate when &amp;competent</source>
+        <translation>胜任者的失败率(&amp;C)</translation>
     </message>
     <message>
-        <source>Failures of somebody &amp;not able</source>
+        <source>Failure rate when &amp;not competent</source>
         <translation>未胜任者的失败率(&amp;N)</translation>
     </message>
     <message>
@@ -19997,11 +19997,11 @@ MSM = 质点弹簧</translation>
         <translation>计划的尝试次数(&amp;P)</translation>
     </message>
     <message>
-        <source>Most that pass &amp;wrongly</source>
+        <source>&amp;Wrong passes, at most</source>
         <translation>最多误通过(&amp;W)</translation>
     </message>
     <message>
-        <source>Most that &amp;fail wrongly</source>
+        <source>Wrong &amp;fails, at most</source>
         <translation>最多误不通过(&amp;F)</translation>
     </message>
     <message>
@@ -20009,11 +20009,11 @@ MSM = 质点弹簧</translation>
         <translation>理由(&amp;R)</translation>
     </message>
     <message>
-        <source>What it does</source>
+        <source>Effect</source>
         <translation>效果</translation>
     </message>
     <message>
-        <source>An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for trainees who begin after it was registered.</source>
+        <source>An attempt is a completed twist or an untwisting. A registered design never changes; a new one applies to trainees who begin after its registration.</source>
         <translation>一次尝试指一次完成的扭转或一次复位。标准登记后不再更改；新标准对登记之后才开始的学员有效。</translation>
     </message>
     <message>
@@ -20025,7 +20025,7 @@ MSM = 质点弹簧</translation>
         <translation>界限 %1。%2</translation>
     </message>
     <message>
-        <source>Too many would fail wrongly: plan more attempts, or rates that lie farther apart.</source>
+        <source>Too many would fail wrongly: plan more attempts, or choose rates further apart.</source>
         <translation>误不通过的人太多：请计划更多次尝试，或让两个失败率相差更大。</translation>
     </message>
     <message>
@@ -20143,7 +20143,7 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::ConsentPage</name>
     <message>
-        <source>Nothing is recorded before you agree. You can withdraw later at any time.</source>
+        <source>Nothing is recorded until you agree. You can withdraw at any time.</source>
         <translation>在您同意之前不会记录任何内容。您可以随时撤回。</translation>
     </message>
     <message>
@@ -20155,11 +20155,11 @@ MSM = 质点弹簧</translation>
         <translation>暂不(&amp;N)</translation>
     </message>
     <message>
-        <source>You have agreed before.</source>
+        <source>You have already agreed.</source>
         <translation>您此前已同意。</translation>
     </message>
     <message>
-        <source>You have not agreed so far.</source>
+        <source>You have not agreed yet.</source>
         <translation>您尚未同意。</translation>
     </message>
     <message>
@@ -20167,7 +20167,7 @@ MSM = 质点弹簧</translation>
         <translation>撤回同意(&amp;W)</translation>
     </message>
     <message>
-        <source>Nothing will be recorded. Free practice stays open.</source>
+        <source>Nothing will be recorded. Free practice remains available.</source>
         <translation>不会记录任何内容。自由练习仍可使用。</translation>
     </message>
     <message>
@@ -20175,20 +20175,20 @@ MSM = 质点弹簧</translation>
         <translation>知情同意</translation>
     </message>
     <message>
-        <source>What else may be done</source>
-        <translation>还可以同意的事项</translation>
+        <source>Optional consents</source>
+        <translation>可选的同意事项</translation>
     </message>
     <message>
-        <source>Tick what you agree to. Whatever you choose, you can train.</source>
-        <translation>请勾选您同意的事项。无论如何选择，您都可以训练。</translation>
+        <source>Tick what you agree to. Your choices do not affect your training.</source>
+        <translation>请勾选您同意的事项。您的选择不影响训练。</translation>
     </message>
     <message>
         <source>I &amp;agree to the training record</source>
         <translation>我同意训练记录(&amp;A)</translation>
     </message>
     <message>
-        <source>You have agreed before, to another text (%1). This is %2: please read it.</source>
-        <translation>您之前同意的是另一份文本（%1）。现在的文本是 %2，请阅读。</translation>
+        <source>You agreed to an earlier text (%1). This is %2: please read it.</source>
+        <translation>您之前同意的是较早的文本（%1）。现在的文本是 %2，请阅读。</translation>
     </message>
     <message>
         <source>&amp;Save these decisions</source>
@@ -20286,7 +20286,7 @@ MSM = 质点弹簧</translation>
         <translation>发布</translation>
     </message>
     <message>
-        <source>Everybody is asked with these texts from now on. Earlier decisions stay; whoever has decided about an earlier text is told so on their page. What has changed?</source>
+        <source>From now on everybody is asked with these texts. Earlier decisions stay; people who decided on an earlier text are told so on their page. What has changed?</source>
         <translation>今后将用这些文本征求所有人的同意。此前的决定保留；曾就较早文本作出决定的人会在其页面上看到提示。改动了什么？</translation>
     </message>
     <message>
@@ -20312,7 +20312,7 @@ MSM = 质点弹簧</translation>
         <translation>请填写该用途的标题。</translation>
     </message>
     <message>
-        <source>Say what people agree to.</source>
+        <source>Enter what people agree to.</source>
         <translation>请写明同意的内容。</translation>
     </message>
     <message>
@@ -20394,7 +20394,7 @@ MSM = 质点弹簧</translation>
         <translation>发布版本</translation>
     </message>
     <message>
-        <source>A published version never changes. What is new in it, in a few words:</source>
+        <source>A published version never changes. Briefly, what is new in it:</source>
         <translation>已发布的版本不再改变。请简述本版的新内容：</translation>
     </message>
     <message>
@@ -20402,7 +20402,7 @@ MSM = 质点弹簧</translation>
         <translation>课程</translation>
     </message>
     <message>
-        <source>What the groups go through: exercises, phases, rest and occasions. Published versions never change.</source>
+        <source>What each group does: exercises, phases, rest and occasions. Published versions never change.</source>
         <translation>各组的训练内容：练习、阶段、休息和评分时点。已发布的版本不再改变。</translation>
     </message>
     <message>
@@ -20450,7 +20450,7 @@ MSM = 质点弹簧</translation>
         <translation>添加评分时点</translation>
     </message>
     <message>
-        <source>It comes after all others, for every curriculum from now on, and is never taken away. What is it called?</source>
+        <source>It comes after all others, is available to every curriculum from now on, and cannot be removed. What is it called?</source>
         <translation>它排在所有其他评分时点之后，今后的所有课程均可使用，且不会被移除。它叫什么名称？</translation>
     </message>
     <message>
@@ -20466,8 +20466,8 @@ MSM = 质点弹簧</translation>
         <translation>胜任标准(&amp;M)…</translation>
     </message>
     <message>
-        <source>Where to draw the &amp;line…</source>
-        <translation>及格线划在哪里(&amp;L)…</translation>
+        <source>Pass mar&amp;k…</source>
+        <translation>及格线(&amp;K)…</translation>
     </message>
     <message>
         <source>Run again</source>
@@ -20509,7 +20509,7 @@ MSM = 质点弹簧</translation>
         <translation>检查：完整</translation>
     </message>
     <message numerus="yes">
-        <source>Check: %n to mend</source>
+        <source>Check: %n to correct</source>
         <translation>
             <numerusform>检查：%n 处待改</numerusform>
         </translation>
@@ -20543,7 +20543,7 @@ MSM = 质点弹簧</translation>
         <translation>评分前的训练分钟数：%1</translation>
     </message>
     <message>
-        <source>What is still to mend</source>
+        <source>Still to be corrected</source>
         <translation>尚待修正</translation>
     </message>
     <message>
@@ -20564,7 +20564,7 @@ MSM = 质点弹簧</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Together: %1</source>
+        <source>Total: %1</source>
         <translation>合计：%1</translation>
     </message>
     <message>
@@ -20624,7 +20624,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Trainees come in the order of the board, as many at a time as there are places. Swapping turns on the board swaps slots, too; whoever has not begun five minutes after the start is shown as overdue.</source>
-        <translation>学员按总览的顺序到来，每次的人数等于地点数。在总览中互换次序时，时段也随之互换；开始五分钟后仍未开始者显示为逾期。</translation>
+        <translation>学员按“今日训练”的顺序到来，每次的人数等于地点数。在该页面互换顺序时，时段也随之互换；开始五分钟后仍未开始者显示为逾期。</translation>
     </message>
     <message>
         <source>&amp;Day</source>
@@ -20714,7 +20714,7 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::DebriefPage</name>
     <message>
-        <source>Looking at your run</source>
+        <source>Analysing your run</source>
         <translation>正在分析您的操作</translation>
     </message>
     <message>
@@ -20815,11 +20815,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Too little of this run could be measured to compare it with the expert&apos;s.</source>
-        <translation>本次运行可测量的部分太少，无法与专家的运行比较。</translation>
+        <translation>本次操作可测量的部分太少，无法与专家的操作比较。</translation>
     </message>
     <message>
         <source>This is not your fault: the computer lost part of this run, so not all of it could be measured. Close other programs at this station, then press Again.</source>
-        <translation>这不是您的问题：计算机丢失了本次运行的一部分，因此未能全部测量。请关闭本工作站上的其他程序，然后按“再来一次”。</translation>
+        <translation>这不是您的问题：计算机丢失了本次操作的一部分，因此未能全部测量。请关闭本工作站上的其他程序，然后按“再来一次”。</translation>
     </message>
     <message>
         <source>Not judged: the computer was too busy</source>
@@ -20846,12 +20846,12 @@ MSM = 质点弹簧</translation>
         <translation>评判的是组织所受的力。设备最多输出了其中的 %1 N。</translation>
     </message>
     <message>
-        <source>What was felt was not what was computed all the time: %1. %2.</source>
+        <source>The force felt did not match the computed force throughout: %1. %2.</source>
         <translation>手上感受到的力并非始终与计算值一致：%1。%2。</translation>
     </message>
     <message>
-        <source>The run was not computed evenly all the time: %1. %2.</source>
-        <translation>本次运行的计算并非始终均匀：%1。%2。</translation>
+        <source>The run was not computed evenly throughout: %1. %2.</source>
+        <translation>本次操作的计算并非始终均匀：%1。%2。</translation>
     </message>
     <message numerus="yes">
         <source>%n twist(s) not completed and not counted.</source>
@@ -20864,7 +20864,7 @@ MSM = 质点弹簧</translation>
         <translation>%1  ·  %2  ·  %3</translation>
     </message>
     <message>
-        <source>One run decides nothing. By all runs: %1. %2 %3</source>
+        <source>A single run decides nothing. Over all runs: %1. %2 %3</source>
         <translation>单次操作不作定论。按全部操作：%1。%2%3</translation>
     </message>
 </context>
@@ -20925,11 +20925,11 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::Desk</name>
     <message>
-        <source>This page is not open to you</source>
+        <source>You do not have access to this page</source>
         <translation>您无权打开此页面</translation>
     </message>
     <message>
-        <source>A run is going on. Finish or stop it first</source>
+        <source>A run is in progress. Finish or stop it first</source>
         <translation>操作正在进行，请先完成或停止</translation>
     </message>
     <message>
@@ -20937,7 +20937,7 @@ MSM = 质点弹簧</translation>
         <translation>数据库目前没有应答。恢复后即可打开此页面</translation>
     </message>
     <message>
-        <source>Work is going on. Wait for it, or cancel it</source>
+        <source>Work is in progress. Wait for it, or cancel it</source>
         <translation>有任务正在进行，请等待完成或取消</translation>
     </message>
     <message>
@@ -21004,20 +21004,20 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::DetorsionCard</name>
     <message>
-        <source>Over the time of the tissue</source>
+        <source>Over tissue time</source>
         <translation>随组织时间的变化</translation>
     </message>
     <message>
-        <source>Where the seconds went</source>
-        <translation>时间用在哪里</translation>
+        <source>How the time was spent</source>
+        <translation>时间分配</translation>
     </message>
     <message>
-        <source>What the numbers say</source>
-        <translation>数据说明</translation>
+        <source>Findings</source>
+        <translation>结果说明</translation>
     </message>
     <message>
-        <source>Searching, nothing held</source>
-        <translation>寻找，无任何固定</translation>
+        <source>Searching, not holding</source>
+        <translation>寻找中，未夹持</translation>
     </message>
     <message>
         <source>Turning in the jaw</source>
@@ -21044,47 +21044,47 @@ MSM = 质点弹簧</translation>
         <translation>第一次转动方向错误。</translation>
     </message>
     <message>
-        <source>The organ was turned %1 further in than it came.</source>
+        <source>The organ was twisted %1 further than at the start.</source>
         <translation>器官比开始时多扭了 %1。</translation>
     </message>
     <message>
-        <source>Blood flowed again after %1, which is %2 of the tissue.</source>
-        <translation>%1 后血流恢复，相当于组织时间 %2。</translation>
+        <source>Blood flow returned after %1 (%2 of tissue time).</source>
+        <translation>%1 后血流恢复（组织时间 %2）。</translation>
     </message>
     <message>
-        <source>Blood did not come back in this run.</source>
+        <source>Blood flow did not return in this run.</source>
         <translation>本次操作中血流未恢复。</translation>
     </message>
     <message>
-        <source>The ischaemic dose came to %1: from 1 on the tissue is lost.</source>
+        <source>The ischaemic dose reached %1: from 1 the tissue is lost.</source>
         <translation>缺血剂量达到 %1：达到 1 则组织坏死。</translation>
     </message>
     <message>
-        <source>The ischaemic dose came to %1: the tissue lives, 1 would be its loss.</source>
+        <source>The ischaemic dose reached %1: the tissue survives; at 1 it would be lost.</source>
         <translation>缺血剂量为 %1：组织存活，达到 1 则坏死。</translation>
     </message>
     <message>
-        <source>Re-grips: %1; a hand of usual reach needs at least %2.</source>
-        <translation>重新抓持：%1 次；一般手的转动范围至少需要 %2 次。</translation>
+        <source>Re-grips: %1; a hand with the usual range of motion needs at least %2.</source>
+        <translation>重新夹持：%1 次；一般手的转动范围至少需要 %2 次。</translation>
     </message>
     <message>
-        <source>Between grips %1 were lost again: set the clip before you let go.</source>
-        <translation>两次抓持之间又回转了 %1：松手前请先上夹子。</translation>
+        <source>%1 were lost again between grips: set the clip before releasing.</source>
+        <translation>两次夹持之间又回转了 %1：松开前请先上夹子。</translation>
     </message>
     <message>
-        <source>The tissue was loaded beyond what it bears for %1.</source>
+        <source>The tissue was overloaded for %1.</source>
         <translation>组织超负荷 %1。</translation>
     </message>
     <message>
-        <source>It turned back after it had been undone.</source>
+        <source>The organ twisted again after it had been untwisted.</source>
         <translation>复位后又回转。</translation>
     </message>
     <message>
-        <source>Twist that remains: %1.</source>
+        <source>Remaining twist: %1.</source>
         <translation>剩余扭转：%1。</translation>
     </message>
     <message>
-        <source>Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.</source>
+        <source>Bruises from the jaw: %1. Grip more gently: ischaemic tissue bears only half the pressure.</source>
         <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
     </message>
     <message>
@@ -21092,23 +21092,23 @@ MSM = 质点弹簧</translation>
         <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次操作的器官。</translation>
     </message>
     <message>
-        <source>Enough blood flowed from the beginning on.</source>
+        <source>Blood flow was sufficient from the start.</source>
         <translation>血流从一开始就足够。</translation>
     </message>
     <message>
-        <source>Undone in stages: at most %1 without a rest.</source>
+        <source>Untwisted in stages: at most %1 without a rest.</source>
         <translation>已分阶段复位：未停歇时最多转 %1。</translation>
     </message>
     <message>
-        <source>Turned back by %1 without a rest: let the blood return in stages.</source>
+        <source>Turned back by %1 without a rest: let blood flow return in stages.</source>
         <translation>未停歇就转回了 %1：应分阶段让血流恢复。</translation>
     </message>
     <message>
-        <source>Times that the instrument slipped off: %1.</source>
+        <source>Slips of the instrument: %1.</source>
         <translation>器械滑脱：%1 次。</translation>
     </message>
     <message>
-        <source>Tears of the wall: %1. A torn organ does not count as undone.</source>
+        <source>Tears in the wall: %1. A torn organ does not count as untwisted.</source>
         <translation>壁撕裂：%1 处。器官撕裂不算复位。</translation>
     </message>
     <message>
@@ -21139,8 +21139,8 @@ MSM = 质点弹簧</translation>
         <translation>组织时间</translation>
     </message>
     <message>
-        <source>Blood flow, as told</source>
-        <translation>所测血流</translation>
+        <source>Blood flow, last check</source>
+        <translation>血流（最近一次检查）</translation>
     </message>
     <message>
         <source>1 s here = %1 s of the tissue</source>
@@ -21155,8 +21155,8 @@ MSM = 质点弹簧</translation>
         <translation>夹子 (C)</translation>
     </message>
     <message>
-        <source>A clip or an assistant holds the organ while you grip anew</source>
-        <translation>您重新抓持时，由夹子或助手固定器官</translation>
+        <source>A clip or an assistant holds the organ while you re-grip</source>
+        <translation>您重新夹持时，由夹子或助手固定器官</translation>
     </message>
     <message>
         <source>Gas out (V)</source>
@@ -21267,7 +21267,7 @@ MSM = 质点弹簧</translation>
         <translation>%1：%2 % ± %3 %</translation>
     </message>
     <message>
-        <source>Within the limits. Take the hand and the clip off.</source>
+        <source>Within the limits. Open the jaw and remove the clip.</source>
         <translation>已在限度内。请松手并取下夹子。</translation>
     </message>
     <message>
@@ -21275,7 +21275,7 @@ MSM = 质点弹簧</translation>
         <translation>松手：%1 / %2 秒</translation>
     </message>
     <message>
-        <source>It stays. Check the blood flow before you end.</source>
+        <source>The position holds. Check the blood flow before you end.</source>
         <translation>位置稳定。结束前请检查血流。</translation>
     </message>
     <message>
@@ -21299,36 +21299,36 @@ MSM = 质点弹簧</translation>
         <translation>停止排气 (V)</translation>
     </message>
     <message>
-        <source>The clip holds it. Take the clip off (C), then turn on.</source>
+        <source>The clip holds the organ. Remove the clip (C), then turn further.</source>
         <translation>夹子固定着器官。先取下夹子 (C)，再继续转动。</translation>
     </message>
     <message>
-        <source>The clip holds it. Grip anew, then take the clip off (C).</source>
-        <translation>夹子固定着器官。重新抓持，再取下夹子 (C)。</translation>
+        <source>The clip holds the organ. Re-grip, then remove the clip (C).</source>
+        <translation>夹子固定着器官。重新夹持，再取下夹子 (C)。</translation>
     </message>
     <message>
-        <source>It lies within the limits. Keep your hands off, check the blood flow.</source>
+        <source>Within the limits. Keep your hands off and check the blood flow.</source>
         <translation>已在限度之内。请松手，并检查血流。</translation>
     </message>
     <message>
-        <source>It lies within the limits. Let go.</source>
+        <source>Within the limits. Open the jaw.</source>
         <translation>已在限度之内。请松开。</translation>
     </message>
     <message>
-        <source>Holding. Turn, set the clip (C), then grip anew.</source>
-        <translation>已抓住。转动，上夹子 (C)，再重新抓持。</translation>
+        <source>Holding. Turn, set the clip (C), then re-grip.</source>
+        <translation>已夹持。转动，上夹子 (C)，再重新夹持。</translation>
     </message>
     <message>
         <source>Rest of the tissue</source>
         <translation>组织停歇</translation>
     </message>
     <message>
-        <source>The twist grows. Turn in the opposite direction.</source>
+        <source>The twist is increasing. Turn in the opposite direction.</source>
         <translation>扭转正在加重。请向相反方向转动。</translation>
     </message>
     <message>
-        <source>Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.</source>
-        <translation>手已转到极限。请上夹子 (C)，松开钳口，再重新抓持。</translation>
+        <source>Your hand has reached its limit. Set the clip (C), open the jaw and re-grip.</source>
+        <translation>手已转到极限。请上夹子 (C)，松开钳口，再重新夹持。</translation>
     </message>
     <message>
         <source>%1, %2 ago</source>
@@ -21351,7 +21351,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>grip</source>
-        <translation>抓持</translation>
+        <translation>夹持</translation>
     </message>
     <message>
         <source>let go</source>
@@ -21453,11 +21453,11 @@ MSM = 质点弹簧</translation>
         <translation>误录(&amp;E)…</translation>
     </message>
     <message>
-        <source>Notes beside the chosen ones that they are wrong, and why; nothing is removed</source>
+        <source>Marks the selected deviations as wrong, with the reason; nothing is removed</source>
         <translation>在所选各条旁注明有误及原因；不删除任何内容</translation>
     </message>
     <message>
-        <source>What went otherwise than the protocol says. The report lists it as well.</source>
+        <source>Where the study departed from the protocol. The report lists it as well.</source>
         <translation>与方案不符的情况，报告中也会列出。</translation>
     </message>
     <message>
@@ -21495,7 +21495,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
-        <translation>请坐好，将手柄放回底座，前臂放松。</translation>
+        <translation>请坐好，将操作笔插入笔座，前臂放松。</translation>
     </message>
     <message>
         <source>Practise with the &amp;mouse</source>
@@ -21534,7 +21534,7 @@ MSM = 质点弹簧</translation>
         <translation>可以练习。计分操作要求每一项都正常。</translation>
     </message>
     <message>
-        <source>Something is wrong. No graded run with this device now.</source>
+        <source>There is a problem. Graded runs are not possible with this device now.</source>
         <translation>设备有问题，目前不能用它进行计分操作。</translation>
     </message>
     <message>
@@ -21593,7 +21593,7 @@ MSM = 质点弹簧</translation>
         <translation>检查设备(&amp;C)</translation>
     </message>
     <message>
-        <source>the usual one</source>
+        <source>default</source>
         <translation>默认设备</translation>
     </message>
     <message>
@@ -21605,11 +21605,11 @@ MSM = 质点弹簧</translation>
         <translation>结果</translation>
     </message>
     <message>
-        <source>What was looked at</source>
+        <source>Checked</source>
         <translation>检查项</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>发现</translation>
     </message>
     <message>
@@ -21621,7 +21621,7 @@ MSM = 质点弹簧</translation>
         <translation>请按“检查设备”。</translation>
     </message>
     <message>
-        <source>Kept. It holds at this station from the next sign-in on</source>
+        <source>Saved. It applies at this station from the next sign-in</source>
         <translation>已保存。自下次登录起在本工作站生效</translation>
     </message>
     <message>
@@ -21629,7 +21629,7 @@ MSM = 质点弹簧</translation>
         <translation>设备工作正常。它不提供力：仅当中心允许用鼠标评分时，才会对用它进行的操作评分。</translation>
     </message>
     <message>
-        <source>the first device that is there</source>
+        <source>the first device found</source>
         <translation>第一个可用的设备</translation>
     </message>
     <message>
@@ -21680,8 +21680,8 @@ MSM = 质点弹簧</translation>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>Decided. You may decide anew.</source>
-        <translation>已决定，可重新决定。</translation>
+        <source>Decided. You may change your decision.</source>
+        <translation>已决定，可更改决定。</translation>
     </message>
     <message>
         <source>Decided: %1</source>
@@ -22068,7 +22068,7 @@ MSM = 质点弹簧</translation>
         <translation>质点弹簧点阵</translation>
     </message>
     <message>
-        <source>Which model turns the organ and answers the hand</source>
+        <source>Which model turns the organ and responds to the hand</source>
         <translation>由哪个模型扭转器官并对手作出反馈</translation>
     </message>
     <message>
@@ -22440,7 +22440,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>People, curricula and cohorts are entered or imported.</source>
-        <translation>人员、课程和班级由您录入或导入。</translation>
+        <translation>人员、课程和批次由您录入或导入。</translation>
     </message>
     <message>
         <source>With a &amp;demonstration cohort</source>
@@ -22503,7 +22503,7 @@ MSM = 质点弹簧</translation>
         <translation>语言(&amp;G)</translation>
     </message>
     <message>
-        <source>Look round with simulated people</source>
+        <source>Explore with simulated people</source>
         <translation>用模拟人员浏览</translation>
     </message>
     <message>
@@ -22678,11 +22678,11 @@ MSM = 质点弹簧</translation>
         <translation>最新记录的哈希：%1</translation>
     </message>
     <message>
-        <source>The head was not kept. %1</source>
+        <source>The head was not saved. %1</source>
         <translation>链头未能保存。%1</translation>
     </message>
     <message>
-        <source>This station keeps no heads. Copy it or write it down, away from the record: with it anybody can tell later whether the trail was cut off or rewritten.</source>
+        <source>This station keeps no heads. Copy the head or write it down and keep it away from the record: it shows later whether the trail was truncated or rewritten.</source>
         <translation>本站不保存链头。请复制或抄下，并与数据分开存放：日后凭它可以查出审计记录是否被截断或改写。</translation>
     </message>
     <message>
@@ -22703,12 +22703,12 @@ Its public part, to be kept where heads are checked: %2</source>
 其公钥请保存在核对链头的地方：%2</translation>
     </message>
     <message>
-        <source>! The key lies beside the record: whoever takes the folder can sign. Move it away.</source>
-        <translation>! 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请将它移走。</translation>
+        <source>! The key is stored beside the record: anyone who takes the folder can sign. Move it elsewhere.</source>
+        <translation>! 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请移到别处。</translation>
     </message>
     <message>
-        <source>! This station has no key, so its heads are not signed: whoever can change the place where they are kept can replace them.</source>
-        <translation>! 本站没有密钥，链头未签名：能改动其保存位置的人就能替换它们。</translation>
+        <source>! This station has no key, so its heads are not signed: anyone with write access to where they are kept can replace them.</source>
+        <translation>! 本站没有密钥，链头未签名：能写入其保存位置的人就能替换它们。</translation>
     </message>
     <message>
         <source>&amp;Make a key…</source>
@@ -22723,15 +22723,15 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>管理员每次退出登录时，都会在 %1 中添加一个链头。现有行数：%2</translation>
     </message>
     <message>
-        <source>! It lies on the disk of the record: whoever takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
+        <source>! It is on the same disk as the record: anyone who takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
         <translation>! 它与记录在同一磁盘上：拿走该磁盘或换回旧磁盘的人同时拥有两者。请选择另一磁盘上的文件。</translation>
     </message>
     <message>
-        <source>! This station keeps no heads. A record that was cut off, rewritten or put back is not found by itself.</source>
-        <translation>! 本站不保存链头。记录若被截断、重写或换成旧的，无法自行发现。</translation>
+        <source>! This station keeps no heads. A record that was truncated, rewritten or replaced by an older one would go unnoticed.</source>
+        <translation>! 本站不保存链头。记录若被截断、重写或换成旧的，将无法发现。</translation>
     </message>
     <message>
-        <source>The key is made. Note its public part elsewhere</source>
+        <source>The key has been created. Note its public part elsewhere</source>
         <translation>密钥已生成。请在别处记下其公钥</translation>
     </message>
     <message>
@@ -22767,16 +22767,16 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>审计记录的链头，打印于 %1</translation>
     </message>
     <message>
-        <source>Heads that were kept</source>
+        <source>Saved heads</source>
         <translation>已保存的链头</translation>
     </message>
     <message>
-        <source>Comparing the record with kept heads</source>
+        <source>Comparing the record with saved heads</source>
         <translation>正在将记录与已保存的链头核对</translation>
     </message>
     <message>
-        <source>✓ The audit trail is the one that these heads were taken from, and nothing was cut off.</source>
-        <translation>✓ 审计记录正是取得这些链头时的那一份，没有内容被截断。</translation>
+        <source>✓ The audit trail matches these heads, and nothing has been removed.</source>
+        <translation>✓ 审计记录与这些链头相符，没有内容被删除。</translation>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
@@ -22793,8 +22793,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>审计记录的链头</translation>
     </message>
     <message>
-        <source>What is kept outside of the record, and finds what the record cannot tell of itself: entries cut off, a trail rewritten, an older file put back.</source>
-        <translation>保存在记录之外，用来发现记录本身看不出的改动：条目被截断、审计记录被重写、换回旧文件。</translation>
+        <source>Heads are kept outside the record and reveal what it cannot show itself: entries removed, a trail rewritten, an older file put back.</source>
+        <translation>链头保存在记录之外，用来发现记录本身看不出的改动：条目被删除、审计记录被重写、换回旧文件。</translation>
     </message>
     <message>
         <source>&amp;Back to the audit trail</source>
@@ -22817,11 +22817,11 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>不保存链头(&amp;N)</translation>
     </message>
     <message>
-        <source>The head now</source>
+        <source>Current head</source>
         <translation>当前链头</translation>
     </message>
     <message>
-        <source>Length, hash and time of the trail in one line. Keep it where nobody who can change the record can change it: on paper, in a mail, on another disk.</source>
+        <source>Length, hash and time of the trail in one line. Keep it where nobody who can change the record can change it: on paper, in an email, on another disk.</source>
         <translation>一行中包含审计记录的长度、哈希值和时间。请保存在能改动记录的人无法改动的地方：纸上、邮件中、另一磁盘上。</translation>
     </message>
     <message>
@@ -22837,7 +22837,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>添加到见证文件(&amp;A)</translation>
     </message>
     <message>
-        <source>Compare with heads that were kept</source>
+        <source>Compare with saved heads</source>
         <translation>与已保存的链头核对</translation>
     </message>
     <message>
@@ -22880,8 +22880,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>其他程序</translation>
     </message>
     <message>
-        <source>A program such as 3D Slicer can follow the instrument of this station in runs and free practice: its pose, and when it touches, grips and lets go. Nothing says who trains.</source>
-        <translation>3D Slicer 等程序可以在操作和自由练习中跟随本工作站的器械：器械的位姿，以及何时接触、夹持和松开。不会透露训练者是谁。</translation>
+        <source>A program such as 3D Slicer can follow the instrument of this station in runs and free practice: its pose, and when it touches, grips and releases. The trainee&apos;s identity is not sent.</source>
+        <translation>3D Slicer 等程序可以在操作和自由练习中跟随本工作站的器械：器械的位姿，以及何时接触、夹持和松开。不会发送学员身份。</translation>
     </message>
     <message>
         <source>programs on this computer</source>
@@ -22917,7 +22917,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>能访问 %1 的程序</translation>
     </message>
     <message>
-        <source>Kept. It holds at this station from the next sign-in on</source>
+        <source>Saved. It applies at this station from the next sign-in</source>
         <translation>已保存。自下次登录起在本工作站生效</translation>
     </message>
     <message>
@@ -22948,11 +22948,11 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>尖端、轴线和钳口</translation>
     </message>
     <message>
-        <source>Denser than this is the instrument</source>
+        <source>The instrument is denser than</source>
         <translation>密度高于此值的为器械</translation>
     </message>
     <message>
-        <source>Hinge, from the tip</source>
+        <source>Distance from hinge to tip</source>
         <translation>铰链到尖端的距离</translation>
     </message>
     <message>
@@ -22960,7 +22960,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>每片钳口张开</translation>
     </message>
     <message>
-        <source>A closed jaw holds tissue over</source>
+        <source>A closed jaw grips tissue over</source>
         <translation>闭合的钳口夹持组织的长度</translation>
     </message>
     <message>
@@ -22972,8 +22972,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>尖端在另一端</translation>
     </message>
     <message>
-        <source>Turn the hinge by a right angle</source>
-        <translation>将铰链转动直角</translation>
+        <source>Rotate the hinge by 90°</source>
+        <translation>将铰链转动 90°</translation>
     </message>
     <message>
         <source>Back</source>
@@ -23019,15 +23019,15 @@ Its public part, to be kept where heads are checked: %2</source>
 <context>
     <name>torsio::gui::InstrumentView</name>
     <message>
-        <source>The whole: a click on the other half makes its end the tip</source>
+        <source>Whole instrument: click the other half to make its end the tip</source>
         <translation>整体：点击另一半，其末端即为尖端</translation>
     </message>
     <message>
-        <source>The front, along the hinge: a click places the hinge</source>
+        <source>Front, along the hinge: click to place the hinge</source>
         <translation>前部，沿铰链方向：点击以放置铰链</translation>
     </message>
     <message>
-        <source>The front, from above</source>
+        <source>Front, from above</source>
         <translation>前部，俯视</translation>
     </message>
 </context>
@@ -23038,7 +23038,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>登录邀请</translation>
     </message>
     <message>
-        <source>Links and codes are shown only now. Each is for one person, and a link is good once and for a week. A code goes to its person by another way than the link that another administrator hands over.</source>
+        <source>Links and codes are shown only now. Each is for one person; a link works once and for a week. Send each code by a different channel from the link, which another administrator hands over.</source>
         <translation>链接和代码只在此时显示。每项只供一人使用，链接限用一次，一周内有效。代码应通过与链接不同的途径交给本人，链接由另一位管理员转交。</translation>
     </message>
     <message>
@@ -23152,7 +23152,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>The learning system of the centre hears of enrolments, runs, passes and failures, rests and remarks that were read, under opaque accounts, of trainees who have agreed to it. What happened before this was turned on is not told.</source>
-        <translation>中心的学习系统会收到已同意的学员的登记、练习、通过与未通过、休息和已读评语，均以匿名账户表示。开启之前发生的事情不会发送。</translation>
+        <translation>中心的学习系统会收到已同意的学员的登记、操作、通过与未通过、休息和已读评语，均以匿名账户表示。开启之前发生的事情不会发送。</translation>
     </message>
     <message>
         <source>&amp;Address of the learning record store</source>
@@ -23231,11 +23231,11 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>! 等待中的记录未被接收：%1</translation>
     </message>
     <message>
-        <source>Kept. What happens from now on is sent</source>
+        <source>Saved. Events are sent from now on</source>
         <translation>已保存。今后发生的事情将被发送</translation>
     </message>
     <message>
-        <source>Kept. Nothing is sent</source>
+        <source>Saved. Nothing is sent</source>
         <translation>已保存。不发送任何内容</translation>
     </message>
     <message>
@@ -23354,7 +23354,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Not assessable: type why, Enter</source>
-        <translation>无法评定：输入原因，回车</translation>
+        <translation>无法评判：输入原因，回车</translation>
     </message>
     <message>
         <source>Case %1 is called now. What you have begun here is kept: submit it, or choose the case at the left and come back later.</source>
@@ -23486,7 +23486,7 @@ Leave it empty to remove it.</source>
         <translation>PIN 码已删除</translation>
     </message>
     <message>
-        <source>The PIN is in force</source>
+        <source>The PIN is now in use</source>
         <translation>PIN 码已生效</translation>
     </message>
     <message>
@@ -23546,19 +23546,19 @@ Leave it empty to remove it.</source>
         <translation>已取消；未建立任何内容</translation>
     </message>
     <message>
-        <source>Name and password do not fit together. Please try again</source>
+        <source>Name and password do not match. Please try again</source>
         <translation>登录名与密码不匹配，请重试</translation>
     </message>
     <message>
-        <source>This account is switched off. Ask your administrator</source>
+        <source>This account is disabled. Ask your administrator</source>
         <translation>该账户已停用，请联系管理员</translation>
     </message>
     <message>
-        <source>The new password is in force</source>
+        <source>The new password is now in use</source>
         <translation>新密码已生效</translation>
     </message>
     <message>
-        <source>That is not the password. Please try again</source>
+        <source>The password is not correct. Please try again</source>
         <translation>密码不正确，请重试</translation>
     </message>
     <message>
@@ -23570,7 +23570,7 @@ Leave it empty to remove it.</source>
         <translation>未能保存审计记录的链头：%1</translation>
     </message>
     <message numerus="yes">
-        <source>The database refused %n entries of this station for good. Please tell whoever looks after it</source>
+        <source>The database finally refused %n entries of this station. Please tell its administrator</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %n 条记录。请告知维护人员</numerusform>
         </translation>
@@ -23584,19 +23584,19 @@ Leave it empty to remove it.</source>
         <translation>无法为此创建文件夹：%1</translation>
     </message>
     <message>
-        <source>A look round: simulated people</source>
+        <source>Exploring: simulated people</source>
         <translation>浏览：模拟人员</translation>
     </message>
     <message>
-        <source>Everybody here is simulated. Sign out, and all of it is gone</source>
+        <source>Everybody here is simulated. All of it is deleted when you sign out</source>
         <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
     </message>
     <message>
-        <source>You are a simulated physician. Sign out to become yourself again</source>
+        <source>You are a simulated physician. Sign out to return to your own account</source>
         <translation>您现在是模拟医师。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
-        <source>You are a simulated trainee. Sign out to become yourself again</source>
+        <source>You are a simulated trainee. Sign out to return to your own account</source>
         <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
@@ -23608,12 +23608,12 @@ Leave it empty to remove it.</source>
         <translation>阅读后请再次关闭窗口</translation>
     </message>
     <message>
-        <source>Nobody here? You will be signed out in %1. Press any key to stay</source>
-        <translation>没有人在吗？%1 后将退出登录。按任意键继续</translation>
+        <source>Still there? You will be signed out in %1. Press any key to stay</source>
+        <translation>您还在吗？%1 后将退出登录。按任意键继续</translation>
     </message>
     <message>
-        <source>Nobody here? The screen will be locked in %1. Press any key to stay</source>
-        <translation>没有人在吗？%1 后将锁定屏幕。按任意键继续</translation>
+        <source>Still there? The screen will be locked in %1. Press any key to stay</source>
+        <translation>您还在吗？%1 后将锁定屏幕。按任意键继续</translation>
     </message>
     <message>
         <source>Too many wrong tries. Please wait %1</source>
@@ -23932,7 +23932,7 @@ Leave it empty to remove it.</source>
         <translation>正在加载器官</translation>
     </message>
     <message>
-        <source>Wait until the work that goes on has ended</source>
+        <source>Wait until the current work has finished</source>
         <translation>请等待当前的工作结束</translation>
     </message>
     <message>
@@ -24029,7 +24029,7 @@ Leave it empty to remove it.</source>
         <translation>该行已复制到剪贴板</translation>
     </message>
     <message>
-        <source>Looking at the server</source>
+        <source>Checking the server</source>
         <translation>正在查看服务器</translation>
     </message>
     <message>
@@ -24196,11 +24196,11 @@ Leave it empty to remove it.</source>
         <translation>尚未为您安排训练</translation>
     </message>
     <message>
-        <source>You are in no cohort. An administrator has to add you; free practice is open meanwhile.</source>
+        <source>You are not in a cohort yet. An administrator has to add you; free practice is available meanwhile.</source>
         <translation>您尚未加入任何批次，请联系管理员。在此期间可以自由练习。</translation>
     </message>
     <message>
-        <source>Your cohort follows no curriculum yet. Free practice is open meanwhile.</source>
+        <source>Your cohort has no curriculum yet. Free practice is available meanwhile.</source>
         <translation>您的批次尚无课程。在此期间可以自由练习。</translation>
     </message>
     <message>
@@ -24208,12 +24208,12 @@ Leave it empty to remove it.</source>
         <translation>您的训练时间已完成</translation>
     </message>
     <message>
-        <source>Nothing is open now</source>
-        <translation>目前没有开放的模块</translation>
+        <source>Nothing is available now</source>
+        <translation>目前没有可进行的内容</translation>
     </message>
     <message>
-        <source>Look at your trend, or take your transcript.</source>
-        <translation>可以查看趋势或打印成绩单。</translation>
+        <source>View your trend, or save your transcript.</source>
+        <translation>可以查看趋势或保存成绩单。</translation>
     </message>
     <message>
         <source>On the real arm: %1</source>
@@ -24224,11 +24224,11 @@ Leave it empty to remove it.</source>
         <translation>剩余 %1。计时器记录训练时间，不做其他记录。</translation>
     </message>
     <message>
-        <source>takes at most %1</source>
+        <source>Takes at most %1</source>
         <translation>最多需要 %1</translation>
     </message>
     <message>
-        <source>the last attempt</source>
+        <source>Last attempt</source>
         <translation>最后一次尝试</translation>
     </message>
     <message>
@@ -24470,12 +24470,12 @@ Leave it empty to remove it.</source>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>There is no picture: no surface could be made of the file. The findings say why.</source>
+        <source>No picture: no surface could be made from the file. The findings say why.</source>
         <translation>没有图像：无法由该文件得到曲面。原因见各条发现。</translation>
     </message>
     <message>
-        <source>Turns the free end about the organ&apos;s own axis, as it is judged</source>
-        <translation>使自由端绕器官自身轴线转动，与评判时相同</translation>
+        <source>Turns the free end about the organ&apos;s own axis, as in the check</source>
+        <translation>使自由端绕器官自身轴线转动，与检验时相同</translation>
     </message>
     <message>
         <source>Axis and landmarks</source>
@@ -24648,12 +24648,12 @@ Leave it empty to remove it.</source>
         <translation>DICOM 文件夹</translation>
     </message>
     <message>
-        <source>Wait until the work that goes on has ended</source>
+        <source>Wait until the current work has finished</source>
         <translation>请等待当前的工作结束</translation>
     </message>
     <message>
-        <source>Judging the organ</source>
-        <translation>正在评判器官</translation>
+        <source>Checking the organ</source>
+        <translation>正在检验器官</translation>
     </message>
     <message>
         <source>Reading the scan</source>
@@ -24696,8 +24696,8 @@ Leave it empty to remove it.</source>
         <translation>选择网格…</translation>
     </message>
     <message>
-        <source>A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and mend what was found. Names of patients are neither shown nor kept.</source>
-        <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修补找到的结果。患者姓名既不显示也不保存。</translation>
+        <source>A CT, or a label mask from another program. You view its slices, mark the organ and correct the result. Patient names are neither shown nor kept.</source>
+        <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修正找到的结果。患者姓名既不显示也不保存。</translation>
     </message>
     <message>
         <source>Accept unevenly spaced slices</source>
@@ -24712,15 +24712,15 @@ Leave it empty to remove it.</source>
         <translation>DICOM 文件夹…</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>所得结果</translation>
     </message>
     <message>
-        <source>Judgement</source>
-        <translation>评判</translation>
+        <source>Check</source>
+        <translation>检验</translation>
     </message>
     <message>
-        <source>What you know of it</source>
+        <source>Known details</source>
         <translation>已知信息</translation>
     </message>
     <message>
@@ -24728,12 +24728,12 @@ Leave it empty to remove it.</source>
         <translation>返回</translation>
     </message>
     <message>
-        <source>Judge again</source>
-        <translation>重新评判</translation>
+        <source>Check again</source>
+        <translation>重新检验</translation>
     </message>
     <message>
-        <source>With what you know of it now</source>
-        <translation>按现在所知的情况</translation>
+        <source>With the details as they are now</source>
+        <translation>按当前的信息</translation>
     </message>
     <message>
         <source>Save organ…</source>
@@ -24756,16 +24756,16 @@ Leave it empty to remove it.</source>
         <translation>切片最多的一个</translation>
     </message>
     <message>
-        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in isolation, checked, mended where that is safe, and twisted to see how it bears it.</source>
-        <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并试扭转以查看其承受情况。</translation>
+        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in a separate process, checked, repaired where that is safe, and test-twisted.</source>
+        <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并进行试扭转。</translation>
     </message>
     <message>
-        <source>Arm with a person&apos;s measures</source>
+        <source>Arm from a person&apos;s measurements</source>
         <translation>按个人尺寸绘制的手臂</translation>
     </message>
     <message>
-        <source>A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or is treated. The preset values are a man&apos;s; the girths of the forearm follow those of the wrist.</source>
-        <translation>绘制的前臂与手：腕部和手指按受训者或患者的测量值。各栏以男性尺寸为初值；前臂围度随腕部而变。</translation>
+        <source>A drawn forearm and hand: wrist and fingers as measured on the trainee or the patient. The preset values are a man&apos;s; the girth of the forearm follows the wrist.</source>
+        <translation>绘制的前臂与手：腕部和手指按受训者或患者的测量值。预设值为男性尺寸；前臂围度随腕部而变。</translation>
     </message>
     <message>
         <source>Draw the arm</source>
@@ -24792,15 +24792,15 @@ Leave it empty to remove it.</source>
         <translation>正在绘制手臂</translation>
     </message>
     <message>
-        <source>Bring an organ: a mesh, a scan or a person&apos;s measures become one that can be twisted, once it is judged.</source>
-        <translation>引入器官：您自己的网格、扫描或个人尺寸经评判后，即成为可扭转的器官。</translation>
+        <source>Import an organ: once checked, a mesh, a scan or a person&apos;s measurements become an organ that can be twisted.</source>
+        <translation>导入器官：网格、扫描或个人尺寸经检验后，即成为可扭转的器官。</translation>
     </message>
     <message>
         <source>Mesh of an instrument</source>
         <translation>器械网格</translation>
     </message>
     <message>
-        <source>A mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. What is chosen for scans holds for its CT, too.</source>
+        <source>The mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. The choices for scans apply to its CT, too.</source>
         <translation>工具的网格，或钳口闭合时的 CT，可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于其 CT。</translation>
     </message>
     <message>
@@ -24847,8 +24847,8 @@ Leave it empty to remove it.</source>
         <translation>申请删除(&amp;E)…</translation>
     </message>
     <message>
-        <source>&amp;Take the request back</source>
-        <translation>收回申请(&amp;T)</translation>
+        <source>Withdraw the re&amp;quest</source>
+        <translation>收回申请(&amp;Q)</translation>
     </message>
 </context>
 <context>
@@ -24926,7 +24926,7 @@ Leave it empty to remove it.</source>
         <translation>总分</translation>
     </message>
     <message>
-        <source>Kept. It counts once somebody else has typed the same.</source>
+        <source>Saved. It counts once somebody else has typed the same.</source>
         <translation>已保存。另一人录入相同内容后即计入。</translation>
     </message>
     <message>
@@ -25012,11 +25012,11 @@ Leave it empty to remove it.</source>
         <translation>评分者类别</translation>
     </message>
     <message>
-        <source>Nobody is left to choose.</source>
+        <source>There is nobody left to choose.</source>
         <translation>没有可选人员。</translation>
     </message>
     <message numerus="yes">
-        <source>Take %n</source>
+        <source>Add %n</source>
         <translation>
             <numerusform>选取 %n 人</numerusform>
         </translation>
@@ -25203,7 +25203,7 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::PracticePage</name>
     <message>
-        <source>A recording is going on. Stop it first</source>
+        <source>A recording is in progress. Stop it first</source>
         <translation>正在录制，请先停止</translation>
     </message>
 </context>
@@ -25628,7 +25628,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No reference run has been chosen yet. You may begin with your queue.</source>
-        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
+        <translation>尚未选定参考操作，您可以直接从待评列表开始。</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
@@ -25636,7 +25636,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Opening reference %1</source>
-        <translation>正在打开参考录制 %1</translation>
+        <translation>正在打开参考操作 %1</translation>
     </message>
     <message>
         <source>Reference %1, scored</source>
@@ -25660,7 +25660,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>On to the queue</source>
-        <translation>前往队列</translation>
+        <translation>前往待评列表</translation>
     </message>
     <message>
         <source>Score first; then the panel&apos;s mark is shown.</source>
@@ -25791,7 +25791,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Released</source>
-        <translation>已释放</translation>
+        <translation>已松开</translation>
     </message>
     <message>
         <source>%1 µs</source>
@@ -25824,7 +25824,7 @@ Leave it empty to remove it.</source>
         <translation>压得过深：请退回</translation>
     </message>
     <message>
-        <source>The tissue would have folded or slipped back by a whole turn, so the jaw let go. Turn less far.</source>
+        <source>The tissue would have folded or slipped back by a whole turn, so the jaw opened. Turn less far.</source>
         <translation>组织将会折叠或滑转回一整圈，因此钳口已松开。请少转一些。</translation>
     </message>
 </context>
@@ -25999,11 +25999,11 @@ Leave it empty to remove it.</source>
         <translation>逾期</translation>
     </message>
     <message>
-        <source>Nobody owes a sheet.</source>
-        <translation>没有人欠交评分表。</translation>
+        <source>No sheets are outstanding.</source>
+        <translation>没有欠交的评分表。</translation>
     </message>
     <message>
-        <source>Each of the chosen raters gets a message with the labels of their own cases, and nothing else.</source>
+        <source>Each selected rater receives a message with the labels of their own cases, and nothing else.</source>
         <translation>每位所选评分者收到一封邮件，其中只有本人案例的编号。</translation>
     </message>
     <message>
@@ -26165,7 +26165,7 @@ Leave it empty to remove it.</source>
         <translation>解除扭转，然后松手</translation>
     </message>
     <message>
-        <source>Twist to %1° and let go within ±%2°</source>
+        <source>Twist to %1° and release within ±%2°</source>
         <translation>扭转至 %1°，在 ±%2° 内松开</translation>
     </message>
     <message>
@@ -26195,11 +26195,11 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::RepliesCard</name>
     <message>
         <source>Answers to your remarks: %1</source>
-        <translation>对您批注的回复：%1</translation>
+        <translation>对您评语的回复：%1</translation>
     </message>
     <message>
         <source>Answers to your remarks</source>
-        <translation>对您批注的回复</translation>
+        <translation>对您评语的回复</translation>
     </message>
     <message>
         <source>%1 (you wrote: %2)</source>
@@ -26388,7 +26388,7 @@ Leave it empty to remove it.</source>
         <translation>确认(&amp;C)…</translation>
     </message>
     <message>
-        <source>What needs two people waits here for two weeks. Nobody confirms what they asked for themselves.</source>
+        <source>Actions that need two people wait here for two weeks. Nobody can confirm their own request.</source>
         <translation>需要两人完成的事项在此等待两周。任何人都不能确认自己提出的申请。</translation>
     </message>
     <message>
@@ -26416,7 +26416,7 @@ Leave it empty to remove it.</source>
         <translation>理由</translation>
     </message>
     <message>
-        <source>Nothing waits for a second person.</source>
+        <source>Nothing is waiting for a second person.</source>
         <translation>没有等待第二人确认的事项。</translation>
     </message>
     <message>
@@ -26432,7 +26432,7 @@ Leave it empty to remove it.</source>
         <translation>删除一名人员</translation>
     </message>
     <message>
-        <source>%1 asks to erase %2: “%3”. The identity is gone for good; marks stay under the code.</source>
+        <source>%1 asks to erase %2: “%3”. The identity is erased permanently; marks stay under the code.</source>
         <translation>%1 申请删除 %2：“%3”。身份信息将永久消失；评分保留在代码之下。</translation>
     </message>
     <message>
@@ -26457,7 +26457,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Sealing the start password</source>
-        <translation>正在加密初始密码</translation>
+        <translation>正在封存初始密码</translation>
     </message>
     <message>
         <source>Take back</source>
@@ -26714,7 +26714,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Release</source>
-        <translation>释放</translation>
+        <translation>解除</translation>
     </message>
     <message numerus="yes">
         <source>No longer held: %n record(s), %1.</source>
@@ -26787,8 +26787,8 @@ Leave it empty to remove it.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>No record is due. Rules says after how long without activity a record is listed here.</source>
-        <translation>没有到期的记录。“规则”规定记录无活动多久后列于此处。</translation>
+        <source>No record is due. Rules sets how long a record may be inactive before it is listed here.</source>
+        <translation>没有到期的记录。在“规则”中设定记录多久无活动后列于此处。</translation>
     </message>
 </context>
 <context>
@@ -26863,7 +26863,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>This record lies on a server. Whoever runs that opens the review desk there, by torsio serve; this window does not.</source>
-        <translation>该记录库位于服务器上。由服务器管理者在服务器上用 torsio serve 开放评分台，不在此窗口开放。</translation>
+        <translation>该记录位于服务器上。由服务器管理者在服务器上用 torsio serve 开放评分台，不在此窗口开放。</translation>
     </message>
     <message>
         <source>The review desk is closed.</source>
@@ -26923,8 +26923,8 @@ Leave it empty to remove it.</source>
         <translation>其他项</translation>
     </message>
     <message>
-        <source>Take the mark back</source>
-        <translation>收回评分</translation>
+        <source>Clear the mark</source>
+        <translation>清除评分</translation>
     </message>
     <message>
         <source>Undo, redo</source>
@@ -26958,7 +26958,7 @@ Leave it empty to remove it.</source>
         <translation>列</translation>
     </message>
     <message>
-        <source>Which column holds what. Fields with a star are needed; the first lines of the file stand below.</source>
+        <source>Match the columns to the fields. Fields with a star are required; the first lines of the file are shown below.</source>
         <translation>指定各列的内容。带星号的字段为必填；下方为文件的前几行。</translation>
     </message>
     <message>
@@ -26970,12 +26970,12 @@ Leave it empty to remove it.</source>
         <translation>%1 *</translation>
     </message>
     <message>
-        <source>Needed: choose its column, or add one to the file.</source>
+        <source>Required: choose its column, or add one to the file.</source>
         <translation>必填：请选择对应的列，或在文件中补上该列。</translation>
     </message>
     <message>
         <source>! The column %1 looks like the class of raters. If this file lists raters, go back and choose Raters.</source>
-        <translation>！%1 列看起来是评分者的职级。如果此文件列出的是评分者，请返回并选择“评分者”。</translation>
+        <translation>！%1 列看起来是评分者类别。如果此文件列出的是评分者，请返回并选择“评分者”。</translation>
     </message>
 </context>
 <context>
@@ -26993,7 +26993,7 @@ Leave it empty to remove it.</source>
         <translation>文件</translation>
     </message>
     <message>
-        <source>A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number tells who somebody is; an e-mail address alone never does.</source>
+        <source>A table saved as CSV (UTF-8), one person a line, with a header line. People are identified by their staff or student number, never by an e-mail address alone.</source>
         <translation>保存为 CSV (UTF-8) 的表格，每行一人，首行为表头。以工号或学号识别人员，仅凭电子邮箱不作识别。</translation>
     </message>
     <message>
@@ -27009,7 +27009,7 @@ Leave it empty to remove it.</source>
         <translation>保存空白模板(&amp;S)…</translation>
     </message>
     <message>
-        <source>Needed columns: %1. Further columns, as far as you have them: %2. Their order and their headings do not matter; the next step asks which is which.</source>
+        <source>Required columns: %1. Optional columns: %2. Their order and headings do not matter; the next step asks which is which.</source>
         <translation>必需的列：%1。其他可有的列：%2。顺序和标题不限；下一步会询问各列含义。</translation>
     </message>
     <message>
@@ -27041,15 +27041,15 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::RosterImportsDialog</name>
     <message>
         <source>Imported rosters</source>
-        <translation>已导入的名单</translation>
+        <translation>已导入的名册</translation>
     </message>
     <message>
         <source>&amp;Take back…</source>
         <translation>撤回(&amp;T)…</translation>
     </message>
     <message>
-        <source>A roster that was imported by mistake is taken back whole: whom it added goes, whom it changed is as before. That can be done while nothing hangs on its people.</source>
-        <translation>误导入的名单可整体撤回：新增的人员被移除，被修改的人员恢复原样。只有在这些人员尚无任何相关记录时才能撤回。</translation>
+        <source>An import made by mistake can be undone as a whole: people it added are removed, people it changed are restored. This works only while no records depend on them.</source>
+        <translation>误导入的名册可整体撤回：新增的人员被移除，被修改的人员恢复原样。只有在这些人员尚无任何相关记录时才能撤回。</translation>
     </message>
     <message>
         <source>Imported</source>
@@ -27080,15 +27080,15 @@ Leave it empty to remove it.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>No roster was imported yet.</source>
-        <translation>尚未导入名单。</translation>
+        <source>No roster has been imported yet.</source>
+        <translation>尚未导入名册。</translation>
     </message>
     <message>
         <source>taken back</source>
         <translation>已撤回</translation>
     </message>
     <message>
-        <source>can be taken back</source>
+        <source>can be undone</source>
         <translation>可以撤回</translation>
     </message>
     <message>
@@ -27104,7 +27104,7 @@ Leave it empty to remove it.</source>
         <translation>撤回</translation>
     </message>
     <message>
-        <source>People who go, with accounts that nobody used: %1. People who are as before: %2. Codes that were given are not given again.</source>
+        <source>People removed, with accounts that were never used: %1. People restored: %2. Codes that were assigned are not reused.</source>
         <translation>将移除的人员（连同从未使用的账户）：%1。恢复原样的人员：%2。已分配的编号不会再次使用。</translation>
     </message>
     <message>
@@ -27112,7 +27112,7 @@ Leave it empty to remove it.</source>
         <translation>全部人员</translation>
     </message>
     <message numerus="yes">
-        <source>%n import(s) taken back</source>
+        <source>%n import(s) undone</source>
         <translation>
             <numerusform>已撤回 %n 次导入</numerusform>
         </translation>
@@ -27130,7 +27130,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Import a roster…</source>
-        <translation>导入名单(&amp;I)…</translation>
+        <translation>导入名册(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;New person…</source>
@@ -27190,7 +27190,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Nobody yet. Import the roster of your centre, or add people by hand.</source>
-        <translation>尚无人员。请导入本中心的名单，或手动添加人员。</translation>
+        <translation>尚无人员。请导入本中心的名册，或手动添加人员。</translation>
     </message>
     <message>
         <source>yes</source>
@@ -27229,7 +27229,7 @@ Leave it empty to remove it.</source>
         <translation>已离开</translation>
     </message>
     <message>
-        <source>%1 keeps the record and is offered nowhere any more.</source>
+        <source>The record of %1 is kept, but %1 no longer appears in lists.</source>
         <translation>%1 的记录保留，但不再出现在选择列表中。</translation>
     </message>
     <message>
@@ -27237,7 +27237,7 @@ Leave it empty to remove it.</source>
         <translation>已返回</translation>
     </message>
     <message>
-        <source>%1 is offered again.</source>
+        <source>%1 appears in lists again.</source>
         <translation>%1 重新出现在选择列表中。</translation>
     </message>
     <message>
@@ -27261,7 +27261,7 @@ Leave it empty to remove it.</source>
         <translation>应要求删除(&amp;Q)…</translation>
     </message>
     <message>
-        <source>A new folder takes everything about %1: tables, recordings and a list of all files. It holds the name; hand it to nobody else.</source>
+        <source>A new folder will hold everything about %1: tables, recordings and a list of all files. It contains the name; give it to nobody else.</source>
         <translation>新文件夹将包含有关 %1 的全部内容：表格、录制和文件清单。其中含有姓名，请勿交给他人。</translation>
     </message>
     <message>
@@ -27313,7 +27313,7 @@ Leave it empty to remove it.</source>
         <translation>导出个人记录(&amp;D)…</translation>
     </message>
     <message>
-        <source>Everything the record holds about each of the chosen people, for themselves</source>
+        <source>Everything the record holds about each selected person, for that person</source>
         <translation>记录中有关所选每个人的全部内容，供其本人使用</translation>
     </message>
     <message>
@@ -27321,7 +27321,7 @@ Leave it empty to remove it.</source>
         <translation>导出个人记录</translation>
     </message>
     <message>
-        <source>A new folder takes a folder for each of %1, with everything about them: tables, recordings and a list of all files. Each holds a name; hand each to its own person and to nobody else.</source>
+        <source>A new folder will hold a folder for each of %1, with everything about them: tables, recordings and a list of all files. Each contains a name; give each to its own person and to nobody else.</source>
         <translation>一个新文件夹，其中为 %1 各建一个文件夹，含有关其本人的全部内容：表格、录制和所有文件的清单。每个都含姓名；请只交给本人，不要交给任何其他人。</translation>
     </message>
     <message>
@@ -27342,15 +27342,15 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
     <message>
-        <source>What would happen</source>
+        <source>Preview of the import</source>
         <translation>导入预览</translation>
     </message>
     <message>
-        <source>Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and choose it again.</source>
+        <source>Nothing has been saved yet. If any line has an error, nothing is imported: correct the file and choose it again.</source>
         <translation>尚未保存任何内容。只要有一行出错就不会导入，请修正文件后重新选择。</translation>
     </message>
     <message>
-        <source>How far it has come</source>
+        <source>Progress</source>
         <translation>进度</translation>
     </message>
     <message>
@@ -27370,8 +27370,8 @@ Leave it empty to remove it.</source>
         <translation>%1：%2 %</translation>
     </message>
     <message>
-        <source>Looking at the roster</source>
-        <translation>正在查看名单</translation>
+        <source>Reading the roster</source>
+        <translation>正在读取名册</translation>
     </message>
     <message>
         <source>%1 new, %2 with changes, %3 as they are, %4 with errors.</source>
@@ -27383,10 +27383,10 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Importing the roster</source>
-        <translation>正在导入名单</translation>
+        <translation>正在导入名册</translation>
     </message>
     <message>
-        <source>The file was read as %1: look at letters with accents.</source>
+        <source>The file was read as %1: check letters with accents.</source>
         <translation>文件按 %1 编码读取：请检查带重音符号的字母。</translation>
     </message>
     <message numerus="yes">
@@ -27400,7 +27400,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::RosterWizard</name>
     <message>
         <source>Import a roster</source>
-        <translation>导入名单</translation>
+        <translation>导入名册</translation>
     </message>
     <message>
         <source>&amp;Import</source>
@@ -27455,11 +27455,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>A change becomes the next revision, for raters who are asked from then on. Sheets that were asked for keep theirs.</source>
-        <translation>每次修改都成为下一修订版，供此后被邀请的评分人使用。已分派的评分表保留其修订版。</translation>
+        <translation>每次修改都成为下一修订版，供此后被邀请的评分者使用。已分派的评分表保留其修订版。</translation>
     </message>
     <message>
         <source>As the rater sees it</source>
-        <translation>评分人看到的样子</translation>
+        <translation>评分者看到的样子</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
@@ -27479,7 +27479,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Raters who are asked from now on fill in this sheet. Sheets that were asked for before stay as they are; every revision is kept for good. What has changed?</source>
-        <translation>今后被邀请的评分人填写此评分表。此前分派的评分表保持不变；每个修订版都永久保留。改动了什么？</translation>
+        <translation>今后被邀请的评分者填写此评分表。此前分派的评分表保持不变；每个修订版都永久保留。改动了什么？</translation>
     </message>
     <message>
         <source>%1: revision %2 is used from now on</source>
@@ -27600,7 +27600,7 @@ Leave it empty to remove it.</source>
         <translation>整个批次</translation>
     </message>
     <message>
-        <source>Back into the study</source>
+        <source>Return to the study</source>
         <translation>重新加入研究</translation>
     </message>
     <message>
@@ -27612,7 +27612,7 @@ Leave it empty to remove it.</source>
         <translation>退出研究</translation>
     </message>
     <message>
-        <source>%1 trains no further; what was recorded stays.</source>
+        <source>%1 stops training; existing records are kept.</source>
         <translation>%1 不再训练；已有记录保留。</translation>
     </message>
     <message>
@@ -27721,7 +27721,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Call to the arm</source>
-        <translation>呼叫到手臂</translation>
+        <translation>呼叫到实物手臂</translation>
     </message>
     <message>
         <source>On &amp;paper</source>
@@ -27744,7 +27744,7 @@ Leave it empty to remove it.</source>
         <translation>录入纸质评分表…</translation>
     </message>
     <message>
-        <source>Copy who owes which sheet</source>
+        <source>Copy the outstanding sheets</source>
         <translation>复制欠交名单</translation>
     </message>
     <message>
@@ -27831,15 +27831,15 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::RunPage</name>
     <message>
-        <source>The haptic device was lost</source>
+        <source>The haptic device was disconnected</source>
         <translation>力反馈设备已断开</translation>
     </message>
     <message>
-        <source>%1. You go on with mouse and keyboard</source>
-        <translation>%1。您可用鼠标和键盘继续</translation>
+        <source>%1. Continue with mouse and keyboard</source>
+        <translation>%1。请用鼠标和键盘继续</translation>
     </message>
     <message>
-        <source>The haptic device was lost: the graded run has ended</source>
+        <source>The haptic device was disconnected: the graded run has ended</source>
         <translation>力反馈设备已断开：计分操作已结束</translation>
     </message>
     <message>
@@ -27847,11 +27847,11 @@ Leave it empty to remove it.</source>
         <translation>已录制的内容作为中断保留，未消耗次数。请检查设备后重新开始</translation>
     </message>
     <message>
-        <source>The computer stood still. That time does not count.</source>
+        <source>The computer stalled. That time does not count.</source>
         <translation>计算机曾停顿，这段时间不计入。</translation>
     </message>
     <message>
-        <source>The rest is used up. Training goes on.</source>
+        <source>The rest is used up. Training resumes.</source>
         <translation>休息时间已用完，训练继续。</translation>
     </message>
     <message>
@@ -27879,7 +27879,7 @@ Leave it empty to remove it.</source>
         <translation>继续(&amp;G)</translation>
     </message>
     <message>
-        <source>A run goes on. End it first.</source>
+        <source>A run is in progress. End it first.</source>
         <translation>操作正在进行，请先结束。</translation>
     </message>
     <message>
@@ -28091,7 +28091,7 @@ Leave it empty to remove it.</source>
         <translation>尚未评分</translation>
     </message>
     <message>
-        <source>Begin nevertheless</source>
+        <source>Begin anyway</source>
         <translation>仍然开始</translation>
     </message>
     <message>
@@ -28099,7 +28099,7 @@ Leave it empty to remove it.</source>
         <translation>返回</translation>
     </message>
     <message numerus="yes">
-        <source>Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the training goes on. Fetch the study team. Why does the training begin nevertheless? It is noted as a deviation.</source>
+        <source>Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</source>
         <translation>
             <numerusform>该时点的 %n 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</numerusform>
         </translation>
@@ -28179,7 +28179,7 @@ Leave it empty to remove it.</source>
         <translation>矢状位</translation>
     </message>
     <message>
-        <source>Wheel or arrow keys: other slices. Right drag: window of grey</source>
+        <source>Wheel or arrow keys: change slice. Right drag: grey window</source>
         <translation>滚轮或方向键：切换切片。右键拖动：调整灰度窗</translation>
     </message>
     <message>
@@ -28191,7 +28191,7 @@ Leave it empty to remove it.</source>
         <translation>组织(&amp;T)</translation>
     </message>
     <message>
-        <source>All within the skin</source>
+        <source>Everything inside the skin</source>
         <translation>皮肤以内的全部</translation>
     </message>
     <message>
@@ -28199,7 +28199,7 @@ Leave it empty to remove it.</source>
         <translation>空腔器官内的气体</translation>
     </message>
     <message>
-        <source>Gas and the wall round it</source>
+        <source>Gas and the surrounding wall</source>
         <translation>气体及其周围的壁</translation>
     </message>
     <message>
@@ -28251,7 +28251,7 @@ Leave it empty to remove it.</source>
         <translation>清空</translation>
     </message>
     <message>
-        <source>Forgets seed, box and all strokes of the brush</source>
+        <source>Clears seed, box and all brush strokes</source>
         <translation>清除种子、框和画笔的全部笔画</translation>
     </message>
     <message>
@@ -28295,7 +28295,7 @@ Leave it empty to remove it.</source>
         <translation>寻找器官</translation>
     </message>
     <message>
-        <source>Make its surface</source>
+        <source>Create its surface</source>
         <translation>生成曲面</translation>
     </message>
     <message>
@@ -28394,14 +28394,14 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>The adjudicator finds the case in their queue</source>
-        <translation>仲裁评分者会在自己的队列中看到该案例</translation>
+        <translation>仲裁评分者会在自己的待评列表中看到该案例</translation>
     </message>
     <message>
         <source>Scoring</source>
         <translation>评分</translation>
     </message>
     <message>
-        <source>Who scores whom, and how far it has come. Marks are not shown here.</source>
+        <source>Who scores whom, and progress so far. Marks are not shown here.</source>
         <translation>谁为谁评分、进展如何。此处不显示评分。</translation>
     </message>
     <message>
@@ -28413,7 +28413,7 @@ Leave it empty to remove it.</source>
         <translation>每位医师首先评分的参考操作</translation>
     </message>
     <message>
-        <source>Physicians could not agree and ask for one more</source>
+        <source>Physicians could not agree and ask for another opinion</source>
         <translation>医师意见不一，请求再加一位</translation>
     </message>
     <message>
@@ -28441,12 +28441,12 @@ Leave it empty to remove it.</source>
         <translation>复制提醒(&amp;M)</translation>
     </message>
     <message>
-        <source>Whom to remind of which cases, as a text for your mail</source>
+        <source>Which raters still owe which cases, ready to paste into an email</source>
         <translation>需提醒哪些人提交哪些案例，可直接粘贴到邮件</translation>
     </message>
     <message>
         <source>What raters fill in: criteria, scales, anchors and weights</source>
-        <translation>评分人填写的内容：评分项、量程、锚点和权重</translation>
+        <translation>评分者填写的内容：评分项、量程、锚点和权重</translation>
     </message>
     <message>
         <source>&amp;Invite raters…</source>
@@ -28457,14 +28457,14 @@ Leave it empty to remove it.</source>
         <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
     <message numerus="yes">
-        <source>%n sheet(s) changed hands. Reassign takes them back, too.</source>
+        <source>%n sheet(s) reassigned. Reassign can also return them.</source>
         <translation>
             <numerusform>已转交 %n 份评分表。可用“改派”退回。</numerusform>
         </translation>
     </message>
     <message>
         <source>The adjudicators find the cases in their queues</source>
-        <translation>仲裁评分者会在各自的队列中看到案例</translation>
+        <translation>仲裁评分者会在各自的待评列表中看到案例</translation>
     </message>
     <message>
         <source>The sheets of the chosen rows, or of all: to another rater, or back</source>
@@ -28475,7 +28475,7 @@ Leave it empty to remove it.</source>
         <translation>发送提醒(&amp;D)…</translation>
     </message>
     <message>
-        <source>By the mail server of the centre, to all who owe a sheet or some of them</source>
+        <source>Through the centre&apos;s mail server, to all raters with outstanding sheets or some of them</source>
         <translation>通过中心的邮件服务器，发给全部或部分欠交者</translation>
     </message>
 </context>
@@ -28596,7 +28596,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::SheetPanel</name>
     <message>
         <source>Co&amp;mment for the trainee</source>
-        <translation>给学员的评论(&amp;M)</translation>
+        <translation>给学员的评语(&amp;M)</translation>
     </message>
     <message>
         <source>What would help most next time?</source>
@@ -28665,8 +28665,8 @@ Leave it empty to remove it.</source>
         <translation>立即锁定</translation>
     </message>
     <message>
-        <source>Close a dialog, let go</source>
-        <translation>关闭对话框、松开</translation>
+        <source>Close a dialog, release the tissue</source>
+        <translation>关闭对话框、松开组织</translation>
     </message>
     <message>
         <source>On this page</source>
@@ -28763,7 +28763,7 @@ Leave it empty to remove it.</source>
         <translation>退出自助终端模式…</translation>
     </message>
     <message>
-        <source>A training tool and not a medical device. No patient data.</source>
+        <source>A training tool, not a medical device. No patient data.</source>
         <translation>培训工具，不是医疗器械。不含患者数据。</translation>
     </message>
     <message>
@@ -28822,7 +28822,7 @@ Leave it empty to remove it.</source>
         <translation>您正在使用 %1 练习，可以感受到力</translation>
     </message>
     <message>
-        <source>The haptic device was lost. The recording until then is kept; you go on with the mouse</source>
+        <source>The haptic device was disconnected. The recording up to then is kept; continue with the mouse</source>
         <translation>力反馈设备已断开。此前的录制已保留；您可用鼠标继续</translation>
     </message>
     <message>
@@ -28830,8 +28830,8 @@ Leave it empty to remove it.</source>
         <translation>您正在使用 %1 练习。力只显示，感觉不到</translation>
     </message>
     <message>
-        <source>The haptic device was lost. Let go of it; you go on with the mouse</source>
-        <translation>力反馈设备已断开。请松开它；您将继续使用鼠标</translation>
+        <source>The haptic device was disconnected. Put it down and continue with the mouse</source>
+        <translation>力反馈设备已断开。请放下它，继续使用鼠标</translation>
     </message>
     <message>
         <source>Recorded: %1. Replay shows it again</source>
@@ -28877,15 +28877,15 @@ Leave it empty to remove it.</source>
         <translation>已接触。按住操作笔的第一个按钮以夹持</translation>
     </message>
     <message>
-        <source>Holding. Lead the stylus round to twist; let the button go to release</source>
-        <translation>已夹持。引导操作笔绕行以扭转；松开按钮即释放</translation>
+        <source>Holding. Move the stylus round to twist; release the button to open the jaw</source>
+        <translation>已夹持。引导操作笔绕行以扭转；松开按钮即松开组织</translation>
     </message>
     <message>
         <source>The tissue returns to rest</source>
         <translation>组织正在恢复</translation>
     </message>
     <message>
-        <source>%1 mm to the surface. Wheel: nearer</source>
+        <source>%1 mm to the surface. Wheel: closer</source>
         <translation>距表面 %1 mm。滚轮：靠近</translation>
     </message>
     <message>
@@ -28897,8 +28897,8 @@ Leave it empty to remove it.</source>
         <translation>已接触。按住左键或空格键夹持</translation>
     </message>
     <message>
-        <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
-        <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
+        <source>Holding. Drag, or press Q and E, to twist; release the button to open the jaw</source>
+        <translation>已夹持。拖动或按 Q、E 键扭转；松开按键即松开组织</translation>
     </message>
     <message>
         <source>%1 – Torsio</source>
@@ -28985,7 +28985,7 @@ Leave it empty to remove it.</source>
         <translation>A、D、W、S</translation>
     </message>
     <message>
-        <source>Let go</source>
+        <source>Release</source>
         <translation>松开</translation>
     </message>
     <message>
@@ -29045,7 +29045,7 @@ Leave it empty to remove it.</source>
         <translation>打开器官…</translation>
     </message>
     <message>
-        <source>Use a mesh of your own instead of a shipped organ</source>
+        <source>Use your own mesh instead of a shipped organ</source>
         <translation>使用自己的网格代替自带器官</translation>
     </message>
     <message>
@@ -29065,7 +29065,7 @@ Leave it empty to remove it.</source>
         <translation>把 0、30、60……度时的扭转，或正在回放的录制，保存为一张图片</translation>
     </message>
     <message>
-        <source>Start the exercise anew and record it</source>
+        <source>Restart the exercise and record it</source>
         <translation>重新开始练习并录制</translation>
     </message>
     <message>
@@ -29073,11 +29073,7 @@ Leave it empty to remove it.</source>
         <translation>回放…</translation>
     </message>
     <message>
-        <source>Release</source>
-        <translation>释放</translation>
-    </message>
-    <message>
-        <source>Let go of the tissue; it returns to rest</source>
+        <source>Release the tissue; it returns to rest</source>
         <translation>松开组织，使其恢复</translation>
     </message>
     <message>
@@ -29085,7 +29081,7 @@ Leave it empty to remove it.</source>
         <translation>重新开始练习</translation>
     </message>
     <message>
-        <source>Begin the exercise anew</source>
+        <source>Start the exercise again</source>
         <translation>从头开始练习</translation>
     </message>
     <message>
@@ -29165,7 +29161,7 @@ Leave it empty to remove it.</source>
         <translation>按键…</translation>
     </message>
     <message>
-        <source>Put the movements of the instrument on other keys</source>
+        <source>Assign the movements of the instrument to other keys</source>
         <translation>将器械动作改到其他按键</translation>
     </message>
     <message>
@@ -29177,7 +29173,7 @@ Leave it empty to remove it.</source>
         <translation>自动</translation>
     </message>
     <message>
-        <source>As fine as this machine draws smoothly</source>
+        <source>As fine as this computer can draw smoothly</source>
         <translation>在本机流畅的前提下尽量精细</translation>
     </message>
     <message>
@@ -29341,19 +29337,19 @@ Leave it empty to remove it.</source>
         <translation>器官和网格 (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Bring an organ…</source>
+        <source>Import an organ…</source>
         <translation>导入器官…</translation>
     </message>
     <message>
-        <source>Make an organ of a mesh or a scan of your own: look at it, judge it, keep it</source>
-        <translation>用您自己的网格或扫描制作器官：查看、评判、保存</translation>
+        <source>Make an organ from your own mesh or scan: view it, check it, save it</source>
+        <translation>用您自己的网格或扫描制作器官：查看、检验、保存</translation>
     </message>
     <message>
         <source>Instrument…</source>
         <translation>器械…</translation>
     </message>
     <message>
-        <source>Show an instrument of your own; what is felt stays that of the exercise</source>
+        <source>Show your own instrument; the force felt remains that of the exercise</source>
         <translation>显示您自己的器械；手感仍是练习中的</translation>
     </message>
     <message>
@@ -29415,8 +29411,8 @@ Leave it empty to remove it.</source>
         <translation>得分达到 %1 即通过：若得分呈正态分布，%3 名新手中有 %2 % 会误通过，%5 名熟练者中有 %4 % 会误不通过。</translation>
     </message>
     <message>
-        <source>Where to draw the line</source>
-        <translation>及格线划在哪里</translation>
+        <source>Pass mark</source>
+        <translation>及格线</translation>
     </message>
     <message>
         <source>judges say who would succeed (Angoff)</source>
@@ -29443,8 +29439,8 @@ Leave it empty to remove it.</source>
         <translation>表示处于边缘的评级(&amp;R)</translation>
     </message>
     <message>
-        <source>The line</source>
-        <translation>界线</translation>
+        <source>Result</source>
+        <translation>及格线</translation>
     </message>
     <message>
         <source>One line for each judge and item: of a hundred borderline trainees, how many would succeed in it.</source>
@@ -29498,7 +29494,7 @@ T-02,master,17</translation>
 <context>
     <name>torsio::gui::StationSettingsCard</name>
     <message>
-        <source>Kept. It holds at every station from the next sign-in on</source>
+        <source>Saved. It applies at every station from the next sign-in</source>
         <translation>已保存。从下次登录起在所有工作站生效</translation>
     </message>
     <message>
@@ -29506,7 +29502,7 @@ T-02,master,17</translation>
         <translation>所有工作站</translation>
     </message>
     <message>
-        <source>When nobody is there, &amp;warn after</source>
+        <source>When idle, &amp;warn after</source>
         <translation>无人操作时，提醒时间(&amp;W)</translation>
     </message>
     <message>
@@ -29522,8 +29518,8 @@ T-02,master,17</translation>
         <translation>鼠标和键盘的操作也计分(&amp;G)</translation>
     </message>
     <message>
-        <source>A run is never interrupted by this. A kiosk signs out instead of locking.</source>
-        <translation>操作绝不会因此中断。自助终端模式下会注销而不是锁定。</translation>
+        <source>This never interrupts a run. A kiosk signs out instead of locking.</source>
+        <translation>操作绝不会因此中断。自助终端会退出登录而不是锁定。</translation>
     </message>
     <message>
         <source>&amp;Name of the centre</source>
@@ -29542,15 +29538,15 @@ T-02,master,17</translation>
         <translation>保存(&amp;S)</translation>
     </message>
     <message>
-        <source>A password that was &amp;entered signs for</source>
+        <source>One password &amp;entry signs for</source>
         <translation>输入一次密码可签名(&amp;E)</translation>
     </message>
     <message>
-        <source>A sound when a l&amp;imit is reached (not in a room that is shared)</source>
+        <source>Play a sound when a l&amp;imit is reached (not in a shared room)</source>
         <translation>达到限值时发出提示音（不宜用于共用的房间）(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Kiosks let trainees in by the code on their card, without a password (from their next start on)</source>
+        <source>&amp;Kiosks admit trainees by the code on their card, without a password (from their next start)</source>
         <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
     </message>
     <message>
@@ -30086,7 +30082,7 @@ T-02,master,17</translation>
         <translation>跳过</translation>
     </message>
     <message>
-        <source>It came loose. Bring the jaw to the band once more</source>
+        <source>The tissue slipped. Bring the jaw to the band once more</source>
         <translation>组织滑脱了。请再次将钳口移到环带处</translation>
     </message>
     <message>
@@ -30095,7 +30091,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Move the stylus until the jaw touches the organ.</source>
-        <translation>移动触笔，直到钳口接触器官。</translation>
+        <translation>移动操作笔，直到钳口接触器官。</translation>
     </message>
     <message>
         <source>Move the mouse, or press the arrows; the wheel or Page Up moves the instrument nearer, until it touches.</source>
@@ -30107,7 +30103,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Press the button of the stylus and keep it pressed.</source>
-        <translation>按住触笔上的按钮不放。</translation>
+        <translation>按住操作笔上的按钮不放。</translation>
     </message>
     <message>
         <source>Hold the left mouse button or Space, and keep it held.</source>
@@ -30138,7 +30134,7 @@ T-02,master,17</translation>
         <translation>轻轻张开钳口</translation>
     </message>
     <message>
-        <source>Let go without a jerk; the organ turns back by itself.</source>
+        <source>Release without a jerk; the organ turns back by itself.</source>
         <translation>松开时不要猛拉；器官自行回转。</translation>
     </message>
     <message>
@@ -30157,7 +30153,7 @@ T-02,master,17</translation>
         <translation>用户与角色</translation>
     </message>
     <message>
-        <source>Who may sign in, and as what. Every change is kept in the audit trail.</source>
+        <source>Who may sign in, and in which role. Every change is kept in the audit trail.</source>
         <translation>谁可以登录以及担任何种角色。每次更改都记入审计记录。</translation>
     </message>
     <message>
@@ -30230,7 +30226,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Sealing the start password</source>
-        <translation>正在加密初始密码</translation>
+        <translation>正在封存初始密码</translation>
     </message>
     <message>
         <source>New start password</source>
@@ -30301,7 +30297,7 @@ T-02,master,17</translation>
         <translation>自助终端卡片(&amp;K)…</translation>
     </message>
     <message>
-        <source>Of the chosen trainees, or of all: a card with a barcode that opens a kiosk. A card made before is of no use then.</source>
+        <source>For the selected trainees, or for all: a card with a barcode that opens a kiosk. Any earlier card stops working.</source>
         <translation>为所选学员或全部学员生成带条形码的自助终端登录卡片。此前的卡片随即失效。</translation>
     </message>
     <message>
@@ -30317,7 +30313,7 @@ T-02,master,17</translation>
         <translation>撤销卡片</translation>
     </message>
     <message>
-        <source>The cards of the chosen users open no kiosk any more.</source>
+        <source>The cards of the selected users no longer open a kiosk.</source>
         <translation>所选用户的卡片将不能再在自助终端登录。</translation>
     </message>
     <message>
@@ -30329,7 +30325,7 @@ T-02,master,17</translation>
         <translation>邀请登录(&amp;I)…</translation>
     </message>
     <message>
-        <source>A link for each of the chosen users, with which they set a password in a browser.</source>
+        <source>A link for each selected user to set a password in a browser.</source>
         <translation>为每个所选用户生成一个链接，用于在浏览器中设置密码。</translation>
     </message>
     <message>
@@ -30341,7 +30337,7 @@ T-02,master,17</translation>
         <translation>撤销登录邀请</translation>
     </message>
     <message>
-        <source>The links of the chosen users are of no use any more.</source>
+        <source>The links of the selected users stop working.</source>
         <translation>所选用户的链接随即失效。</translation>
     </message>
     <message>
@@ -30353,12 +30349,12 @@ T-02,master,17</translation>
         <translation>撤销链接(&amp;L)…</translation>
     </message>
     <message>
-        <source>&amp;Sign out of browsers</source>
-        <translation>退出浏览器登录(&amp;S)</translation>
+        <source>End &amp;sessions</source>
+        <translation>结束会话(&amp;S)</translation>
     </message>
     <message>
-        <source>Ends whatever the chosen users have open in browsers, within the moment of their next click.</source>
-        <translation>结束所选用户在各浏览器中的登录，下一次点击时即生效。</translation>
+        <source>Ends the browser sessions of the selected users at their next click.</source>
+        <translation>结束所选用户的浏览器会话，在其下一次点击时生效。</translation>
     </message>
     <message>
         <source>Signed out of every browser: %1. Drafts are kept.</source>
@@ -30387,7 +30383,7 @@ T-02,master,17</translation>
 <context>
     <name>torsio::gui::VisitBar</name>
     <message>
-        <source>You look round among simulated people. Whose desk?</source>
+        <source>You are exploring with simulated people. Whose desk?</source>
         <translation>您正在浏览模拟人员的中心。查看谁的工作台？</translation>
     </message>
     <message>

@@ -39,7 +39,7 @@ const foot = h('footer', { class: 'foot' });
 const behind = h('div', { class: 'behind' }, head, main, foot);
 const gate = new Gate(behind, signOut);
 const idle = new IdleWatch({
-  warned: (left_s) => frame.notify(t('Nobody here? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
+  warned: (left_s) => frame.notify(t('Still there? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
   back: () => frame.notify(''),
   idle: lock,
   present: () => api.get('/api/me').catch(() => {}), // ended elsewhere: the gate is closed by it
@@ -142,7 +142,7 @@ function drawFrame({ centre, languages }) {
     ways, who, choice, leave,
   );
   ways.setAttribute('aria-label', t('Pages'));
-  foot.replaceChildren(t('A training tool and not a medical device. No patient data.'));
+  foot.replaceChildren(t('A training tool, not a medical device. No patient data.'));
 }
 
 function skip(event) {

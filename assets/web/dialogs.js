@@ -68,6 +68,6 @@ export function askConflict({ mine, newer, rubric, nameOf }) {
       h('tbody', {}, lines.map(([name, here, there]) =>
         h('tr', { class: here === there ? '' : 'differs' }, h('th', { scope: 'row' }, name), h('td', {}, here), h('td', {}, there))))),
     h('div', { class: 'actions' },
-      button(t('Take the newer one'), () => finish('newer'), { class: 'take-newer' }),
-      button(t('Keep mine on top'), () => finish('mine'), { class: 'keep-mine' }))), { mayCancel: false });
+      button(t('Use the newer one'), () => finish('newer'), { class: 'take-newer' }),
+      button(t('Keep mine'), () => finish('mine'), { class: 'keep-mine' }))), { mayCancel: false });
 }

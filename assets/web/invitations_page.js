@@ -37,12 +37,12 @@ export class InvitationsPage {
     this.note = h('p', { class: 'quiet' });
     this.said = h('p', { class: 'said', role: 'alert' });
     this.invite = button(t('Invite'), () => this.#invite(), { class: 'primary' });
-    this.revoke = button(t('Take the links back'), () => this.#revoke());
+    this.revoke = button(t('Revoke the links'), () => this.#revoke());
     this.byMail.row.classList.add('check-label');
     show(this.byMail.row, mail);
     this.element.replaceChildren(
       h('h1', { class: 'unprinted' }, this.title),
-      h('p', { class: 'quiet unprinted' }, t('A link of their own, with which people set a password in a browser. It is good once and for a week; a link made before is of no use then.')),
+      h('p', { class: 'quiet unprinted' }, t('A personal link to set a password in a browser. It works once and for a week; any earlier link stops working.')),
       this.cards,
       ...(waiting.length > 0 ? [this.#waiting(waiting)] : []),
       h('section', { class: 'card stack unprinted' },
@@ -76,7 +76,7 @@ export class InvitationsPage {
     const byTwo = chosen.some((one) => one.by_two);
     const open = chosen.some((one) => one.until_utc_us !== null);
     say(this.note, byTwo
-      ? t('This needs two people: you get a code for each to hand over, and another administrator, who confirms it, the link.')
+      ? t('This needs two people: you receive a code for each person, and another administrator, who confirms, receives the link.')
       : t('Chosen: %1', figure(chosen.length)));
     show(this.reason.row, byTwo || open);
     show(this.password.row, this.byMail.input.checked);
@@ -120,7 +120,7 @@ export class InvitationsPage {
       const answer = await api.post('/api/invitations/revoke', { users: this.#users(), reason: this.reason.input.value.trim() });
       this.#chosen.clear();
       this.#draw(answer);
-      this.frame.notify(t('The links are of no use any more'));
+      this.frame.notify(t('The links no longer work'));
     });
   }
 
@@ -132,7 +132,7 @@ export class InvitationsPage {
     this.cards.replaceChildren(
       h('section', { class: 'card stack unprinted' },
         h('h2', {}, t('Shown only now')),
-        h('p', { class: 'quiet' }, t('Each is for one person. A code goes to its person by another way than the link that another administrator hands over.')),
+        h('p', { class: 'quiet' }, t('Each is for one person. Send each code by a different channel from the link, which another administrator hands over.')),
         area.row,
         h('div', { class: 'actions' },
           button(t('Copy'), () => this.#copy(area.input)),
@@ -147,7 +147,7 @@ export class InvitationsPage {
       line(t('Link'), one.link, 'handed-link'),
       one.qr.length > 0 ? qrPicture(one.qr, t('The link for a phone')) : null,
       line(t('Code'), one.code, 'handed-link'),
-      line(t('Good once, until'), one.until, ''),
+      line(t('Works once, until'), one.until, ''),
       one.mail === null ? null : h('p', { class: `unprinted ${one.mail === '' ? 'good' : 'caution'}` },
         one.mail === '' ? t('Sent by mail') : t('Not sent: %1', one.mail)));
   }

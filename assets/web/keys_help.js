@@ -9,7 +9,7 @@ export function keysHelp() {
     ['\u2190 \u2192', t('Half a point less or more; with Shift the finest step')],
     ['\u2191 \u2193, Tab', t('Another row')],
     ['N, X', t('Not assessable: type why, Enter')],
-    ['Backspace', t('Take the mark back')],
+    ['Backspace', t('Clear the mark')],
     ['Ctrl+Z, Ctrl+Y', t('Undo, redo')],
     ['Ctrl+Enter', t('Submit; a second time seals')],
     ['Esc', t('Out of the sheet, to the button that submits')],

@@ -236,7 +236,7 @@ function taskText(task) {
   if (task.untwisting) {
     parts.push(t('Undo the twist, then hands off'));
   } else {
-    parts.push(t('Twist to %1° and let go within ±%2°', figure(task.target_deg), pointsText(task.tolerance_deg)));
+    parts.push(t('Twist to %1° and release within ±%2°', figure(task.target_deg), pointsText(task.tolerance_deg)));
     if (task.hold_s > 0) parts.push(t('hold for %1 s', pointsText(task.hold_s)));
     if (task.least_twists > 1) parts.push(t('at least %1 {twist|twists}', task.least_twists));
   }

@@ -51,7 +51,7 @@ export class RunPage {
     if (untwisting) return h('p', {}, t('An untwisting: the traces show how the organ fared.'));
     return h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Twists')),
       h('table', {},
-        h('thead', {}, h('tr', {}, [t('From'), t('Asked for'), t('Let go at'), t('Held'), t('On target')].map((head) => h('th', { scope: 'col' }, head)))),
+        h('thead', {}, h('tr', {}, [t('From'), t('Asked for'), t('Released at'), t('Held'), t('On target')].map((head) => h('th', { scope: 'col' }, head)))),
         h('tbody', {}, twists.map((twist) => h('tr', {},
           h('th', { scope: 'row' }, this.#goTo(twist.from_s)), h('td', {}, `${figure(twist.target_deg, 1)}\u00b0`),
           h('td', {}, `${figure(twist.released_deg, 1)}\u00b0`), h('td', {}, t('%1 s', figure(twist.held_s, 1))),

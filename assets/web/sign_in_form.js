@@ -88,7 +88,7 @@ export function putJoinForm(place, { link, onBack, onSignedIn }) {
   putNewPassword(place, {
     title: t('Welcome'),
     heading: 'h1',
-    words: t('Choose a password that only you know: at least fifteen characters, a short sentence for example. The link is good once.'),
+    words: t('Choose a password that only you know: at least fifteen characters, a short sentence for example. The link works once.'),
     fields,
     send: (newPassword) => {
       const given = (link || typed.input.value).trim().replace(/^.*#/, '');

@@ -120,7 +120,7 @@ MeshRepairs mendHoles(const OrganImportRequest& request, TriangleMesh& mesh,
   finding.value = static_cast<double>(closed.count);
   if (closed.widest_m > kSmallHole * side_m) {
     finding.weight = FindingWeight::kWarning;
-    finding.remedy = Text::tr("Look whether the organ ends there, or close it in a mesh editor");
+    finding.remedy = Text::tr("Check whether the organ ends there, or close it in a mesh editor");
   }
   findings.push_back(std::move(finding));
   return done;

@@ -270,7 +270,7 @@ def test_an_administrator_invites(kind, desk, pictures):
         browser.run("document.querySelector('.stack .field:not([hidden]) input').focus()")
         browser.keys("sent to the wrong address")
         browser.click(".actions button:not(.primary):enabled")
-        browser.says(".notice", "The links are of no use any more")
+        browser.says(".notice", "The links no longer work")
         check(f"the console is quiet: {browser.faults()}", not browser.faults())
 
 

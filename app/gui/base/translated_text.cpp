@@ -99,7 +99,7 @@ bool known(const Text& text) {
 QString meaningOf(ErrorCode code) {
   switch (code) {
     case ErrorCode::kUsage:
-      return QCoreApplication::translate("Text", "This cannot be done like this");
+      return QCoreApplication::translate("Text", "This action is not possible");
     case ErrorCode::kFileMissing:
       return QCoreApplication::translate("Text", "A file or folder is missing");
     case ErrorCode::kFileUnreadable:
@@ -117,7 +117,7 @@ QString meaningOf(ErrorCode code) {
     case ErrorCode::kNewerSchema:
       return QCoreApplication::translate("Text", "The database was written by a newer version");
     case ErrorCode::kPermission:
-      return QCoreApplication::translate("Text", "Your role may not do this");
+      return QCoreApplication::translate("Text", "Your role does not allow this");
     case ErrorCode::kDevice:
       return QCoreApplication::translate("Text", "The haptic device has a problem");
     case ErrorCode::kVerifyFailed:

@@ -19,6 +19,7 @@
 #include "app/gui/organ/instrument_view.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 
@@ -55,7 +56,6 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   row->addWidget(pictureCard_, 1);
   auto* side = new QVBoxLayout;
   placesCard_ = new Card(QString(), this);
-  placesCard_->setFixedWidth(kPlacesWidth);
   QVBoxLayout* column = placesCard_->content();
   numbers_ = sentence(placesCard_, false);
   remarks_ = sentence(placesCard_);
@@ -88,10 +88,11 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(kPlacesWidth + 2 * kSpace);
+  scroll->setFixedWidth(kPlacesWidth);
   auto* ground = new QWidget;
   auto* places = new QVBoxLayout(ground);
-  places->setContentsMargins(0, 0, 2 * kSpace, 0);
+  places->setContentsMargins(0, 0, 0, 0);
+  keepOffScrollBar(*scroll, *places);
   places->addWidget(placesCard_);
   places->addStretch(1);
   scroll->setWidget(ground);
@@ -239,13 +240,13 @@ void InstrumentPanel::retranslate() {
     unit_->setItemText(i, units[i]);
   }
   nameField(drawnOpenLabel_, tr("Each jaw is drawn open by"));
-  nameField(thresholdLabel_, tr("Denser than this is the instrument"));
-  nameField(pivotLabel_, tr("Hinge, from the tip"));
+  nameField(thresholdLabel_, tr("The instrument is denser than"));
+  nameField(pivotLabel_, tr("Distance from hinge to tip"));
   nameField(openingLabel_, tr("Each jaw opens by"));
-  nameField(reachLabel_, tr("A closed jaw holds tissue over"));
+  nameField(reachLabel_, tr("A closed jaw grips tissue over"));
   nameField(titleLabel_, tr("Name"));
   otherEnd_->setText(tr("The tip is at the other end"));
-  turnHinge_->setText(tr("Turn the hinge by a right angle"));
+  turnHinge_->setText(tr("Rotate the hinge by 90\u00B0"));
   back_->setText(tr("Back"));
   again_->setText(tr("Find again"));
   save_->setText(tr("Save instrument\u2026"));

@@ -18,10 +18,14 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kViewMillimetres = 1000.0;  // in a metre
-constexpr int kPanes = 3;                    // the whole, along the hinge, from above
 constexpr double kMargin_mm = 6.0;
 constexpr double kFront = 2.6;  // of the hinge's distance: how much of the front is shown
 constexpr double kCaption = 22.0;
+constexpr double kBeside = 4.0;  // pixels above and below what is drawn
+
+bool alongHinge(int row) {
+  return row < 2;
+}
 
 /// A triangle as it is seen.
 struct Facet {
@@ -38,12 +42,12 @@ InstrumentView::InstrumentView(QWidget* parent) : QWidget(parent), theme_(theme(
 
 void InstrumentView::setTool(const ToolSurface& tool, double opening_deg) {
   tool_ = tool;
-  opening_deg_ = opening_deg;
-  update();
+  setOpening(opening_deg);
 }
 
 void InstrumentView::setOpening(double opening_deg) {
   opening_deg_ = opening_deg;
+  measure();
   update();
 }
 
@@ -52,14 +56,53 @@ void InstrumentView::setTheme(const Theme& theme) {
   update();
 }
 
+double InstrumentView::shownLength_mm(int row) const {
+  return row == 0 ? tool_.length_mm : kFront * tool_.pivot_mm;
+}
+
+void InstrumentView::measure() {
+  const Vec3 pivot{0.0, 0.0, tool_.pivot_mm};
+  const double opening_rad = radians(opening_deg_);
+  halfAcross_mm_ = {};
+  for (int row = 0; row < kPanes; ++row) {
+    double& half = halfAcross_mm_[static_cast<std::size_t>(row)];
+    const auto add = [&](const TriangleMesh& mesh, double turn_rad) {
+      for (const Vec3& v : mesh.vertices_m) {
+        const Vec3 at = pivot + rotateAbout(kViewMillimetres * v - pivot, {1.0, 0.0, 0.0}, turn_rad);
+        if (at.z <= shownLength_mm(row) + kMargin_mm) {
+          half = std::max(half, std::abs(alongHinge(row) ? at.y : at.x));
+        }
+      }
+    };
+    for (const TriangleMesh* mesh : {&tool_.shaft, &tool_.upperJaw, &tool_.lowerJaw}) {
+      add(*mesh, 0.0);
+    }
+    if (alongHinge(row)) {
+      add(tool_.upperJaw, opening_rad);
+      add(tool_.lowerJaw, -opening_rad);
+    }
+  }
+}
+
+double InstrumentView::halfRoom(int row) const {
+  return 0.5 * pane(row).area.height();
+}
+
+double InstrumentView::halfDrawn(int row) const {
+  return halfAcross_mm_[static_cast<std::size_t>(row)] * pane(row).perMm;
+}
+
 InstrumentView::Pane InstrumentView::pane(int row) const {
   const double height = static_cast<double>(this->height()) / kPanes;
   Pane pane;
   pane.area = QRectF(0.0, row * height + kCaption, width(), height - kCaption);
-  pane.alongHinge = row < 2;
+  pane.alongHinge = alongHinge(row);
   pane.from_mm = -kMargin_mm;
-  const double shown_mm = (row == 0 ? tool_.length_mm : kFront * tool_.pivot_mm) + 2.0 * kMargin_mm;
-  pane.perMm = width() / std::max(shown_mm, 1.0);
+  const double shown_mm = shownLength_mm(row) + 2.0 * kMargin_mm;
+  const double across_mm = 2.0 * halfAcross_mm_[static_cast<std::size_t>(row)];
+  // A wide window shows more of the shaft rather than less of the jaws.
+  pane.perMm = std::min(width() / std::max(shown_mm, 1.0),
+                        std::max(pane.area.height() - 2.0 * kBeside, 1.0) / std::max(across_mm, 1.0));
   return pane;
 }
 
@@ -94,9 +137,9 @@ void InstrumentView::paintEvent(QPaintEvent* /*event*/) {
   if (tool_.length_mm <= 0.0) {
     return;
   }
-  const std::array<QString, kPanes> captions{tr("The whole: a click on the other half makes its end the tip"),
-                                             tr("The front, along the hinge: a click places the hinge"),
-                                             tr("The front, from above")};
+  const std::array<QString, kPanes> captions{
+      tr("Whole instrument: click the other half to make its end the tip"),
+      tr("Front, along the hinge: click to place the hinge"), tr("Front, from above")};
   for (int row = 0; row < kPanes; ++row) {
     const Pane one = pane(row);
     painter.setPen(theme_.text);

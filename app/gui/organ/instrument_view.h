@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
@@ -26,6 +28,10 @@ class InstrumentView : public QWidget {
   /// Where a point of the shaft's axis is drawn, in the row of the whole instrument (0), of its front along
   /// the hinge (1) or from above (2).
   [[nodiscard]] QPointF placeOf(int row, double fromTip_mm) const;
+  /// Room of a row below its caption, in pixels of the widget, and how far from its middle the instrument is
+  /// drawn there, its jaws opened where the row shows that.
+  [[nodiscard]] double halfRoom(int row) const;
+  [[nodiscard]] double halfDrawn(int row) const;
 
  Q_SIGNALS:
   /// The tip is at the other end.
@@ -45,13 +51,17 @@ class InstrumentView : public QWidget {
     double perMm;
     bool alongHinge;  // else from above
   };
+  static constexpr int kPanes = 3;  // the whole, along the hinge, from above
   [[nodiscard]] Pane pane(int row) const;
+  [[nodiscard]] double shownLength_mm(int row) const;
+  void measure();
   void paintPane(QPainter& painter, int row) const;
   void paintMesh(QPainter& painter, const Pane& pane, const TriangleMesh& mesh, const QColor& colour,
                  double turn_rad) const;
 
   ToolSurface tool_;
   double opening_deg_ = 0.0;
+  std::array<double, kPanes> halfAcross_mm_{};  // of what each row shows, from the axis
   Theme theme_;
 };
 

@@ -164,9 +164,9 @@ bool OrganPicture::pickAt(const QPointF& pixel) {
 }
 
 void OrganPicture::retranslate() {
-  none_->setText(tr("There is no picture: no surface could be made of the file. The findings say why."));
+  none_->setText(tr("No picture: no surface could be made from the file. The findings say why."));
   nameField(twistLabel_, tr("Test &twist"));
-  twist_->setToolTip(tr("Turns the free end about the organ's own axis, as it is judged"));
+  twist_->setToolTip(tr("Turns the free end about the organ's own axis, as in the check"));
   axis_->setText(tr("Axis and landmarks"));
   lattice_->setText(tr("Sections and ridges"));
   mesh_->setText(tr("Triangles"));

@@ -127,29 +127,28 @@ void OrganWizard::chooseScanFolder(Opening open) {
 void OrganWizard::retranslateSources() {
   meshCard_->setTitle(tr("Mesh"));
   meshText_->setText(
-      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in isolation, "
-         "checked, "
-         "mended where that is safe, and twisted to see how it bears it."));
+      tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in a separate "
+         "process, checked, repaired where that is safe, and test-twisted."));
   mesh_->setText(tr("Choose a mesh\u2026"));
   scanCard_->setTitle(tr("Scan"));
   scanText_->setText(
-      tr("A CT, or a mask of labels from another program. You look at its slices, say what the organ is, and "
-         "mend what was found. Names of patients are neither shown nor kept."));
+      tr("A CT, or a label mask from another program. You view its slices, mark the organ and correct the "
+         "result. Patient names are neither shown nor kept."));
   nameField(seriesLabel_, tr("&Series, where a folder holds several"));
   series_->setSpecialValueText(tr("the one with the most slices"));
   resample_->setText(tr("Accept unevenly spaced slices"));
   scanFile_->setText(tr("NIfTI file\u2026"));
   scanFolder_->setText(tr("DICOM folder\u2026"));
-  armCard_->setTitle(tr("Arm with a person's measures"));
+  armCard_->setTitle(tr("Arm from a person's measurements"));
   armText_->setText(
-      tr("A forearm with its hand, drawn: wrist and fingers as they are measured on the person who trains or "
-         "is treated. The preset values are a man's; the girths of the forearm follow those of the wrist."));
+      tr("A drawn forearm and hand: wrist and fingers as measured on the trainee or the patient. The preset "
+         "values are a man's; the girth of the forearm follows the wrist."));
   arm_->retranslate();
   makeArm_->setText(tr("Draw the arm"));
   instrumentCard_->setTitle(tr("Instrument"));
-  instrumentText_->setText(tr(
-      "A mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and "
-      "jaws on a picture. What is chosen for scans holds for its CT, too."));
+  instrumentText_->setText(
+      tr("The mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, "
+         "hinge and jaws on a picture. The choices for scans apply to its CT, too."));
   instrumentMesh_->setText(tr("Mesh\u2026"));
   instrumentFile_->setText(tr("NIfTI file\u2026"));
   instrumentFolder_->setText(tr("DICOM folder\u2026"));

@@ -116,7 +116,7 @@ OrganTrial trialOfScan(const OrganImportRequest& request, const ScanRequest& sca
 
 OrganTrial trialOfSurface(const OrganImportRequest& request, const ScanRequest& scan,
                           const ScanSurface& surface, const ProgressCallback& progress) {
-  tellProgress(progress, Text::tr("Judging the organ"), 0.0);
+  tellProgress(progress, Text::tr("Checking the organ"), 0.0);
   OrganImport import = judgedSurface(request, scan, surface);
   tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
   return trialOf(std::move(import), request.assets);
@@ -126,7 +126,7 @@ OrganTrial trialOfMesh(const OrganImportRequest& request, const ProgressCallback
   tellProgress(progress, Text::tr("Reading the mesh"), 0.0);
   OrganImport import = importOrgan(request, [&] {
     RawMesh read = readMeshApart(request.file, request.scale_m, request.reading);
-    tellProgress(progress, Text::tr("Judging the organ"), 0.2);
+    tellProgress(progress, Text::tr("Checking the organ"), 0.2);
     return read;
   });
   tellProgress(progress, Text::tr("Drawing the organ"), 0.8);

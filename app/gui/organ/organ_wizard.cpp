@@ -25,6 +25,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/scroll_gap.h"
 #include "app/organs/person_arm.h"
 #include "sim/scene/organ_file.h"
 
@@ -98,7 +99,8 @@ QWidget* OrganWizard::createJudgingPage() {
   scroll->setFixedWidth(kPanelWidth);
   auto* panel = new QWidget;
   auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(0, 0, kSpace, 0);
+  column->setContentsMargins(0, 0, 0, 0);
+  keepOffScrollBar(*scroll, *column);
   column->setSpacing(2 * kSpace);
   findingsCard_ = new Card(QString(), panel);
   findings_ = new OrganFindings(findingsCard_);
@@ -151,7 +153,7 @@ void OrganWizard::goBack() {
 
 bool OrganWizard::mayWork() {
   if (shell_.working()) {
-    shell_.notify(tr("Wait until the work that goes on has ended"));
+    shell_.notify(tr("Wait until the current work has finished"));
     return false;
   }
   return true;
@@ -175,7 +177,7 @@ void OrganWizard::judgeMesh(const std::filesystem::path& file) {
   settings_->setScan(false);
   const auto trial = std::make_shared<OrganTrial>();
   shell_.run(
-      tr("Judging the organ"),
+      tr("Checking the organ"),
       [trial, request = request()](SessionContext&, const ProgressCallback& progress) {
         *trial = trialOfMesh(request, progress);
       },
@@ -290,7 +292,7 @@ void OrganWizard::judgeAgain() {
   }
   const auto trial = std::make_shared<OrganTrial>();
   shell_.run(
-      tr("Judging the organ"),
+      tr("Checking the organ"),
       [trial, asked, scan = drawn_, surface = surface_](SessionContext&, const ProgressCallback& progress) {
         *trial = trialOfSurface(asked, scan, surface, progress);
       },
@@ -352,19 +354,17 @@ void OrganWizard::openSaved() {
 
 void OrganWizard::retranslate() {
   retranslateSources();
-  heading_->setTexts(
-      {},
-      tr("Bring an organ: a mesh, a scan or a person's measures become one that can be twisted, once it is "
-         "judged."));
+  heading_->setTexts({}, tr("Import an organ: once checked, a mesh, a scan or a person's measurements become "
+                            "an organ that can be twisted."));
   close_->setText(tr("Back to practice"));
   scan_->retranslate();
   instrument_->retranslate();
-  pictureCard_->setTitle(tr("What was found"));
-  findingsCard_->setTitle(tr("Judgement"));
-  settingsCard_->setTitle(tr("What you know of it"));
+  pictureCard_->setTitle(tr("Findings"));
+  findingsCard_->setTitle(tr("Check"));
+  settingsCard_->setTitle(tr("Known details"));
   back_->setText(tr("Back"));
-  again_->setText(tr("Judge again"));
-  again_->setToolTip(tr("With what you know of it now"));
+  again_->setText(tr("Check again"));
+  again_->setToolTip(tr("With the details as they are now"));
   save_->setText(tr("Save organ\u2026"));
   open_->setText(tr("Open in the simulator"));
   open_->setToolTip(tr("Saves the organ first, so that recordings made on it can be replayed"));

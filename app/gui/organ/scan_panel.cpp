@@ -26,6 +26,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 
@@ -93,7 +94,8 @@ QWidget* ScanPanel::createControls() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* panel = new QWidget;
   auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(0, 0, kSpace, 0);
+  column->setContentsMargins(0, 0, 0, 0);
+  keepOffScrollBar(*scroll, *column);
   column->setSpacing(kSpace);
   createTissue(column);
   createTools(column);
@@ -409,12 +411,12 @@ void ScanPanel::retranslate() {
   names_[static_cast<std::size_t>(SlicePlane::kSagittal)]->setText(tr("Sagittal"));
   for (std::size_t i = 0; i < views_.size(); ++i) {
     views_[i]->setAccessibleName(names_[i]->text());
-    views_[i]->setToolTip(tr("Wheel or arrow keys: other slices. Right drag: window of grey"));
+    views_[i]->setToolTip(tr("Wheel or arrow keys: change slice. Right drag: grey window"));
   }
   organCard_->setTitle(tr("What the organ is"));
   nameField(tissueLabel_, tr("&Tissue"));
-  const QStringList tissues{tr("All within the skin"), tr("Gas in a hollow organ"),
-                            tr("Gas and the wall round it"), tr("A label of a mask")};
+  const QStringList tissues{tr("Everything inside the skin"), tr("Gas in a hollow organ"),
+                            tr("Gas and the surrounding wall"), tr("A label of a mask")};
   for (int i = 0; i < tissues.size(); ++i) {
     tissue_->setItemText(i, tissues[i]);
   }
@@ -430,7 +432,7 @@ void ScanPanel::retranslate() {
   radius_->setSuffix(tr(" mm"));
   undo_->setText(tr("Undo stroke"));
   clear_->setText(tr("Clear"));
-  clear_->setToolTip(tr("Forgets seed, box and all strokes of the brush"));
+  clear_->setToolTip(tr("Clears seed, box and all brush strokes"));
   greyCard_->setTitle(tr("Grey window"));
   nameField(presetLabel_, tr("&Preset"));
   const QStringList presets{tr("Soft tissue"), tr("Gas and lung"), tr("Bone"), tr("All values")};
@@ -441,7 +443,7 @@ void ScanPanel::retranslate() {
   nameField(widthLabel_, tr("&Width"));
   back_->setText(tr("Another file"));
   find_->setText(tr("Find the organ"));
-  surface_->setText(tr("Make its surface"));
+  surface_->setText(tr("Create its surface"));
   refresh();
 }
 

@@ -177,7 +177,7 @@ void DiscrepancyReviewPage::showCase() {
   }
   case_->setText(tr("Case %1").arg(toQString(one->shown.label)));
   state_->setText(!one->decision        ? QString()
-                  : one->reason.empty() ? tr("Decided. You may decide anew.")
+                  : one->reason.empty() ? tr("Decided. You may change your decision.")
                                         : tr("Decided: %1").arg(toQString(one->reason)));
   bars_->setRows(one->rows);
   bars_->setVisible(!moving);

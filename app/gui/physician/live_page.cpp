@@ -26,6 +26,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/scroll_gap.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/ids.h"
 
@@ -66,14 +67,12 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* ground = new QWidget;
   order_ = new QVBoxLayout(ground);
-  order_->setContentsMargins(0, 0, kSpace, 0);
+  order_->setContentsMargins(0, 0, 0, 0);
+  keepOffScrollBar(*scroll, *order_);
   scroll->setWidget(ground);
   auto* left = new QVBoxLayout;
   left->addWidget(scroll, 1);
-  auto* below = new QVBoxLayout;
-  below->setContentsMargins(0, 0, kSpace, 0);  // as wide as the lines above
-  below->addWidget(older_);
-  left->addLayout(below);
+  left->addWidget(older_);
   row->addLayout(left, 1);
   auto* right = new QVBoxLayout;
   called_.label()->setObjectName(QStringLiteral("called"));

@@ -175,7 +175,7 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
   if (task.untwisting()) {
     parts << tr("Undo the twist, then hands off");
   } else {
-    parts << tr("Twist to %1\u00b0 and let go within \u00b1%2\u00b0")
+    parts << tr("Twist to %1\u00B0 and release within \u00B1%2\u00B0")
                  .arg(numberText(degrees(task.target_rad), 0), pointsText(degrees(rules.tolerance_rad)));
     if (rules.hold_s > 0.0) {
       parts << tr("hold for %1 s").arg(pointsText(rules.hold_s));

@@ -44,7 +44,7 @@ std::vector<std::pair<QString, QString>> sheetKeys() {
        QStringLiteral("\u2190 \u2192")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Another row")),
        QStringLiteral("\u2191 \u2193, Tab")},
-      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Take the mark back")), QStringLiteral("Backspace")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Clear the mark")), QStringLiteral("Backspace")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Undo, redo")), QStringLiteral("Ctrl+Z, Ctrl+Y")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Submit; a second time seals")),
        QStringLiteral("Ctrl+Enter")}};

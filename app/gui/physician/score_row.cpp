@@ -28,7 +28,6 @@ namespace {
 constexpr int kMostCells = 11;
 constexpr int kLeastCell_px = 32;
 constexpr int kCellGap = 3;
-constexpr int kMarkWidth = 4;
 constexpr double kCorner = 4.0;
 
 }  // namespace
@@ -71,7 +70,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
 
 void ScoreRow::arrange() {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(kMarkWidth + kSpace, kSpace / 2, kSpace, kSpace / 2);
+  column->setContentsMargins(kRowMark_px + kSpace, kSpace / 2, kSpace, kSpace / 2);
   column->setSpacing(kSpace / 2);
   auto* head = new QHBoxLayout;
   if (shape_ == RowShape::kCompact) {
@@ -191,7 +190,7 @@ void ScoreRow::keepAnchorRoom() {
     return;
   }
   anchor_->ensurePolished();
-  const int wide = std::max(1, width() - kMarkWidth - 2 * kSpace);
+  const int wide = std::max(1, width() - kRowMark_px - 2 * kSpace);
   const QRect needed =
       anchor_->fontMetrics().boundingRect(QRect(0, 0, wide, QWIDGETSIZE_MAX), Qt::TextWordWrap, allAnchors());
   anchor_->setMinimumHeight(needed.height());
@@ -219,8 +218,9 @@ std::vector<QRect> ScoreRow::cells() const {
   const int count = cellCount();
   std::vector<QRect> all;
   for (int i = 0; i < count; ++i) {
-    const int left = area.left() + area.width() * i / count;
-    const int right = area.left() + area.width() * (i + 1) / count;
+    const int wide = area.width() + kCellGap;  // no gap behind the last one
+    const int left = area.left() + wide * i / count;
+    const int right = area.left() + wide * (i + 1) / count;
     all.emplace_back(left, area.top(), right - left - kCellGap, area.height());
   }
   return all;
@@ -244,7 +244,7 @@ void ScoreRow::paintEvent(QPaintEvent*) {
     painter.setBrush(theme_->raised);
     painter.drawRoundedRect(rect(), kCorner + 2.0, kCorner + 2.0);
     painter.setBrush(theme_->accent);
-    painter.drawRoundedRect(QRectF(0, 0, kMarkWidth, height()), 2.0, 2.0);
+    painter.drawRoundedRect(QRectF(0, 0, kRowMark_px, height()), 2.0, 2.0);
   }
   const std::vector<QRect> all = cells();
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -14,6 +14,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 
@@ -29,7 +30,8 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   column->setSpacing(kSpace / 2);
   auto* ground = new QWidget;
   rowsLayout_ = new QVBoxLayout(ground);
-  rowsLayout_->setContentsMargins(0, 0, kSpace, 0);
+  rowsLayout_->setContentsMargins(0, 0, 0, 0);
+  keepOffScrollBar(*scroll_, *rowsLayout_);
   rowsLayout_->setSpacing(kSpace / 2);
   scroll_->setWidget(ground);
   ground->installEventFilter(this);
@@ -40,14 +42,19 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
   overallLayout_ = new QVBoxLayout;
-  overallLayout_->setContentsMargins(0, 0, kSpace, 0);
+  overallLayout_->setContentsMargins(0, 0, 0, 0);
   column->addLayout(overallLayout_);
   comment_->setObjectName(QStringLiteral("comment"));
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
   comment_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2 * kSpace);
-  column->addWidget(commentLabel_);
-  column->addWidget(comment_);
+  commentLayout_ = new QVBoxLayout;
+  commentLayout_->setContentsMargins(kRowMark_px + kSpace, 0, kSpace, 0);
+  commentLayout_->setSpacing(kSpace / 2);
+  commentLabel_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  commentLayout_->addWidget(commentLabel_);
+  commentLayout_->addWidget(comment_);
+  column->addLayout(commentLayout_);
   column->addStretch();  // a tall page leaves its room below the sheet, not within it
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
     if (filling_ || editor_ == nullptr) {
@@ -64,7 +71,9 @@ void SheetPanel::fitRows() {
   const int wide = scroll_->viewport()->width();
   const int frame = scroll_->frameWidth();
   const int beside = scroll_->width() - frame - wide;  // the scroll bar, if there is one
-  overallLayout_->setContentsMargins(frame, 0, kSpace + beside, 0);
+  const int right = rowsLayout_->contentsMargins().right() + beside;
+  overallLayout_->setContentsMargins(frame, 0, right, 0);
+  commentLayout_->setContentsMargins(frame + kRowMark_px + kSpace, 0, right + kSpace, 0);
   const int high = rowsLayout_->hasHeightForWidth() ? rowsLayout_->totalHeightForWidth(wide)
                                                     : rowsLayout_->totalSizeHint().height();
   scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), high + 2 * frame));

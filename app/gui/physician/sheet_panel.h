@@ -24,6 +24,8 @@ class ScoreRow;
 /// Usual: name above the scale. Large: for fingers. Compact: name beside the scale, for long forms.
 enum class RowShape { kUsual, kLarge, kCompact };
 
+constexpr int kRowMark_px = 4;  ///< width of the bar at the left of the current row
+
 /// The rubric with its anchors, one row a line, and a comment. Number keys score the marked row, arrows move
 /// and adjust, N says "not assessable". It changes the editor that it was given and tells each change
 /// (SheetEditorPanel adds the rest of an editor).
@@ -89,6 +91,7 @@ class SheetPanel : public QWidget {
   QScrollArea* scroll_;
   QVBoxLayout* rowsLayout_;
   QVBoxLayout* overallLayout_;  ///< below what scrolls: the overall mark is always seen
+  QVBoxLayout* commentLayout_;  ///< below that, as wide as the scales
   QLabel* commentLabel_;
   QPlainTextEdit* comment_;
   std::vector<ScoreRow*> rows_;

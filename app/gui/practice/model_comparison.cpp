@@ -267,7 +267,7 @@ void ModelComparison::compare(const ComparisonOptions& options) {
     return;
   }
   if (shell_.working()) {  // times are to be taken on a machine that does nothing else
-    shell_.notify(tr("Wait until the work that goes on has ended"));
+    shell_.notify(tr("Wait until the current work has finished"));
     return;
   }
   ComparisonOptions asked = options;

@@ -134,7 +134,7 @@ void PracticePage::enter(const QVariant& argument) {
 
 bool PracticePage::leave() {
   if (simulator_->controller().mode() == SimulationController::Mode::kRecording) {
-    shell().notify(tr("A recording is going on. Stop it first"));
+    shell().notify(tr("A recording is in progress. Stop it first"));
     return false;
   }
   simulator_->pause();

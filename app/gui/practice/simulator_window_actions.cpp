@@ -28,20 +28,20 @@ void SimulatorWindow::name(QAction* action, const QString& text, const QString& 
 
 void SimulatorWindow::nameActions() {
   const Actions& a = actions_;
-  name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
-  name(a.bring, tr("Bring an organ\u2026"),
-       tr("Make an organ of a mesh or a scan of your own: look at it, judge it, keep it"));
+  name(a.open, tr("Open organ\u2026"), tr("Use your own mesh instead of a shipped organ"));
+  name(a.bring, tr("Import an organ\u2026"),
+       tr("Make an organ from your own mesh or scan: view it, check it, save it"));
   name(a.instrument, tr("Instrument\u2026"),
-       tr("Show an instrument of your own; what is felt stays that of the exercise"));
+       tr("Show your own instrument; the force felt remains that of the exercise"));
   name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
   name(a.strip, tr("Film strip\u2026"),
        tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
-  name(a.record, tr("Record"), tr("Start the exercise anew and record it"));
+  name(a.record, tr("Record"), tr("Restart the exercise and record it"));
   name(a.replay, tr("Replay\u2026"), tr("Look at a recorded run again"));
   name(a.compare, tr("Compare models"),
        tr("Twist this organ by the twist model, finite elements and springs under one torque"));
-  name(a.release, tr("Release"), tr("Let go of the tissue; it returns to rest"));
-  name(a.restart, tr("Restart exercise"), tr("Begin the exercise anew"));
+  name(a.release, tr("Release"), tr("Release the tissue; it returns to rest"));
+  name(a.restart, tr("Restart exercise"), tr("Start the exercise again"));
   name(a.front, tr("Front"), tr("Look from the front"));
   name(a.side, tr("Side"), tr("Look from the patient's left side"));
   name(a.top, tr("Top"), tr("Look from the head"));
@@ -51,9 +51,9 @@ void SimulatorWindow::nameActions() {
   name(a.shear, tr("Shear stress"), tr("Colour the tissue by its shear stress"));
   name(a.markers, tr("Markers"), tr("Show the marker points of the organ"));
   name(a.ghost, tr("Target pose"), tr("Show the pose to reach as a film over the organ"));
-  name(a.keys, tr("Keys\u2026"), tr("Put the movements of the instrument on other keys"));
+  name(a.keys, tr("Keys\u2026"), tr("Assign the movements of the instrument to other keys"));
   name(a.help, tr("Controls"), tr("How mouse and keys move the instrument"));
-  name(a.automatic, tr("Automatic"), tr("As fine as this machine draws smoothly"));
+  name(a.automatic, tr("Automatic"), tr("As fine as this computer can draw smoothly"));
   name(a.fast, tr("Fast"), tr("Fewer effects, more pictures a second"));
   name(a.fine, tr("Fine"), tr("Shadow, ambient occlusion and antialiasing"));
   name(a.best, tr("Best"), tr("The finest shadow and edges; needs a graphics card"));

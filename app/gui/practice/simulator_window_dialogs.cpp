@@ -106,7 +106,7 @@ std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
       {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
       {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
       {tr("Tilt the instrument"), tr("A, D, W, S")},
-      {tr("Let go"), tr("Release the button, or Esc")},
+      {tr("Release"), tr("Release the button, or Esc")},
       {tr("Bookmark"), tr("B")},
       {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
       {tr("Move the view"), tr("Middle drag")},

@@ -27,7 +27,7 @@ QString SimulatorWindow::hapticHint(const LiveState& state) const {
       return led ? tr("Touching. Hold the first button of the stylus to grip")
                  : tr("Touching. Close the jaw to grip");
     case ExercisePhase::kTwisting:
-      return led ? tr("Holding. Lead the stylus round to twist; let the button go to release")
+      return led ? tr("Holding. Move the stylus round to twist; release the button to open the jaw")
                  : tr("Holding. Turn the jaw to twist; open it to release");
     case ExercisePhase::kReleased:
       break;
@@ -51,7 +51,7 @@ void SimulatorWindow::showHint(const LiveState& state) {
       case ExercisePhase::kTracking: {
         const std::optional<SurfacePoint> near = controller_->nearby(state);
         text = near && near->distance_m < kNear_m
-                   ? tr("%1 mm to the surface. Wheel: nearer")
+                   ? tr("%1 mm to the surface. Wheel: closer")
                          .arg(std::max(0.0, near->distance_m) * 1000.0, 0, 'f', 0)
                    : tr("Bring the jaw to the marked band. Wheel: depth, right drag: turn the view");
         break;
@@ -60,7 +60,7 @@ void SimulatorWindow::showHint(const LiveState& state) {
         text = tr("Touching. Hold the left button or Space to grip");
         break;
       case ExercisePhase::kTwisting:
-        text = tr("Holding. Drag, or press Q and E, to twist; let go to release");
+        text = tr("Holding. Drag, or press Q and E, to twist; release the button to open the jaw");
         break;
       case ExercisePhase::kReleased:
         text = ReadoutPanel::releaseText(state);

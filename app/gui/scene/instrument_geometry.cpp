@@ -82,7 +82,7 @@ InstrumentParts partsOf(const std::filesystem::path& file,
     // Only beside the file: it must not name "../../secret.ply".
     if (mesh.empty() || std::filesystem::path(mesh).filename() != mesh) {
       throw Error(ErrorCode::kBadData, Text::tr("the instrument names no mesh '%1'", name), file.string(),
-                  Text::tr("Take the instrument that was installed with the program"));
+                  Text::tr("Use the instrument that was installed with the program"));
     }
     return read(file.parent_path() / mesh);
   };

@@ -239,12 +239,12 @@ Page* Desk::pageFor(PageId id) {
 
 bool Desk::open(PageId id, const QVariant& argument) {
   if (!entries_.contains(id)) {
-    context_.notify(tr("This page is not open to you"));
+    context_.notify(tr("You do not have access to this page"));
     return false;
   }
   if (id != currentId_ && current_ != nullptr) {
     if (busy()) {
-      context_.notify(tr("A run is going on. Finish or stop it first"));
+      context_.notify(tr("A run is in progress. Finish or stop it first"));
       return false;
     }
     if (!current_->leave()) {
@@ -308,11 +308,11 @@ bool Desk::busy() const {
 
 bool Desk::mayLeave() {
   if (busy()) {
-    context_.notify(tr("A run is going on. Finish or stop it first"));
+    context_.notify(tr("A run is in progress. Finish or stop it first"));
     return false;
   }
   if (context_.working()) {
-    context_.notify(tr("Work is going on. Wait for it, or cancel it"));
+    context_.notify(tr("Work is in progress. Wait for it, or cancel it"));
     return false;
   }
   return current_ == nullptr || current_->leave();

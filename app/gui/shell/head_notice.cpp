@@ -76,14 +76,14 @@ void HeadNotice::retranslate() {
   hash_->setText(hash.left(hash.size() / 2) + QLatin1Char('\n') + hash.mid(hash.size() / 2));
   hash_->setAccessibleName(tr("Hash of the newest entry: %1").arg(hash));
   if (!head_.trouble.str().empty()) {
-    where_->setText(tr("The head was not kept. %1").arg(toQString(head_.trouble)));
+    where_->setText(tr("The head was not saved. %1").arg(toQString(head_.trouble)));
   } else if (!head_.witness.empty()) {
     where_->setText(
         tr("It was added to the witness file of this station: %1").arg(toQString(head_.witness.string())));
   } else {
     where_->setText(
-        tr("This station keeps no heads. Copy it or write it down, away from the record: with it "
-           "anybody can tell later whether the trail was cut off or rewritten."));
+        tr("This station keeps no heads. Copy the head or write it down and keep it away from the record: it "
+           "shows later whether the trail was truncated or rewritten."));
   }
   setLook(where_, "caution", !head_.trouble.str().empty());
   copy_->setText(tr("&Copy the head"));

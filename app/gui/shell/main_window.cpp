@@ -211,8 +211,8 @@ void MainWindow::watchIdleness() {
     const QString left = clockTimeLeft(idle_.untilLock_us());
     const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
     idleWarning_->setText(
-        ends ? tr("Nobody here? You will be signed out in %1. Press any key to stay").arg(left)
-             : tr("Nobody here? The screen will be locked in %1. Press any key to stay").arg(left));
+        ends ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
+             : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
     const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
@@ -246,7 +246,7 @@ void MainWindow::heartbeat() {
     refusedTold_ = refused;
     if (refused > 0 && desk_ != nullptr) {
       desk_->context().notify(
-          tr("The database refused %n entries of this station for good. Please tell whoever looks after it",
+          tr("The database finally refused %n entries of this station. Please tell its administrator",
              nullptr, static_cast<int>(refused)));
     }
   }

@@ -156,7 +156,7 @@ void MainWindow::choosePin() {
   }
   attempt(desk_->context(), [&] {
     setOwnPin(*session_, pin.toStdString());
-    desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is in force"));
+    desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is now in use"));
   });
 }
 

@@ -234,7 +234,8 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
             visitor_ = actor;
             visit_->setSeen(VisitedDesk::kAdministrator);
             enterDesk();
-            desk_->context().notify(tr("Everybody here is simulated. Sign out, and all of it is gone"));
+            desk_->context().notify(
+                tr("Everybody here is simulated. All of it is deleted when you sign out"));
             if (visitedFirst_ != VisitedDesk::kAdministrator) {
               visit(visitedFirst_);
             }
@@ -312,13 +313,13 @@ void MainWindow::took(const SignInAnswer& answer, const QString& login, const QS
       show(password_);
       break;
     case SignIn::kWrong:
-      signIn_->say(tr("Name and password do not fit together. Please try again"), true);
+      signIn_->say(tr("Name and password do not match. Please try again"), true);
       break;
     case SignIn::kWait:
       signIn_->waitUntil(answer.waitUntilUtc_us, session_->now_us());
       break;
     case SignIn::kDisabled:
-      signIn_->say(tr("This account is switched off. Ask your administrator"), true);
+      signIn_->say(tr("This account is disabled. Ask your administrator"), true);
       break;
   }
 }
@@ -344,7 +345,7 @@ void MainWindow::changePassword(const QString& login, const QString& oldPassword
             return;
           }
           show(desk_);
-          desk_->context().notify(tr("The new password is in force"));
+          desk_->context().notify(tr("The new password is now in use"));
         };
       },
       [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
@@ -369,7 +370,7 @@ void MainWindow::unlock(const QString& password) {
             sayLocked(tr("Too many wrong tries. Please wait %1")
                           .arg(clockTimeLeft(answer.waitUntilUtc_us - session_->now_us())));
           } else {
-            sayLocked(tr("That is not the password. Please try again"));
+            sayLocked(tr("The password is not correct. Please try again"));
           }
         };
       },

@@ -19,7 +19,7 @@ void MainWindow::lookRound(VisitedDesk desk) {
   lookedFrom_ = setup_.locator;
   FirstRunChoice choice;
   choice.locator = lookedAt_->filePath(QStringLiteral("torsio.sqlite"));
-  choice.first.centre = tr("A look round: simulated people").toStdString();
+  choice.first.centre = tr("Exploring: simulated people").toStdString();
   choice.first.login = "visitor";
   choice.first.password = randomStartPassword();
   choice.first.language = languageCode(firstRun_->language()).toStdString();
@@ -55,8 +55,8 @@ void MainWindow::enterAsSimulated(SimulatedRole role) {
   }
   enterDeskAs(person, true,
               role == SimulatedRole::kTrainee
-                  ? tr("You are a simulated trainee. Sign out to become yourself again")
-                  : tr("You are a simulated physician. Sign out to become yourself again"));
+                  ? tr("You are a simulated trainee. Sign out to return to your own account")
+                  : tr("You are a simulated physician. Sign out to return to your own account"));
 }
 
 void MainWindow::visit(VisitedDesk desk) {
@@ -81,7 +81,7 @@ void MainWindow::visit(VisitedDesk desk) {
     next.passwordShownUtc_us = session_->now_us();
   }
   visit_->setSeen(desk);
-  enterDeskAs(next, simulated, tr("Everybody here is simulated. Sign out, and all of it is gone"));
+  enterDeskAs(next, simulated, tr("Everybody here is simulated. All of it is deleted when you sign out"));
 }
 
 void MainWindow::enterDeskAs(const Actor& actor, bool simulated, const QString& sentence) {

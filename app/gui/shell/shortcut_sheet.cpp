@@ -62,7 +62,7 @@ ShortcutSheet::ShortcutSheet(Desk* desk, QWidget* parent) : QDialog(parent) {
             {tr("Next field, previous field"), tr("Tab, Shift + Tab")},
             {tr("Page of the navigation"), tr("Alt + 1 to Alt + 9")},
             {tr("Lock now"), readable(Qt::CTRL | Qt::ALT | Qt::Key_L)},
-            {tr("Close a dialog, let go"), readable(Qt::Key_Escape)}});
+            {tr("Close a dialog, release the tissue"), readable(Qt::Key_Escape)}});
   if (desk != nullptr && desk->page() != nullptr) {
     std::vector<KeyLine> lines = keysOf(*desk->page());
     for (const auto& [what, keys] : desk->page()->keys()) {

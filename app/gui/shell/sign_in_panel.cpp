@@ -217,7 +217,7 @@ void SignInPanel::retranslate() {
   guestNote_->setText(tr("With a PIN or as a guest nothing is recorded and nothing is scored."));
   language_->setText(languageName(otherLanguage()));
   leaveKiosk_->setText(tr("Leave kiosk mode\u2026"));
-  tool_->setText(tr("A training tool and not a medical device. No patient data."));
+  tool_->setText(tr("A training tool, not a medical device. No patient data."));
 }
 
 void SignInPanel::changeEvent(QEvent* event) {

@@ -209,7 +209,7 @@ void DetorsionPanel::retranslate() {
                                             {&lumen_, tr("Lumen")},
                                             {&pressure_, tr("Gas pressure")},
                                             {&time_, tr("Tissue time")},
-                                            {&flow_, tr("Blood flow, as told")}};
+                                            {&flow_, tr("Blood flow, last check")}};
   for (const auto& [row, text] : names) {
     row->name->setText(text);
     row->value->setAccessibleName(text);
@@ -224,7 +224,7 @@ void DetorsionPanel::retranslate() {
   if (detorsion_.timeScale == 60.0) {
     compression_->setText(tr("1 s here = 1 min of the tissue"));
   }
-  clip_->setToolTip(tr("A clip or an assistant holds the organ while you grip anew"));
+  clip_->setToolTip(tr("A clip or an assistant holds the organ while you re-grip"));
   vent_->setToolTip(tr("Let gas out: the organ turns more easily and its lumen closes sooner"));
   check_->setText(tr("Check the blood flow"));
   for (QPushButton* button : {clip_, vent_, check_}) {
@@ -352,23 +352,23 @@ QString DetorsionPanel::cue() const {
     return {};
   }
   if (shown_.hollow.clipped) {
-    return holds ? tr("The clip holds it. Take the clip off (C), then turn on.")
-                 : tr("The clip holds it. Grip anew, then take the clip off (C).");
+    return holds ? tr("The clip holds the organ. Remove the clip (C), then turn further.")
+                 : tr("The clip holds the organ. Re-grip, then remove the clip (C).");
   }
   if (!holds) {
-    return liesWithinLimits() ? tr("It lies within the limits. Keep your hands off, check the blood flow.")
+    return liesWithinLimits() ? tr("Within the limits. Keep your hands off and check the blood flow.")
                               : QString();
   }
   if (liesWithinLimits()) {
-    return tr("It lies within the limits. Let go.");
+    return tr("Within the limits. Open the jaw.");
   }
   if (std::abs(shown_.response.angle_rad) > std::abs(heldFrom_rad_) + kWrongWay_rad) {
-    return tr("The twist grows. Turn in the opposite direction.");
+    return tr("The twist is increasing. Turn in the opposite direction.");
   }
   if (handAtItsEnd()) {
-    return tr("Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew.");
+    return tr("Your hand has reached its limit. Set the clip (C), open the jaw and re-grip.");
   }
-  return tr("Holding. Turn, set the clip (C), then grip anew.");
+  return tr("Holding. Turn, set the clip (C), then re-grip.");
 }
 
 bool DetorsionPanel::handAtItsEnd() const {
@@ -420,7 +420,7 @@ void DetorsionPanel::showHandsOff() {
     return;
   }
   if (!off) {
-    setText(handsOffText_, tr("Within the limits. Take the hand and the clip off."));
+    setText(handsOffText_, tr("Within the limits. Open the jaw and remove the clip."));
     return;
   }
   const double gone_s = static_cast<double>(shown_.time_us - handsOffSince_us_) * 1e-6;
@@ -430,7 +430,7 @@ void DetorsionPanel::showHandsOff() {
       handsOffText_,
       share < 1.0
           ? tr("Hands off: %1 of %2 s").arg(std::floor(gone_s), 0, 'f', 0).arg(limits.handsOff_s, 0, 'f', 0)
-          : tr("It stays. Check the blood flow before you end."));
+          : tr("The position holds. Check the blood flow before you end."));
 }
 
 void DetorsionPanel::showWarning() {

@@ -142,7 +142,7 @@ void ExercisePanel::retranslate() {
   const auto beside = [this](TissueModel t) { return formulation_->findData(itemOf(t)); };
   rename(formulation_, beside(TissueModel::kFiniteElements), tr("Finite elements"));
   rename(formulation_, beside(TissueModel::kMassSpring), tr("Mass-spring lattice"));
-  formulation_->setToolTip(tr("Which model turns the organ and answers the hand"));
+  formulation_->setToolTip(tr("Which model turns the organ and responds to the hand"));
   for (int i = 0; i < organ_->count(); ++i) {
     const QString id = organ_->itemData(i).toString();
     if (!id.isEmpty()) {

@@ -134,7 +134,7 @@ QString ReadoutPanel::releaseText(const LiveState& state) {
   };
   if (endedBy(state.times.folded_us)) {
     return tr(
-        "The tissue would have folded or slipped back by a whole turn, so the jaw let go. Turn less far.");
+        "The tissue would have folded or slipped back by a whole turn, so the jaw opened. Turn less far.");
   }
   if (endedBy(state.times.slipped_us)) {
     return tr("The jaw slipped off: it was pulled too far. The tissue returns to rest.");

@@ -111,9 +111,10 @@ void SimulationController::loseHaptic() {
   }
   retireHaptic(takeHaptic());
   practise(nullptr);
-  Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
-                               "the mouse")
-                          : tr("The haptic device was lost. Let go of it; you go on with the mouse"));
+  Q_EMIT noticed(recorded
+                     ? tr("The haptic device was disconnected. The recording up to then is kept; continue "
+                          "with the mouse")
+                     : tr("The haptic device was disconnected. Put it down and continue with the mouse"));
 }
 
 QString SimulationController::hapticModel() const {

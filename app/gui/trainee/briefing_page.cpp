@@ -49,10 +49,10 @@ std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& asset
 
 QStringList twist(const TrainingModule& module) {
   QStringList task{
-      BriefingPage::tr("Twist to %1\u00b0 and let go within %2\u00b0.")
+      BriefingPage::tr("Twist to %1\u00B0 and release within %2\u00B0.")
           .arg(numberText(degrees(module.targetAngle_rad), 0), numberText(degrees(module.tolerance_rad), 0))};
   if (module.hold_us > 0) {
-    task << BriefingPage::tr("Hold for %1 s before you let go.")
+    task << BriefingPage::tr("Hold for %1 s before releasing.")
                 .arg(numberText(static_cast<double>(module.hold_us) * 1e-6, 1));
   }
   if (module.leastTwists > 1) {
@@ -77,7 +77,7 @@ QString doneNow(const LiveState& state, const TrainingModule& module, bool undon
         return BriefingPage::tr("it holds the turned part and turns it back.");
       }
       return std::abs(state.response.angle_rad - module.targetAngle_rad) <= module.tolerance_rad
-                 ? BriefingPage::tr("on target; it holds still before it lets go.")
+                 ? BriefingPage::tr("on target; it holds still before it releases.")
                  : BriefingPage::tr("one even turn, slower towards the target.");
     case ExercisePhase::kReleased:
       return undone ? BriefingPage::tr("hands off: does it stay undone, does blood flow?")
@@ -306,7 +306,7 @@ void BriefingPage::fill() {
   }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
-  able_->setTitle(tr("When you are judged able"));
+  able_->setTitle(tr("When you count as competent"));
   able_->setVisible(competence_.errors.attempts > 0);
   if (competence_.errors.attempts > 0) {
     design_->setText(StationLabels::competenceDesign(competence_));

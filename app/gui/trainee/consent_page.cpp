@@ -128,10 +128,9 @@ void ConsentPage::showOthers(const ConsentWords& words) {
 }
 
 void ConsentPage::retranslate() {
-  heading_->setTexts(tr("Consent"),
-                     tr("Nothing is recorded before you agree. You can withdraw later at any time."));
-  othersCard_->setTitle(tr("What else may be done"));
-  othersText_->setText(tr("Tick what you agree to. Whatever you choose, you can train."));
+  heading_->setTexts(tr("Consent"), tr("Nothing is recorded until you agree. You can withdraw at any time."));
+  othersCard_->setTitle(tr("Optional consents"));
+  othersText_->setText(tr("Tick what you agree to. Your choices do not affect your training."));
   understood_->setText(tr("I have &read and understood this"));
   agree_->setText(tr("I &agree to the training record"));
   decline_->setText(tr("&Not now"));
@@ -146,12 +145,12 @@ void ConsentPage::showState() {
   const ConsentDecision* record = decisionAbout(own_, kTrainingRecord);
   const bool given = record != nullptr && record->granted;
   if (!given) {
-    state_->setText(tr("You have not agreed so far."));
+    state_->setText(tr("You have not agreed yet."));
   } else if (record->textVersion != asked_.id) {
-    state_->setText(tr("You have agreed before, to another text (%1). This is %2: please read it.")
+    state_->setText(tr("You agreed to an earlier text (%1). This is %2: please read it.")
                         .arg(toQString(Text(record->textVersion)), toQString(asked_.id)));
   } else {
-    state_->setText(tr("You have agreed before."));
+    state_->setText(tr("You have already agreed."));
   }
   agree_->setText(given ? tr("&Save these decisions") : tr("I &agree to the training record"));
   decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
@@ -173,7 +172,7 @@ void ConsentPage::decide(bool granted) {
         decideOne(other.purpose, other.agreed->isChecked());
       }
     } else {
-      shell().notify(tr("Nothing will be recorded. Free practice stays open."));
+      shell().notify(tr("Nothing will be recorded. Free practice remains available."));
     }
     shell().open(granted ? then_ : PageId::kNextStep);
   });

@@ -167,7 +167,7 @@ void DebriefPage::compute(const TrialId& trialId) {
   ask_->setRun({});
   fill();
   shell().run(
-      tr("Looking at your run"),
+      tr("Analysing your run"),
       [result, recordings, trialId, assets = shell().assets(), scene = desk_.lastScene](
           SessionContext& session, const ProgressCallback&) {
         *result = torsio::debrief(session, trialId, assets, scene.get());
@@ -312,8 +312,8 @@ void DebriefPage::fillNotes() {
   }
   if (!debrief_.servoTrouble.empty()) {
     add("servoTrouble",
-        (debrief_.forceFelt ? tr("What was felt was not what was computed all the time: %1. %2.")
-                            : tr("The run was not computed evenly all the time: %1. %2."))
+        (debrief_.forceFelt ? tr("The force felt did not match the computed force throughout: %1. %2.")
+                            : tr("The run was not computed evenly throughout: %1. %2."))
             .arg(toQString(debrief_.servoTrouble), toQString(debrief_.servoRemedy)));
   }
 }
@@ -348,7 +348,7 @@ void DebriefPage::fill() {
   setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
   setLook(verdict_, "caution", !debrief_.passed);
   if (const CompetenceVerdict& all = debrief_.competence; all.errors.attempts > 0) {
-    competence_->setText(tr("One run decides nothing. By all runs: %1. %2 %3")
+    competence_->setText(tr("A single run decides nothing. Over all runs: %1. %2 %3")
                              .arg(StationLabels::level(all), StationLabels::levelMeaning(all),
                                   StationLabels::competenceErrors(all)));
   }

@@ -78,16 +78,16 @@ void DetorsionCard::setTheme(const Theme& theme) {
 }
 
 void DetorsionCard::retranslate() {
-  line_->setTitle(tr("Over the time of the tissue"));
-  spent_->setTitle(tr("Where the seconds went"));
-  measures_->setTitle(tr("What the numbers say"));
+  line_->setTitle(tr("Over tissue time"));
+  spent_->setTitle(tr("How the time was spent"));
+  measures_->setTitle(tr("Findings"));
   spentText_->setText(secondsText(story_).join(QLatin1Char('\n')));
   measuresText_->setText(verdicts(story_).join(QLatin1Char('\n')));
   plot_->retranslate();
 }
 
 QStringList DetorsionCard::secondsText(const DetorsionStory& story) {
-  const QString names[kDetorsionDoings] = {tr("Searching, nothing held"), tr("Turning in the jaw"),
+  const QString names[kDetorsionDoings] = {tr("Searching, not holding"), tr("Turning in the jaw"),
                                            tr("Held by the clip alone"), tr("Checking the blood flow"),
                                            tr("Waiting with hands off")};
   const double whole_s = std::accumulate(story.spent_s.begin(), story.spent_s.end(), 0.0);
@@ -114,61 +114,62 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
                           : tr("The first turn went the wrong way."));
   }
   if (const auto wrong = measureOf(story, "detorse.wrong_way"); wrong && *wrong > 0.02) {
-    out << tr("The organ was turned %1 further in than it came.").arg(shown("detorse.wrong_way", *wrong));
+    out << tr("The organ was twisted %1 further than at the start.").arg(shown("detorse.wrong_way", *wrong));
   }
   if (const auto back_s = measureOf(story, "detorse.time_to_flow"); back_s && *back_s <= 0.0) {
-    out << tr("Enough blood flowed from the beginning on.");
+    out << tr("Blood flow was sufficient from the start.");
   } else if (back_s) {
-    out << tr("Blood flowed again after %1, which is %2 of the tissue.")
+    out << tr("Blood flow returned after %1 (%2 of tissue time).")
                .arg(clockTenths(*back_s), DetorsionPanel::clockText(*back_s * story.timeScale));
   } else {
-    out << tr("Blood did not come back in this run.");
+    out << tr("Blood flow did not return in this run.");
   }
   if (const auto dose = measureOf(story, "detorse.dose")) {
     const QString size = shown("detorse.dose", *dose);
     out << (*dose >= 1.0
-                ? tr("The ischaemic dose came to %1: from 1 on the tissue is lost.").arg(size)
-                : tr("The ischaemic dose came to %1: the tissue lives, 1 would be its loss.").arg(size));
+                ? tr("The ischaemic dose reached %1: from 1 the tissue is lost.").arg(size)
+                : tr("The ischaemic dose reached %1: the tissue survives; at 1 it would be lost.").arg(size));
   }
   const auto regrips = measureOf(story, "detorse.regrips");
   const auto least = measureOf(story, "detorse.least_regrips");
   if (regrips && least) {
-    out << tr("Re-grips: %1; a hand of usual reach needs at least %2.")
+    out << tr("Re-grips: %1; a hand with the usual range of motion needs at least %2.")
                .arg(*regrips, 0, 'f', 0)
                .arg(*least, 0, 'f', 0);
   }
   if (const auto slip = measureOf(story, "detorse.slip_back"); slip && *slip > 0.02) {
-    out << tr("Between grips %1 were lost again: set the clip before you let go.")
+    out << tr("%1 were lost again between grips: set the clip before releasing.")
                .arg(shown("detorse.slip_back", *slip));
   }
   const auto stage = measureOf(story, "detorse.longest_stage");
   if (const auto staged = measureOf(story, "detorse.in_stages"); staged && stage) {
     const QString size = shown("detorse.longest_stage", *stage);
     out << (*staged != 0.0
-                ? tr("Undone in stages: at most %1 without a rest.").arg(size)
-                : tr("Turned back by %1 without a rest: let the blood return in stages.").arg(size));
+                ? tr("Untwisted in stages: at most %1 without a rest.").arg(size)
+                : tr("Turned back by %1 without a rest: let blood flow return in stages.").arg(size));
   }
   if (const auto over_s = measureOf(story, "detorse.overload_time"); over_s && *over_s > 0.0) {
-    out << tr("The tissue was loaded beyond what it bears for %1.").arg(clockTenths(*over_s));
+    out << tr("The tissue was overloaded for %1.").arg(clockTenths(*over_s));
   }
   const auto count = [&story](DetorsionMoment what) {
     return std::count_if(story.events.begin(), story.events.end(),
                          [what](const DetorsionStory::Event& event) { return event.what == what; });
   };
   if (const auto tears = count(DetorsionMoment::kTear); tears > 0) {
-    out << tr("Tears of the wall: %1. A torn organ does not count as undone.").arg(tears);
+    out << tr("Tears in the wall: %1. A torn organ does not count as untwisted.").arg(tears);
   }
   if (const auto bruises = count(DetorsionMoment::kBruise); bruises > 0) {
-    out << tr("Bruises by the jaw: %1. Grip with less force, ischaemic tissue bears half.").arg(bruises);
+    out << tr("Bruises from the jaw: %1. Grip more gently: ischaemic tissue bears only half the pressure.")
+               .arg(bruises);
   }
   if (const auto slips = count(DetorsionMoment::kSlip); slips > 0) {
-    out << tr("Times that the instrument slipped off: %1.").arg(slips);
+    out << tr("Slips of the instrument: %1.").arg(slips);
   }
   if (const auto relapse = measureOf(story, "detorse.relapse"); relapse && *relapse != 0.0) {
-    out << tr("It turned back after it had been undone.");
+    out << tr("The organ twisted again after it had been untwisted.");
   }
   if (const auto residual = measureOf(story, "detorse.residual")) {
-    out << tr("Twist that remains: %1.").arg(shown("detorse.residual", *residual));
+    out << tr("Remaining twist: %1.").arg(shown("detorse.residual", *residual));
   }
   if (!story.mishapsKnown) {
     out << tr(

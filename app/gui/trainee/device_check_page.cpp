@@ -140,11 +140,12 @@ void DeviceCheckPage::fill() {
   const Light light = known ? desk_.readiness->light() : Light::kRed;
   card_->setTitle(known ? toQString(desk_.readiness->device) : tr("Device"));
   verdict_->setText(checking_ ? tr("Checking\u2026") : StationLabels::light(light));
-  meaning_->setText(
-      checking_                ? tr("This takes a few seconds.")
-      : light == Light::kGreen ? tr("Everything is in order. Practice and graded runs may begin.")
-      : light == Light::kAmber ? tr("Good enough to practise. A graded run needs every line to be in order.")
-                               : tr("Something is wrong. No graded run with this device now."));
+  meaning_->setText(checking_ ? tr("This takes a few seconds.")
+                    : light == Light::kGreen
+                        ? tr("Everything is in order. Practice and graded runs may begin.")
+                    : light == Light::kAmber
+                        ? tr("Good enough to practise. A graded run needs every line to be in order.")
+                        : tr("There is a problem. Graded runs are not possible with this device now."));
   again_->setEnabled(!checking_);
   mouse_->setVisible(!checking_ && light == Light::kRed);
   practise_->setVisible(desk_.graded && light == Light::kAmber);

@@ -208,16 +208,17 @@ void NextStepPage::fillNext() {
   const bool real = phase != nullptr && phase->arm == PhaseKind::kReal;
   if (steps_.enrolmentId.empty() || !steps_.hasCurriculum) {
     title->setText(tr("Nothing is planned for you yet"));
-    quiet->setText(
-        steps_.enrolmentId.empty()
-            ? tr("You are in no cohort. An administrator has to add you; free practice is open meanwhile.")
-            : tr("Your cohort follows no curriculum yet. Free practice is open meanwhile."));
+    quiet->setText(steps_.enrolmentId.empty()
+                       ? tr("You are not in a cohort yet. An administrator has to add you; free practice is "
+                            "available meanwhile.")
+                       : tr("Your cohort has no curriculum yet. Free practice is available meanwhile."));
     nextContent_->addWidget(quiet);
     return;
   }
   if (steps_.allPhasesDone || (!steps_.next && !real)) {
-    title->setText(steps_.allPhasesDone ? tr("Your training time is complete") : tr("Nothing is open now"));
-    quiet->setText(tr("Look at your trend, or take your transcript."));
+    title->setText(steps_.allPhasesDone ? tr("Your training time is complete")
+                                        : tr("Nothing is available now"));
+    quiet->setText(tr("View your trend, or save your transcript."));
     nextContent_->addWidget(quiet);
     return;
   }
@@ -237,11 +238,11 @@ void NextStepPage::fillNext() {
     if (phase != nullptr) {
       facts << toQString(phase->label);
     }
-    facts << tr("takes at most %1").arg(StationLabels::minutes(step.needed_us))
+    facts << tr("Takes at most %1").arg(StationLabels::minutes(step.needed_us))
           << StationLabels::lastResult(step);
     if (step.attemptsLeft) {
       facts << (*step.attemptsLeft == 1
-                    ? tr("the last attempt")
+                    ? tr("Last attempt")
                     : tr("%n attempt(s) left", nullptr, static_cast<int>(*step.attemptsLeft)));
     }
     quiet->setText(facts.join(QStringLiteral("  \u00b7  ")));

@@ -110,7 +110,7 @@ void OwnRecordCard::retranslate() {
          "answers here."));
   copy_->setText(tr("Ask for a &copy\u2026"));
   erase_->setText(tr("Ask for &erasing\u2026"));
-  takeBack_->setText(tr("&Take the request back"));
+  takeBack_->setText(tr("Withdraw the re&quest"));
   showState();
 }
 

@@ -78,7 +78,7 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
     if (runSession_) {
-      withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
+      withoutDevice([] { return TranslatedError{tr("The haptic device was disconnected"), {}, {}}; });
     }
   });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
@@ -97,12 +97,11 @@ bool RunPage::askWhyUnscored(RunRequest& request) {
   QInputDialog dialog(this);
   dialog.setWindowTitle(tr("Not scored yet"));
   dialog.setLabelText(
-      tr("Only %1 of %n sheet(s) of this occasion are in, and the others cannot be made up for once the "
-         "training goes on. Fetch the study team. Why does the training begin nevertheless? It "
-         "is noted as a deviation.",
+      tr("Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training "
+         "continues. Call the study team. Why should training begin anyway? It is noted as a deviation.",
          nullptr, static_cast<int>(steps.scoringDue->asked))
           .arg(steps.scoringDue->submitted));
-  dialog.setOkButtonText(tr("Begin nevertheless"));
+  dialog.setOkButtonText(tr("Begin anyway"));
   dialog.setCancelButtonText(tr("Back"));
   QPushButton* begin = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
   begin->setEnabled(false);  // without a reason it would only lead back
@@ -253,7 +252,7 @@ void RunPage::withoutDevice(const Problem& why) {
   desk_.readiness.reset();  // the device is checked anew before the next graded run
   if (!runSession_->graded()) {
     desk_.openDevice = nullptr;
-    shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
+    shell().notify(tr("%1. Continue with mouse and keyboard").arg(why().happened));
     if (waiting_) {
       start();
     }
@@ -275,7 +274,7 @@ void RunPage::withoutDevice(const Problem& why) {
       return TranslatedError{tr("The haptic device is not ready: the graded run did not begin"),
                              tr("No attempt was used. Check the device, then begin again"), details};
     }
-    return TranslatedError{tr("The haptic device was lost: the graded run has ended"),
+    return TranslatedError{tr("The haptic device was disconnected: the graded run has ended"),
                            tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
                               "device, then begin again"),
                            details};
@@ -304,10 +303,10 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
         endRecording(TrialOutcome::kCompleted);
       }
       if (event.kind == Kind::kPaused) {
-        shell().notify(tr("The computer stood still. That time does not count."));
+        shell().notify(tr("The computer stalled. That time does not count."));
       }
       if (event.kind == Kind::kRestUsedUp) {
-        shell().notify(tr("The rest is used up. Training goes on."));
+        shell().notify(tr("The rest is used up. Training resumes."));
       }
       if (event.kind == Kind::kFinished) {
         finish();
@@ -414,7 +413,7 @@ bool RunPage::eventFilter(QObject* watched, QEvent* event) {
 
 bool RunPage::leave() {
   if (busy()) {
-    shell().notify(tr("A run goes on. End it first."));
+    shell().notify(tr("A run is in progress. End it first."));
     return false;
   }
   timer_.stop();

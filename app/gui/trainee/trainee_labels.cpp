@@ -202,16 +202,16 @@ QString StationLabels::level(const CompetenceVerdict& verdict) {
 QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return tr("So few attempts cannot show that anybody is able.");
+      return tr("Too few attempts to show competence.");
     case SkillLevel::kLearning:
-      return tr("Not yet shown to be able. %n good attempt(s) in a row show it.", nullptr,
+      return tr("Competence not shown yet. %n successful attempt(s) in a row would show it.", nullptr,
                 static_cast<int>(fewestForAble(verdict.design)));
     case SkillLevel::kSteady:
-      return tr("Able, and staying so.");
+      return tr("Competent, and stable.");
     case SkillLevel::kWatch:
-      return tr("Able before; the last attempts raise a doubt.");
+      return tr("Previously competent; the latest attempts raise doubts.");
     case SkillLevel::kRelapsed:
-      return tr("Able before, not now. Practise until the level is steady again.");
+      return tr("Previously competent, but not now. Practise until your level is steady again.");
   }
   return {};
 }

@@ -104,7 +104,7 @@ void TwistGuide::showStep() {
   skip_->setText(step_ == Step::kDone ? tr("Close") : tr("Skip"));
   switch (step_) {
     case Step::kReach:
-      what_->setText(lost_ ? tr("It came loose. Bring the jaw to the band once more")
+      what_->setText(lost_ ? tr("The tissue slipped. Bring the jaw to the band once more")
                            : tr("Bring the jaw to the marked band"));
       how_->setText(haptic_ ? tr("Move the stylus until the jaw touches the organ.")
                             : tr("Move the mouse, or press the arrows; the wheel or Page Up moves the "
@@ -126,7 +126,7 @@ void TwistGuide::showStep() {
       break;
     case Step::kLetGo:
       what_->setText(tr("Open the jaw gently"));
-      how_->setText(tr("Let go without a jerk; the organ turns back by itself."));
+      how_->setText(tr("Release without a jerk; the organ turns back by itself."));
       break;
     case Step::kDone:
       what_->setText(tr("That was a whole twist"));

@@ -393,7 +393,7 @@ QString DataTable::totals() const {
     parts << tr("%1 %2").arg(columns[static_cast<std::size_t>(column)].title,
                              locale().toString(sum, 'g', 10));
   }
-  return parts.isEmpty() ? QString() : tr("Together: %1").arg(parts.join(QStringLiteral(" \u00B7 ")));
+  return parts.isEmpty() ? QString() : tr("Total: %1").arg(parts.join(QStringLiteral(" \u00B7 ")));
 }
 
 void DataTable::retranslate() {

@@ -10,6 +10,7 @@
 #include <QToolTip>
 
 #include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/row_view.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -116,6 +117,9 @@ void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   initStyleOption(&cell, index);
   const QString text = cell.text;
   cell.text.clear();
+  if (dynamic_cast<const RowView*>(cell.widget) != nullptr) {
+    cell.state.setFlag(QStyle::State_HasFocus, false);  // the list outlines the row
+  }
   const QStyle* style = cell.widget != nullptr ? cell.widget->style() : QApplication::style();
   style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
   const bool enabled = cell.state.testFlag(QStyle::State_Enabled);

@@ -9,6 +9,22 @@
 
 namespace torsio::gui {
 
+void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette, bool selected) {
+  constexpr int kWidth_px = 1;
+  const int inset = selected ? 2 : 0;  // within the ground of the selection
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette.color(selected ? QPalette::HighlightedText : QPalette::Highlight), kWidth_px));
+  painter.drawRect(row.adjusted(inset, inset, -inset - kWidth_px, -inset - kWidth_px));
+  painter.restore();
+}
+
+void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  QTableView::currentChanged(current, previous);
+  viewport()->update();  // the outline goes through every cell of the row
+}
+
 void RowView::paintEvent(QPaintEvent* event) {
   const int end = horizontalHeader()->length() - horizontalHeader()->offset();
   const int rows = model() != nullptr ? model()->rowCount(rootIndex()) : 0;
@@ -29,6 +45,18 @@ void RowView::paintEvent(QPaintEvent* event) {
     }
   }
   QTableView::paintEvent(event);
+  const QModelIndex current = currentIndex();
+  if (!hasFocus() || !current.isValid()) {
+    return;
+  }
+  const bool selected = selectionModel()->isRowSelected(current.row(), rootIndex());
+  if (selected && selectionModel()->selectedRows().size() == 1) {
+    return;  // the selection says where the keys are
+  }
+  QPainter painter(viewport());
+  paintRowFocus(painter,
+                QRect(0, rowViewportPosition(current.row()), viewport()->width(), rowHeight(current.row())),
+                palette(), selected);
 }
 
 }  // namespace torsio::gui

@@ -16,6 +16,7 @@
 #include <QStyleFactory>
 #include <QStyledItemDelegate>
 
+#include "app/gui/widgets/row_view.h"
 #include "app/report/typeface.h"
 
 namespace torsio::gui {
@@ -152,11 +153,11 @@ QComboBox QAbstractItemView::item:selected { background: %accent; color: %onAcce
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
 QLineEdit, QPlainTextEdit, QTextEdit, QDateEdit, QDateTimeEdit, QTimeEdit { background: %surface;
-  border: 1px solid %border; border-radius: 6px; padding: 5px 8px; selection-background-color: %accent;
+  border: 1px solid %border; border-radius: 6px; padding: 4px 8px; selection-background-color: %accent;
   selection-color: %onAccent; }
-QLineEdit { min-height: 22px; }
+QLineEdit, QDateEdit, QDateTimeEdit, QTimeEdit { min-height: 20px; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QDateEdit:focus, QDateTimeEdit:focus, QTimeEdit:focus {
-  border: 2px solid %accent; padding: 4px 7px; }
+  border: 2px solid %accent; padding: 3px 7px; }
 QLineEdit:disabled, QPlainTextEdit:disabled { border-color: %line; }
 QLineEdit[readOnly="true"], QPlainTextEdit[readOnly="true"] { background: %window; }
 QCheckBox, QRadioButton { spacing: 8px; }
@@ -180,6 +181,7 @@ QTabBar::tab:focus { color: %accent; }
 QTableView, QTreeView, QListView { background: %surface; alternate-background-color: %window; color: %text;
   border: 1px solid %line; border-radius: 6px; gridline-color: %line; selection-background-color: %accent;
   selection-color: %onAccent; }
+QTableView:focus, QTreeView:focus, QListView:focus { border-color: %accent; }
 QTableView::item, QListView::item, QTreeView::item { padding: 4px 8px; }
 QListView[checkable="true"]::item { padding: 4px 0; }
 QFileDialog QTreeView::item, QFileDialog QListView::item { padding: 4px 0; }
@@ -282,7 +284,12 @@ class PaddedEntries final : public QStyledItemDelegate {
     initStyleOption(&ground, index);
     const QStyle* style = ground.widget != nullptr ? ground.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &ground, painter, ground.widget);
-    QStyledItemDelegate::paint(painter, inside(option), index);
+    QStyleOptionViewItem narrower = inside(option);
+    narrower.state.setFlag(QStyle::State_HasFocus, false);
+    QStyledItemDelegate::paint(painter, narrower, index);
+    if (option.state.testFlag(QStyle::State_HasFocus) && !option.state.testFlag(QStyle::State_Selected)) {
+      paintRowFocus(*painter, option.rect, option.palette, false);
+    }
   }
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     return QStyledItemDelegate::sizeHint(inside(option), index) + QSize(2 * kBeside, 0);

@@ -81,7 +81,7 @@ SealedSecret AccessRepository::sealPin(const std::string& pin) const {
   }
   if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the PIN is shorter than %1 digits", kShortestPin),
-                Text::tr("PIN"), Text::tr("Take a longer one"));
+                Text::tr("PIN"), Text::tr("Use a longer one"));
   }
   return {hashPassword(pin, cost_)};
 }

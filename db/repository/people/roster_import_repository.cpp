@@ -69,7 +69,7 @@ void RosterImportRepository::takeBack(const std::string& importId, std::int64_t 
       "UPDATE roster_import SET taken_back_utc_us = ? WHERE id = ? AND taken_back_utc_us IS NULL",
       {utc_us, importId});
   if (changed != 1) {
-    refuse(Text::tr("this import was taken back already, or there is no such import"), importId,
+    refuse(Text::tr("this import has already been undone, or does not exist"), importId,
            Text::tr("Read the list again"));
   }
 }

@@ -227,7 +227,7 @@ void requireRole(Connection& connection, const std::string& role) {
     return;
   }
   throw Error(ErrorCode::kBadParameter, Text::tr("this cannot be the role of the stations"), role,
-              Text::tr("Take a name of lower-case letters, digits and underscores that is not the owner's"));
+              Text::tr("Use a name of lower-case letters, digits and underscores that is not the owner's"));
 }
 
 void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {

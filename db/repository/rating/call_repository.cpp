@@ -38,7 +38,7 @@ void CallRepository::end(const LiveCallId& callId, bool cancelled, std::int64_t 
       {utc_us, cancelled, callId});
   if (changed != 1) {
     throw Error(ErrorCode::kBadData, Text::tr("this call has ended already"), callId,
-                Text::tr("Read the board again"));
+                Text::tr("Refresh Today's sessions"));
   }
 }
 

@@ -129,7 +129,7 @@ std::vector<const char*> namesToTry(const std::string& configured) {
 HdapiSession::HdapiSession(const hd::Api& api, const HdapiOptions& options)
     : api_(api), clock_(options.clock ? options.clock : std::make_shared<const MonotonicClock>()) {
   if (sessionOpen.exchange(true)) {
-    throw Error(ErrorCode::kDevice, Text::tr("the device is still being let go"), Text::tr("haptic device"),
+    throw Error(ErrorCode::kDevice, Text::tr("the device is still being released"), Text::tr("haptic device"),
                 Text::tr("Wait a moment and try again; if it stays so, plug the device in again and restart "
                          "Torsio"));
   }

@@ -145,7 +145,7 @@ class Child {
       process_ = -1;
       munmap(channel_, sizeof(DeviceChannel));
       refuse(Text::tr("the device process %1 cannot be started: %2", program, std::string(strerror(failed))),
-             Text::tr("Install Torsio anew; torsio-device lies beside the program"));
+             Text::tr("Install Torsio again; torsio-device belongs beside the program"));
     }
   }
 

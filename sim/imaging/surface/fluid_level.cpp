@@ -147,7 +147,7 @@ struct FluidRange {
 
 [[noreturn]] void refuseFluid(const Text& what, const std::string& where) {
   throw Error(ErrorCode::kFileUnreadable, what, where,
-              Text::tr("Leave out --fluid and mend the mask with the brush, or give a label mask"));
+              Text::tr("Leave out --fluid and correct the mask with the brush, or give a label mask"));
 }
 
 FluidRange fluidRange(const Columns& columns, const GasEnds& ends, const VoxelMask& gas,
@@ -288,7 +288,7 @@ VoxelMask fluidBelow(const WorkGrid& grid, const VoxelMask& gas, const std::stri
   remarks.push_back({"D20", true,
                      Text::tr("%1 ml of fluid (%2 HU) below the gas, towards %3, were joined to it",
                               shortNumber(fluid_ml), shortNumber(range.fluid), sideOf(best)),
-                     fluid_ml, Text::tr("Look at the mask over the slices")});
+                     fluid_ml, Text::tr("Check the mask over the slices")});
   return fluid;
 }
 

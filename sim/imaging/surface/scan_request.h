@@ -71,7 +71,7 @@ inline void requireScanRequest(const ScanRequest& request) {
   };
   if (request.brush.size() > kMostDabs || std::any_of(request.brush.begin(), request.brush.end(), wrong)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the strokes of the brush are too many or too large"), "",
-                Text::tr("Mend the mask with fewer strokes"));
+                Text::tr("Correct the mask with fewer strokes"));
   }
 }
 

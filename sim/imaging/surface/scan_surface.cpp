@@ -230,7 +230,7 @@ void tellBrush(const WorkGrid& grid, const BrushWork& work, std::vector<ScanRema
     return 0.001 * std::abs(grid.volume.voxel_mm3()) * static_cast<double>(voxels);
   };
   remarks.push_back({"D19", false,
-                     Text::tr("the mask was mended by hand: %1 ml added, %2 ml taken away",
+                     Text::tr("the mask was corrected by hand: %1 ml added, %2 ml removed",
                               shortNumber(millilitres(work.added)), shortNumber(millilitres(work.erased))),
                      millilitres(work.added + work.erased), ""});
 }

@@ -183,7 +183,7 @@ std::optional<VoxelMask> offTheTable(const WorkGrid& grid, const VoxelMask& with
       {"D21", true,
        Text::tr("the table was cut off at y = %1 mm; where the body lay on it, it is flat there",
                 shortNumber(table->at_mm)),
-       table->at_mm, Text::tr("Look at the mask over the slices")});
+       table->at_mm, Text::tr("Check the mask over the slices")});
   return body;
 }
 

@@ -182,7 +182,7 @@ TEST_F(DeviceCommand, E2_CheckSaysThatTheDeviceWasUnpluggedInTheMiddle) {
 
   EXPECT_EQ(result.code, kDevice);
   expectMentions(result.out, {"Connection: the connection to the device broke off", "Check cable and power",
-                              "does not let go"});
+                              "does not release"});
   expectMentions(result.err, {"torsio: Connection: "});
 }
 

@@ -110,7 +110,7 @@ TEST_F(SeveralCohorts, AreClosedArchivedAndOpenedAgainTogether) {
   EXPECT_EQ(stored(0).cohort.state, CohortState::kClosed);
   EXPECT_EQ(stored(1).cohort.state, CohortState::kRunning);
   EXPECT_EQ(stored(2).cohort.state, CohortState::kClosed);
-  EXPECT_EQ(table.selectedIds().size(), 2) << "the choice stays, so that it can be taken back";
+  EXPECT_EQ(table.selectedIds().size(), 2) << "the choice stays, so that it can be undone";
   changeState(*page);
   EXPECT_EQ(stored(0).cohort.state, CohortState::kArchived);
   EXPECT_EQ(stored(2).cohort.state, CohortState::kArchived);

@@ -189,6 +189,42 @@ TEST(CurriculaPage, ShowsTheNamesOfItsListWholeOnASmallScreen) {
   EXPECT_GE(lines, 2) << "nothing had to wrap";
 }
 
+// A shipped exercise has a name in every language; what is stored is not translated by being looked at.
+TEST(CurriculumEditor, ShowsShippedNamesInTheLanguageOfTheWindow) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  CurriculumVersion content = parseCurriculum(kEverything, "test");
+  content.modules[0].title = "Forearm: pronate to 60 degrees";
+  content.arms[0].label = "20 min virtual, 20 min real arm";
+  content.arms[0].phases[0].label = "virtual 0-20 min";
+  const std::string id = addCurriculum(office.centre.session(), "Shipped", "", content);
+  const std::string before = curriculumJson(curriculumDraft(office.centre.session(), id).content);
+  auto page = office.open<CurriculaPage>("administrator");
+
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  page->retranslate();
+  browse(*page);
+  for (const char* list : {"exercises", "groups"}) {
+    page->findChild<QListWidget*>(QString::fromLatin1(list))->setCurrentRow(0);
+  }
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of the groups looked at before
+  QStringList shown;
+  for (const QLineEdit* field : page->findChildren<QLineEdit*>()) {
+    shown << field->text();
+  }
+  language.choose(Language::kEnglish);
+  page->retranslate();
+
+  for (const char* english : {"Forearm: pronate to 60 degrees", "20 min virtual, 20 min real arm",
+                              "virtual 0-20 min"}) {
+    EXPECT_FALSE(shown.contains(QString::fromLatin1(english))) << english;
+  }
+  EXPECT_TRUE(shown.contains(QStringLiteral("\u524D\u81C2\uFF1A\u65CB\u524D 60 \u5EA6")));
+  page->save();
+  EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), before);
+}
+
 TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   AdministratorDesk office;
   const std::string id = addEverything(office);

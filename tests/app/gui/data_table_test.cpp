@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/data_table.h"
 
+#include <map>
+
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QImage>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSettings>
@@ -14,6 +17,7 @@
 
 #include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 namespace {
@@ -60,6 +64,37 @@ TEST(DataTable, GivesOtherProgramsAMinusThatTheyRead) {
   table.setRows({{"a", {{numberText(-58.81, 2), -58.81}}}});
 
   EXPECT_EQ(table.asText(), "Angle\n-58.81\n");
+}
+
+/// Colours along the upper edge of a row, each with how often it is there.
+std::map<QRgb, int> edgeOf(DataTable& table, int row) {
+  const QImage seen = table.view().viewport()->grab().toImage();
+  const int y = table.view().rowViewportPosition(row);
+  std::map<QRgb, int> colours;
+  for (int x = 0; x < seen.width(); ++x) {
+    ++colours[seen.pixel(x, y)];
+  }
+  return colours;
+}
+
+TEST(DataTable, ShowsTheKeysAtARowAndNeverAtACellOfIt) {
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  Shown shown;
+  shown.table.resize(500, 300);
+  shown.table.show();
+  shown.table.activateWindow();
+  shown.table.view().setFocus(Qt::TabFocusReason);
+  QApplication::processEvents();
+  ASSERT_TRUE(shown.table.view().hasFocus());
+  ASSERT_TRUE(shown.table.view().selectionModel()->selectedRows().isEmpty());
+  EXPECT_EQ(edgeOf(shown.table, 0).size(), 1U) << "one line from edge to edge";
+  EXPECT_EQ(edgeOf(shown.table, 0).begin()->first, theme(ThemeKind::kLight).accent.rgb());
+
+  QTest::keyClick(&shown.table.view(), Qt::Key_Down);
+  QApplication::processEvents();
+  EXPECT_EQ(edgeOf(shown.table, 1).size(), 1U) << "the ground of the selection, in every cell";
+  EXPECT_EQ(edgeOf(shown.table, 1).begin()->first, theme(ThemeKind::kLight).accent.rgb());
+  EXPECT_EQ(edgeOf(shown.table, 0).count(theme(ThemeKind::kLight).accent.rgb()), 0U);
 }
 
 TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsPressed) {
@@ -219,11 +254,11 @@ TEST(DataTable, AddsUpWhatIsSeen) {
   DataTable table{QString()};
   table.setColumns({{"Code"}, {"Mark", true, true}});
   table.setRows(trainees());
-  EXPECT_EQ(table.totals(), "Together: Mark 27.5");
+  EXPECT_EQ(table.totals(), "Total: Mark 27.5");
 
   table.filter().setText("T-1");
 
-  EXPECT_EQ(table.totals(), "Together: Mark 19");
+  EXPECT_EQ(table.totals(), "Total: Mark 19");
 }
 
 /// A page of this role with a list, in which somebody moved a column.

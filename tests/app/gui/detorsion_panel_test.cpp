@@ -120,11 +120,10 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
   panel_.show(state);
 
   EXPECT_EQ(before, QString());
-  EXPECT_EQ(holding, QStringLiteral("Holding. Turn, set the clip (C), then grip anew."));
-  EXPECT_EQ(wrong, QStringLiteral("The twist grows. Turn in the opposite direction."));
-  EXPECT_EQ(clipped, QStringLiteral("The clip holds it. Take the clip off (C), then turn on."));
-  EXPECT_EQ(panel_.cue(),
-            QStringLiteral("It lies within the limits. Keep your hands off, check the blood flow."));
+  EXPECT_EQ(holding, QStringLiteral("Holding. Turn, set the clip (C), then re-grip."));
+  EXPECT_EQ(wrong, QStringLiteral("The twist is increasing. Turn in the opposite direction."));
+  EXPECT_EQ(clipped, QStringLiteral("The clip holds the organ. Remove the clip (C), then turn further."));
+  EXPECT_EQ(panel_.cue(), QStringLiteral("Within the limits. Keep your hands off and check the blood flow."));
 }
 
 TEST_F(UntwistingPanel, SaysWhenTheHandIsTurnedAsFarAsItGoes) {
@@ -138,10 +137,9 @@ TEST_F(UntwistingPanel, SaysWhenTheHandIsTurnedAsFarAsItGoes) {
 
   panel_.show(state);
 
-  EXPECT_EQ(before, QStringLiteral("Holding. Turn, set the clip (C), then grip anew."));
-  EXPECT_EQ(
-      panel_.cue(),
-      QStringLiteral("Your hand is turned as far as it goes. Set the clip (C), open the jaw, grip anew."));
+  EXPECT_EQ(before, QStringLiteral("Holding. Turn, set the clip (C), then re-grip."));
+  EXPECT_EQ(panel_.cue(),
+            QStringLiteral("Your hand has reached its limit. Set the clip (C), open the jaw and re-grip."));
 }
 
 TEST_F(UntwistingPanel, TwoPressesWithinAFrameUndoEachOther) {

@@ -176,11 +176,11 @@ class Verdict {
       expect(contains(said, graded ? "the graded run did not begin" : "You practise with mouse and keyboard"),
              "does not say that the device is missing");
     } else if (course_ == Course::kLost || course_ == Course::kEnded || silent) {
-      expect(contains(said, graded ? "The haptic device was lost: the graded run has ended"
-                                   : "The haptic device was lost. Let go of it"),
+      expect(contains(said, graded ? "The haptic device was disconnected: the graded run has ended"
+                                   : "The haptic device was disconnected. Put it down"),
              "does not say that the device was lost");
     } else {
-      expect(!contains(said, "was lost"), "says that the device was lost");
+      expect(!contains(said, "was disconnected"), "says that the device was lost");
       expect(graded || contains(said, "The force is felt"), "does not say what is felt");
     }
   }

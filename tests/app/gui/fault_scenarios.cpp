@@ -33,7 +33,7 @@ std::vector<FaultScenario> hangs() {
   }
   for (const char* const closing : {"hdStopScheduler", "hdUnschedule", "hdDisableDevice"}) {
     all.push_back({std::string("hangs in ") + closing, std::string("FAKEHD_HANG=") + closing, Course::kStuck,
-                   "does not let go"});
+                   "does not release"});
   }
   return all;
 }
@@ -78,7 +78,7 @@ std::vector<FaultScenario> deaths() {
       {"falls when it is started", "FAKEHD_CRASH=hdStartScheduler FAKEHD_CRASH_SIGNAL=7", Course::kRefused,
        "ended before"},
       {"falls when it is let go of", "FAKEHD_CRASH=hdStopScheduler FAKEHD_CRASH_SIGNAL=11", Course::kStuck,
-       "does not let go"},
+       "does not release"},
   };
 }
 

@@ -52,8 +52,9 @@ TEST(TwistGuide, WaitsForEachMovementAndBeginsAnewWhenTheTissueIsLost) {
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 0.2), Step::kHold);
   EXPECT_EQ(after(ExercisePhase::kTwisting, false), Step::kTurn);
   EXPECT_EQ(after(ExercisePhase::kReleased), Step::kReach);
-  EXPECT_TRUE(
-      guide.findChild<QLabel*>(QStringLiteral("movement"))->text().startsWith(QStringLiteral("It came")));
+  EXPECT_TRUE(guide.findChild<QLabel*>(QStringLiteral("movement"))
+                  ->text()
+                  .startsWith(QStringLiteral("The tissue slipped")));
   EXPECT_EQ(after(ExercisePhase::kContact), Step::kClose);
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 0.9), Step::kHold);
   EXPECT_EQ(after(ExercisePhase::kTwisting, true, 1.0), Step::kLetGo);

@@ -142,7 +142,7 @@ TEST_F(HapticPractice, GoesOnWithTheMouseWhenTheDeviceIsLost) {
 
   controller_.advance(0.016);
 
-  EXPECT_TRUE(said_.contains(QStringLiteral("lost")));
+  EXPECT_TRUE(said_.contains(QStringLiteral("disconnected")));
   EXPECT_TRUE(controller_.hapticModel().isEmpty());
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
   EXPECT_EQ(hand_->lastForce_N, Vec3{});
@@ -224,7 +224,7 @@ TEST_F(HapticPractice, TheVendorsLibraryIsOpenedAndItsLossNoticed) {
   tick(600);  // more than kReadingLost_us without a reading
   controller_.advance(0.016);
 
-  EXPECT_TRUE(said_.contains(QStringLiteral("lost")));
+  EXPECT_TRUE(said_.contains(QStringLiteral("disconnected")));
   EXPECT_TRUE(controller_.hapticModel().isEmpty());
 }
 

@@ -105,7 +105,7 @@ TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
   const std::string first = publicAnchorKey(in("key"));
   EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(toQString(first)));
   EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(QStringLiteral("beside the record")));
-  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("disk of the record")));
+  EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("same disk as the record")));
   EXPECT_TRUE(child<QPlainTextEdit>(heads, "head").toPlainText().contains(toQString(first)));
   click(child<QPushButton>(heads, "addHead"));
   heads.makeKey(in("second"));
@@ -120,7 +120,8 @@ TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
   for (const std::string& line : lines) {
     kept << toQString(line);
   }
-  EXPECT_TRUE(verdictOn(heads, kept.join(QLatin1Char('\n'))).contains(QStringLiteral("nothing was cut off")));
+  EXPECT_TRUE(
+      verdictOn(heads, kept.join(QLatin1Char('\n'))).contains(QStringLiteral("nothing has been removed")));
   EXPECT_EQ(std::ranges::count(trail(record()), "setting.change"), 3 + 1) << "and the one of the set-up";
   EXPECT_TRUE(failures_.isEmpty()) << failures_.join(QLatin1Char('\n')).toStdString();
 }
@@ -152,7 +153,7 @@ TEST_F(HeadsPages, AnAdministratorWhoLeavesTakesTheHeadAlong) {
   signIn();
   fs::remove_all(in("disk"));  // unplugged
   ASSERT_TRUE(window_->signOut());
-  EXPECT_TRUE(says(QStringLiteral("The head was not kept")));
+  EXPECT_TRUE(says(QStringLiteral("The head was not saved")));
   EXPECT_EQ(child<QLabel>(notice, "headHash").text().size(), 64 + 1);
 }
 
@@ -163,7 +164,7 @@ TEST_F(HeadsPages, AWindowThatClosesSaysWhereTheHeadIsAndStaysOpenWhenItIsNowher
 
   EXPECT_FALSE(window_->close());
   EXPECT_TRUE(window_->isVisible());
-  EXPECT_TRUE(says(QStringLiteral("The head was not kept")));
+  EXPECT_TRUE(says(QStringLiteral("The head was not saved")));
   EXPECT_TRUE(says(QStringLiteral("Close the window once more")));
   EXPECT_EQ(headsOf(in("unplugged/heads")).size(), 1U);
   fs::rename(in("unplugged"), in("disk"));
@@ -179,7 +180,7 @@ TEST_F(HeadsPages, AWindowThatClosesSaysWhereTheHeadIsAndStaysOpenWhenItIsNowher
 TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
   HeadsPage& heads = page();
   QString head = child<QPlainTextEdit>(heads, "head").toPlainText();
-  EXPECT_TRUE(verdictOn(heads, QLatin1Char(' ') + head).contains(QStringLiteral("nothing was cut off")));
+  EXPECT_TRUE(verdictOn(heads, QLatin1Char(' ') + head).contains(QStringLiteral("nothing has been removed")));
 
   QStringList words = head.split(QLatin1Char(' '));
   words[2] = QStringLiteral("4000");
@@ -290,7 +291,7 @@ TEST_F(MaintenancePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   window_->desk()->open(PageId::kDevices);
   auto& driver = child<QComboBox>(*window_->desk()->page(), "driver");
-  EXPECT_EQ(driver.currentIndex(), 0) << "the first device that is there";
+  EXPECT_EQ(driver.currentIndex(), 0) << "the first device found";
   const int puck = driver.findText(QStringLiteral("SpaceMouse"));
   ASSERT_GT(puck, 0);
 
@@ -298,7 +299,7 @@ TEST_F(MaintenancePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
   Q_EMIT driver.activated(puck);
 
   EXPECT_EQ(rememberedDevice().driver, "spacemouse");
-  EXPECT_TRUE(says(QStringLiteral("holds at this station")));
+  EXPECT_TRUE(says(QStringLiteral("applies at this station")));
   window_->desk()->open(PageId::kMaintenance);
   driver.setCurrentIndex(0);
   window_->desk()->open(PageId::kDevices);

@@ -57,7 +57,7 @@ class OrganDesk {
     settle();
   }
   void again() {
-    wizardButton(wizard, QStringLiteral("Judge again")).click();
+    wizardButton(wizard, QStringLiteral("Check again")).click();
     settle();
   }
   void openInstrument(const std::filesystem::path& source) {

@@ -86,6 +86,32 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   }
 }
 
+// In a wide and low window the rows are far wider than high.
+TEST(OrganInstrument, IsNotCutOffHoweverWideItsViewIs) {
+  ToolSurface tool;
+  tool.length_mm = 250.0;
+  tool.pivot_mm = 20.0;
+  tool.shaftRadius_mm = 2.5;
+  tool.upperJaw = torsio::testing::capsule(0.002, 0.016, 16, 8);
+  tool.lowerJaw = tool.upperJaw;
+  tool.shaft = torsio::testing::capsule(0.0025, 0.2, 16, 8);
+  InstrumentView view;
+  for (const double opening_deg : {0.0, 25.0, 80.0}) {
+    view.setTool(tool, 0.0);
+    view.setOpening(opening_deg);
+    for (const QSize& size : {QSize(320, 300), QSize(1500, 360), QSize(600, 900)}) {
+      view.resize(size);
+      for (int row = 0; row < 3; ++row) {
+        EXPECT_GT(view.halfDrawn(row), 1.0);
+        EXPECT_LT(view.halfDrawn(row), view.halfRoom(row))
+            << row << ' ' << opening_deg << ' ' << size.width();
+        EXPECT_GE(view.placeOf(row, 0.0).x(), 0.0);
+        EXPECT_LE(view.placeOf(row, row == 0 ? tool.length_mm : tool.pivot_mm).x(), size.width());
+      }
+    }
+  }
+}
+
 TEST(OrganInstrument, OfAMeshIsFoundPlacedAndSaved) {
   const std::filesystem::path file = wizardFile("tool.ply");
   writePly(file, torsio::testing::capsule(0.004, 0.16, 32, 40));

@@ -211,7 +211,7 @@ TEST(OrganWizard, TellsOfAFileThatIsNoSurfaceWithoutAPicture) {
   ASSERT_TRUE(desk.wizard.trial().has_value());
   EXPECT_FALSE(desk.wizard.trial()->import.accepted);
   EXPECT_EQ(desk.wizard.trial()->shown, nullptr);
-  EXPECT_THAT(readable(desk.wizard), HasSubstr("There is no picture"));
+  EXPECT_THAT(readable(desk.wizard), HasSubstr("No picture"));
 }
 
 }  // namespace

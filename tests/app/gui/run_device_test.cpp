@@ -116,7 +116,8 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   EXPECT_EQ(station.run().runSession(), nullptr);
   EXPECT_FALSE(station.run().busy());
   ASSERT_EQ(station.problems.size(), 1);
-  EXPECT_EQ(station.problems[0], QStringLiteral("The haptic device was lost: the graded run has ended"));
+  EXPECT_EQ(station.problems[0],
+            QStringLiteral("The haptic device was disconnected: the graded run has ended"));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("No run goes on")));
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
   EXPECT_FALSE(station.desk().readiness.has_value());  // to be checked anew
@@ -139,7 +140,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
   EXPECT_EQ(norm(wire->lastForce_N), 0.0);
   ASSERT_FALSE(station.notices.empty());
   EXPECT_EQ(station.notices.back(),
-            QStringLiteral("The haptic device was lost. You go on with mouse and keyboard"));
+            QStringLiteral("The haptic device was disconnected. Continue with mouse and keyboard"));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
   EXPECT_TRUE(station.run().busy());
   station.train(2 * kSecond_us);

@@ -118,7 +118,7 @@ TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {
   EXPECT_FALSE(window_->signOut());
   EXPECT_FALSE(window_->desk()->open(PageId::kAudit));
   EXPECT_FALSE(window_->close());
-  EXPECT_TRUE(says(*window_, QStringLiteral("A run is going on")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("A run is in progress")));
 
   page().isBusy = false;
   EXPECT_TRUE(window_->signOut());

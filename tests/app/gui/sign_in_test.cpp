@@ -172,7 +172,7 @@ TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
   enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
-  EXPECT_TRUE(says(*window_, QStringLiteral("Name and password do not fit together")));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Name and password do not match")));
   EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->text().isEmpty());
 }
 

@@ -62,7 +62,7 @@ TEST(StationOfAnUntwisting, TheBriefingSaysWhatCameHowItIsDoneAndWhenItIsUndone)
         "Meanwhile 60 s of the tissue pass each second.", "C: clip.", "An expert undoes the same organ"}) {
     EXPECT_TRUE(text.contains(QString::fromUtf8(said))) << said << " in " << text.toStdString();
   }
-  EXPECT_FALSE(text.contains(QStringLiteral("let go within")));  // no target
+  EXPECT_FALSE(text.contains(QStringLiteral("release within")));  // no target
 }
 
 TEST(StationOfAnUntwisting, TheBriefingOfATwistSaysItsTargetAndNothingOfTissueTime) {
@@ -73,7 +73,7 @@ TEST(StationOfAnUntwisting, TheBriefingOfATwistSaysItsTargetAndNothingOfTissueTi
   station.open(PageId::kBriefing);
 
   const QString text = station.allText();
-  EXPECT_TRUE(text.contains(QStringLiteral("Twist to 90° and let go within 5°."))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("Twist to 90° and release within 5°."))) << text.toStdString();
   EXPECT_FALSE(text.contains(QStringLiteral("of the tissue")));
 }
 

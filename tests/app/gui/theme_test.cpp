@@ -10,6 +10,7 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDir>
 #include <QIcon>
 #include <QImage>
@@ -18,6 +19,11 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSpinBox>
+#include <QTimeEdit>
+#include <QVBoxLayout>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/page_id.h"
@@ -25,6 +31,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 namespace {
@@ -182,6 +189,30 @@ TEST_P(ThemeContrast, TheCurrentEntryOfAnOpenListIsReadable) {
   box.hidePopup();
 }
 
+// Side by side in a form, and with the keys in them as without.
+TEST_P(ThemeContrast, FieldsOfALineAreOfOneHeight) {
+  applyTheme(*qApp, theme(GetParam()));
+  QWidget window;
+  QLineEdit line(&window);
+  QComboBox box(&window);
+  QComboBox writable(&window);
+  writable.setEditable(true);
+  QSpinBox count(&window);
+  QDoubleSpinBox number(&window);
+  QDateEdit day(&window);
+  QTimeEdit hour(&window);
+  window.show();
+
+  for (QWidget* field : std::vector<QWidget*>{&line, &box, &writable, &count, &number, &day, &hour}) {
+    field->ensurePolished();
+    const int height = field->sizeHint().height();
+    EXPECT_EQ(height, 30) << field->metaObject()->className();
+    window.activateWindow();
+    field->setFocus();
+    EXPECT_EQ(field->sizeHint().height(), height) << field->metaObject()->className();
+  }
+}
+
 // The ground of the current entry reaches the edges, what is written keeps off them.
 TEST_P(ThemeContrast, EntriesOfAListKeepOffItsEdges) {
   const Theme& t = theme(GetParam());
@@ -258,6 +289,35 @@ TEST(Sentence, BreaksItsLinesAtAHundredAndTwentySigns) {
         words.fontMetrics().boundingRect(QRect(0, 0, used, 9999), Qt::TextWordWrap, words.text()).height());
     EXPECT_EQ(words.minimumSizeHint().width(), least) << "a wide window could never be narrow again";
   }
+}
+
+// Beside other cards its right edge is theirs; only a scroll bar takes room from it.
+TEST(ScrollGap, IsThereWhileThereIsAScrollBar) {
+  QScrollArea area;
+  area.setFrameShape(QFrame::NoFrame);
+  area.setWidgetResizable(true);
+  auto* ground = new QWidget;
+  auto* column = new QVBoxLayout(ground);
+  column->setContentsMargins(0, 0, 2 * kSpace, 0);
+  keepOffScrollBar(area, *column);
+  auto* card = new QWidget;
+  card->setMinimumHeight(300);
+  column->addWidget(card);
+  area.setWidget(ground);
+  area.resize(200, 400);
+  area.show();
+  QApplication::processEvents();
+  EXPECT_EQ(card->mapTo(&area, card->rect().bottomRight()).x(), area.rect().right());
+
+  area.resize(200, 200);
+  QApplication::processEvents();
+  ASSERT_TRUE(area.verticalScrollBar()->isVisible());
+  const QPoint bar = area.verticalScrollBar()->mapTo(&area, QPoint(0, 0));
+  EXPECT_EQ(card->mapTo(&area, card->rect().topRight()).x() + 1 + kSpace, bar.x());
+
+  area.resize(200, 400);
+  QApplication::processEvents();
+  EXPECT_EQ(card->mapTo(&area, card->rect().bottomRight()).x(), area.rect().right());
 }
 
 TEST(LevelBar, SaysInWordsThatTheLimitIsReached) {

@@ -112,7 +112,9 @@ const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiter
                                QStringLiteral("warm-up"),           QStringLiteral("third rater"),
                                QStringLiteral("scoring point"),     QStringLiteral("training run"),
                                QStringLiteral("the office"),        QStringLiteral("nearer tolerance"),
-                               QStringLiteral("alignment")};
+                               QStringLiteral("alignment"),         QStringLiteral("Together:"),
+                               QStringLiteral("Bring an organ"),    QStringLiteral("Where to draw"),
+                               QStringLiteral("going on")};
 const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),                    // debrief
                                       QStringLiteral("\u70ed\u8eab"),                    // rater calibration
                                       QStringLiteral("\u8bc4\u5206\u8005\u6821\u51c6"),  // rater calibration

@@ -209,7 +209,7 @@ TEST_F(MaintenanceTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnec
   stations.heartbeat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
 
   EXPECT_EQ(othersAtWork(office),
-            std::vector<Text>{Text::verbatim("a run is going on at the station room 1")});
+            std::vector<Text>{Text::verbatim("a run is in progress at the station room 1")});
 }
 
 TEST_F(MaintenanceTest, ABackupWithAChangedMarkIsNotRestored) {

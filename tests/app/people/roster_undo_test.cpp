@@ -231,8 +231,7 @@ TEST_P(RosterUndo, TheCommandListsAndTakesBack) {
   const ProgramRun lines = run("imports");
   EXPECT_EQ(lines.code, 0) << lines.err;
   EXPECT_NE(lines.out.find(chiefs), std::string::npos) << lines.out;
-  EXPECT_NE(lines.out.find("trainees: 2 added, 0 changed; can be taken back"), std::string::npos)
-      << lines.out;
+  EXPECT_NE(lines.out.find("trainees: 2 added, 0 changed; can be undone"), std::string::npos) << lines.out;
   EXPECT_NE(lines.out.find("1 added, 0 changed; T-03 is enrolled in a cohort"), std::string::npos)
       << lines.out;
   const ProgramRun held = run("take-back " + enrolled + " --reason 'the wrong file'");

@@ -154,7 +154,7 @@ TEST_F(HdapiFaults, ASecondOpenDuringAStuckTeardownIsRefusedInWords) {
     FAIL() << "opened";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kDevice);
-    EXPECT_NE(std::string(error.what()).find("still being let go"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("still being released"), std::string::npos);
   }
   fake.replug();
   while (!device->close()) {

@@ -105,7 +105,7 @@ TEST(ScanPreview, BrushesTheMaskAndTheSurface) {
   const auto told = std::find_if(mended.remarks.begin(), mended.remarks.end(),
                                  [](const ScanRemark& remark) { return remark.code == "D19"; });
   ASSERT_NE(told, mended.remarks.end());
-  EXPECT_THAT(told->what.str(), HasSubstr("mended by hand"));
+  EXPECT_THAT(told->what.str(), HasSubstr("corrected by hand"));
   // The preview of the other process shows the same.
   EXPECT_NEAR(previewOfScan(read, request, true).volume_ml.value(), 1e6 * signedVolume_m3(mended.mesh), 3.0);
 }

@@ -16,6 +16,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/scroll_gap.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -56,6 +57,7 @@ OrderedList::OrderedList(const QString& name, QWidget* form, QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(form);
+  keepOffScrollBar(*scroll, *form->layout());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2 * kSpace);

@@ -23,7 +23,7 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   auto* words = new QLabel(question, this);
   words->setWordWrap(true);
   table_->setColumns({{tr("Code")}, {tr("Sex")}, {tr("Level")}, {tr("Experience")}, {tr("Class of raters")}});
-  table_->setEmptyText(tr("Nobody is left to choose."));
+  table_->setEmptyText(tr("There is nobody left to choose."));
   std::vector<Row> rows;
   for (const PersonRow& row : people) {
     rows.push_back({toQString(row.person.id),
@@ -40,7 +40,7 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   QPushButton* take = buttons->button(QDialogButtonBox::Ok);
   const auto sayHowMany = [this, take] {
     const auto chosen = static_cast<int>(table_->selectedIds().size());
-    take->setText(tr("Take %n", nullptr, chosen));
+    take->setText(tr("Add %n", nullptr, chosen));
     take->setEnabled(chosen > 0);
   };
   connect(table_, &DataTable::currentChanged, this, sayHowMany);

@@ -171,8 +171,8 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
                     account.personName.empty() ? CardLine{code, 24.0, true}
                                                : CardLine{toQString(account.personName), 18.0, true},
                     {account.personName.empty()
-                         ? PrintedCards::tr("Your way into Torsio. For you alone.")
-                         : PrintedCards::tr("%1. Your way into Torsio. For you alone.").arg(code)}}},
+                         ? PrintedCards::tr("Your access to Torsio. For you alone.")
+                         : PrintedCards::tr("%1. Your access to Torsio. For you alone.").arg(code)}}},
          .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
                      {toQString(account.startPassword), 15.0, true},
                      {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
@@ -211,7 +211,7 @@ void writeInvitationCards(const std::vector<InvitationCardText>& cards, const st
          {PrintedCards::tr("For you alone. Your sign-in name: %1").arg(toQString(card.login))}}};
     const std::array<CardLine, 3> code{{{PrintedCards::tr("The code that goes with your link")},
                                         {toQString(card.code), 15.0, true},
-                                        {PrintedCards::tr("The link comes by another way.")}}};
+                                        {PrintedCards::tr("The link is sent separately.")}}};
     printed.push_back({.label = {{{centreHeadline(toQString(centre))},
                                   {toQString(card.personCode), 24.0, true},
                                   {PrintedCards::tr("Sign-in name: %1").arg(toQString(card.login))}}},

@@ -56,13 +56,13 @@ QString reminderText(const std::vector<Reminder>& owed, const QLocale& locale) {
 void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale& locale) {
   const std::vector<Reminder> owed = reminders(shell.session(), cohortId);
   if (owed.empty()) {
-    shell.notify(ReminderText::tr("Nobody owes a sheet."));
+    shell.notify(ReminderText::tr("No sheets are outstanding."));
     return;
   }
   QGuiApplication::clipboard()->setText(reminderText(owed, locale));
   noteReminders(shell.session(), owed, ReminderWay::kCopied);
-  shell.notify(
-      ReminderText::tr("Copied: the sheets that %n rater(s) owe", nullptr, static_cast<int>(owed.size())));
+  shell.notify(ReminderText::tr("Copied: the outstanding sheets of %n rater(s)", nullptr,
+                                static_cast<int>(owed.size())));
 }
 
 }  // namespace torsio::gui

@@ -26,21 +26,20 @@ QString noteOf(const QString& login, PasswordPart part) {
   switch (part) {
     case PasswordPart::kFirstHalf:
       return SecondPerson::tr(
-                 "This is the first half of the start password of %1. Hand it over; the second half comes "
+                 "This is the first half of the start password of %1. Give it to them; the second half comes "
                  "from the administrator who confirms. It is shown only now.")
           .arg(login);
     case PasswordPart::kSecondHalf:
       return SecondPerson::tr(
-                 "This is the second half of the start password of %1, behind the first one and a hyphen. "
-                 "Hand it over; the first half comes from whoever asked. It is shown only now.")
+                 "This is the second half of the start password of %1, after the first half and a hyphen. "
+                 "Give it to them; the first half comes from whoever asked. It is shown only now.")
           .arg(login);
     case PasswordPart::kWhole:
       break;
   }
-  return SecondPerson::tr(
-             "Hand this start password to %1. It is shown only now, and must be changed at the "
-             "first sign-in.")
-      .arg(login);
+  return SecondPerson::
+      tr("Give this start password to %1. It is shown only now, and must be changed at the first sign-in.")
+          .arg(login);
 }
 
 bool wantsToAsk(QWidget* parent) {

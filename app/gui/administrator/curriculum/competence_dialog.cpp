@@ -55,7 +55,7 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
       source_(new QComboBox(this)),
       tolerance_(new QDoubleSpinBox(this)),
       cohort_(new QComboBox(this)),
-      take_(new QPushButton(tr("Take from &experts"), this)),
+      take_(new QPushButton(tr("Derive from &experts"), this)),
       standard_(sentence(this)),
       adequate_(shareField(this, "adequate")),
       inadequate_(shareField(this, "inadequate")),
@@ -71,7 +71,7 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
 }
 
 void CompetenceDialog::build() {
-  setWindowTitle(tr("When trainees are judged able"));
+  setWindowTitle(tr("When trainees count as competent"));
   setMinimumWidth(kDialogWidth);
   exercise_->setObjectName(QStringLiteral("exercise"));
   source_->setObjectName(QStringLiteral("source"));
@@ -91,23 +91,23 @@ void CompetenceDialog::build() {
   experts->addWidget(take_);
   form_->addRow(tr("E&xercise"), exercise_);
   form_->addRow(tr("Current design"), inForce_);
-  form_->addRow(tr("Tolerance &comes"), source_);
+  form_->addRow(tr("Tolerance &source"), source_);
   form_->addRow(tr("&Tolerance"), tolerance_);
-  form_->addRow(tr("Experts: people of"), experts);
+  form_->addRow(tr("Experts from cohort"), experts);
   form_->addRow(QString(), standard_);
-  form_->addRow(tr("Failures of somebody &able"), adequate_);
-  form_->addRow(tr("Failures of somebody &not able"), inadequate_);
+  form_->addRow(tr("Failure rate when &competent"), adequate_);
+  form_->addRow(tr("Failure rate when &not competent"), inadequate_);
   form_->addRow(tr("Attempts &planned"), attempts_);
-  form_->addRow(tr("Most that pass &wrongly"), falsePass_);
-  form_->addRow(tr("Most that &fail wrongly"), falseFail_);
+  form_->addRow(tr("&Wrong passes, at most"), falsePass_);
+  form_->addRow(tr("Wrong &fails, at most"), falseFail_);
   form_->addRow(tr("&Reason"), reason_);
-  form_->addRow(tr("What it does"), preview_);
+  form_->addRow(tr("Effect"), preview_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   auto* rule = sentence(this);
   rule->setText(
-      tr("An attempt is a completed twist, or an untwisting. A design never changes; a new one counts for "
-         "trainees who begin after it was registered."));
+      tr("An attempt is a completed twist or an untwisting. A registered design never changes; a new one "
+         "applies to trainees who begin after its registration."));
   column->addWidget(rule);
   column->addLayout(form_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -204,9 +204,8 @@ void CompetenceDialog::showPreview() {
                .arg(toQString(competenceErrorText(preview.design, preview.errors)));
     if (!preview.falseFailKept) {
       ready = false;
-      said +=
-          QLatin1Char('\n') + tr("Too many would fail wrongly: plan more attempts, or rates that lie farther "
-                                 "apart.");
+      said += QLatin1Char('\n') +
+              tr("Too many would fail wrongly: plan more attempts, or choose rates further apart.");
     }
   } catch (const Error& error) {
     ready = false;

@@ -136,8 +136,8 @@ void CurriculaPage::askOccasion() {
   bool given = false;
   const QString label =
       QInputDialog::getText(this, tr("Add an occasion"),
-                            tr("It comes after all others, for every curriculum from now on, and is never "
-                               "taken away. What is it called?"),
+                            tr("It comes after all others, is available to every curriculum from now on, and "
+                               "cannot be removed. What is it called?"),
                             QLineEdit::Normal, QString(), &given);
   if (!given) {
     return;
@@ -151,10 +151,9 @@ void CurriculaPage::askOccasion() {
 
 void CurriculaPage::askPublish() {
   bool given = false;
-  const QString note =
-      QInputDialog::getText(this, tr("Publish a version"),
-                            tr("A published version never changes. What is new in it, in a few words:"),
-                            QLineEdit::Normal, QString(), &given);
+  const QString note = QInputDialog::getText(
+      this, tr("Publish a version"), tr("A published version never changes. Briefly, what is new in it:"),
+      QLineEdit::Normal, QString(), &given);
   if (given) {
     publish(note.trimmed().toStdString());
   }

@@ -331,8 +331,9 @@ void CurriculaPage::sayState() {
 }
 
 void CurriculaPage::retranslate() {
-  heading_->setTexts(tr("Curricula"), tr("What the groups go through: exercises, phases, rest and occasions. "
-                                         "Published versions never change."));
+  heading_->setTexts(
+      tr("Curricula"),
+      tr("What each group does: exercises, phases, rest and occasions. Published versions never change."));
   add_->setText(tr("&New curriculum\u2026"));
   showing_->setText(tr("S&howing"));
   take_->setText(tr("&Edit as draft"));
@@ -340,7 +341,7 @@ void CurriculaPage::retranslate() {
   publish_->setText(tr("&Publish\u2026"));
   begin_->setText(tr("&Begin"));
   competence_->setText(tr("Co&mpetence\u2026"));
-  standard_->setText(tr("Where to draw the &line\u2026"));
+  standard_->setText(tr("Pass mar&k\u2026"));
   table_->setColumns({{tr("Name")}, {tr("Version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();

@@ -199,7 +199,7 @@ void CurriculumEditor::judge() {
     problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
   }
   setTabText(3, problems_.empty() ? tr("Check: complete")
-                                  : tr("Check: %n to mend", nullptr, static_cast<int>(problems_.size())));
+                                  : tr("Check: %n to correct", nullptr, static_cast<int>(problems_.size())));
   showHints();
 }
 
@@ -229,7 +229,7 @@ void CurriculumEditor::retranslate() {
   namePoints();
   exercises_->retranslate();
   groups_->retranslate();
-  problemList_->setAccessibleName(tr("What is still to mend"));
+  problemList_->setAccessibleName(tr("Still to be corrected"));
   judge();
 }
 

@@ -81,7 +81,7 @@ QWidget* ExerciseEditor::form() {
   auto* fields = new QWidget;
   auto* form = new QFormLayout(fields);
   form->setSpacing(kSpace);
-  form->setContentsMargins(0, 0, kSpace, 0);
+  form->setContentsMargins(0, 0, 0, 0);
   texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_.field(), QT_TR_NOOP("Code")}});
   form->addRow(QString(), code_.problem());
   hints_.add(form, CurriculumField::kCode);
@@ -213,7 +213,7 @@ void ExerciseEditor::showContent() {
   }
   filling_ = true;
   code_.show(module->code);
-  title_->setText(toQString(module->title));
+  title_->setText(toQString(Text(module->title)));  // stored as it is until somebody types
   showPlaces(*module);
   target_->setValue(degrees(module->targetAngle_rad));
   tolerance_->setValue(degrees(module->tolerance_rad));
@@ -277,9 +277,11 @@ void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
       offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
     }
   }
-  constexpr int kMostRows = 3;  // in a low window; a high one shows more
-  const int rows = std::clamp(after_->count(), 1, kMostRows);
-  after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
+  constexpr int kMostRows = 3;  // in a low window; a high one shows more, but no empty lines
+  const int high = std::max(after_->sizeHintForRow(0), 3 * kSpace);
+  const int frames = 2 * after_->frameWidth();
+  after_->setMinimumHeight(std::clamp(after_->count(), 1, kMostRows) * high + frames);
+  after_->setMaximumHeight(std::max(after_->count(), 1) * high + frames);
 }
 
 void ExerciseEditor::take(const std::function<void(TrainingModule&)>& change) {

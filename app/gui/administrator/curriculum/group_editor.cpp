@@ -94,7 +94,7 @@ QWidget* GroupEditor::form() {
   auto* fields = new QWidget;
   auto* form = new QFormLayout(fields);
   form->setSpacing(kSpace);
-  form->setContentsMargins(0, 0, kSpace, 0);
+  form->setContentsMargins(0, 0, 0, 0);
   texts_.row(form, {{label_, QT_TR_NOOP("Name of the group")}, {code_.field(), QT_TR_NOOP("Code")}});
   form->addRow(QString(), code_.problem());
   hints_.add(form, CurriculumField::kCode);
@@ -159,7 +159,7 @@ void GroupEditor::showContent() {
   }
   filling_ = true;
   code_.show(arm->code);
-  label_->setText(toQString(arm->label));
+  label_->setText(toQString(Text(arm->label)));  // stored as it is until somebody types
   rest_->setValue(minutes(arm->restAllowance_us));
   splittable_->setChecked(arm->restSplittable);
   splittable_->setEnabled(change && arm->restAllowance_us > 0);
@@ -199,7 +199,7 @@ void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
     where->addItem(phaseKindName(term.value), toQString(std::string(term.stored)));
   }
   chooseOrAdd(where, std::string(storedText(phase.kind)));
-  auto* name = new QLineEdit(toQString(phase.label));
+  auto* name = new QLineEdit(toQString(Text(phase.label)));
   QDoubleSpinBox* time = numberField(0.0, kMostMinutes, 1);
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;

@@ -93,7 +93,7 @@ StandardDialog::StandardDialog(QWidget* parent)
       borderline_(new QDoubleSpinBox(this)),
       answer_(sentence(this, false)),
       form_(new QFormLayout) {
-  setWindowTitle(tr("Where to draw the line"));
+  setWindowTitle(tr("Pass mark"));
   setMinimumWidth(kStandardWidth);
   method_->setObjectName(QStringLiteral("method"));
   table_->setObjectName(QStringLiteral("table"));
@@ -111,7 +111,7 @@ StandardDialog::StandardDialog(QWidget* parent)
   form_->addRow(QString(), asks_);
   form_->addRow(tr("&Table"), table_);
   form_->addRow(tr("&Rating that means borderline"), borderline_);
-  form_->addRow(tr("The line"), answer_);
+  form_->addRow(tr("Result"), answer_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->addLayout(form_);

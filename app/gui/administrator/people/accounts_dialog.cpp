@@ -10,11 +10,11 @@ namespace torsio::gui {
 
 AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const std::string& centre,
                                QWidget* parent)
-    : ShownOnceDialog(tr("Start passwords"),
-                      tr("These start passwords are shown only now. Hand each to its person, on a card in a "
-                         "closed envelope for example. At the first sign-in everybody chooses a password of "
-                         "their own."),
-                      tr("start-passwords.pdf"), parent),
+    : ShownOnceDialog(
+          tr("Start passwords"),
+          tr("These start passwords are shown only now. Give each to its owner, for example on a card in a "
+             "sealed envelope. Everybody chooses their own password at the first sign-in."),
+          tr("start-passwords.pdf"), parent),
       accounts_(accounts),
       centre_(centre) {
   std::vector<Row> rows;

@@ -227,7 +227,7 @@ bool ConsentTextsDialog::showHints() {
   const auto whole = [](const ConsentText& text) { return !text.title.empty() && !text.text.empty(); };
   const ConsentText* shown = present != nullptr && at < present->texts.size() ? &present->texts[at] : nullptr;
   sayHint(titleHint_, shown != nullptr && shown->title.empty() ? tr("Give the purpose a title.") : QString());
-  sayHint(textHint_, shown != nullptr && shown->text.empty() ? tr("Say what people agree to.") : QString());
+  sayHint(textHint_, shown != nullptr && shown->text.empty() ? tr("Enter what people agree to.") : QString());
   QString elsewhere;
   bool sound = shown == nullptr || whole(*shown);
   for (const ConsentWords& one : shown_.languages) {
@@ -323,8 +323,8 @@ void ConsentTextsDialog::addLanguage() {
 void ConsentTextsDialog::publish() {
   const std::optional<std::string> note =
       askReason(this, tr("Publish"),
-                tr("Everybody is asked with these texts from now on. Earlier decisions stay; whoever has "
-                   "decided about an earlier text is told so on their page. What has changed?"));
+                tr("From now on everybody is asked with these texts. Earlier decisions stay; people who "
+                   "decided on an earlier text are told so on their page. What has changed?"));
   if (!note) {
     return;
   }

@@ -29,9 +29,8 @@ InvitationsDialog::InvitationsDialog(std::vector<InvitationCardText> cards, std:
                                      QWidget* parent)
     : ShownOnceDialog(
           tr("Invitations"),
-          tr("Links and codes are shown only now. Each is for one person, and a link is good once and for a "
-             "week. A code goes to its person by another way than the link that another administrator hands "
-             "over."),
+          tr("Links and codes are shown only now. Each is for one person; a link works once and for a week. "
+             "Send each code by a different channel from the link, which another administrator hands over."),
           tr("invitations.pdf"), parent),
       cards_(std::move(cards)),
       centre_(std::move(centre)) {
@@ -66,8 +65,8 @@ std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logi
                                             const std::string& address, bool byTwo) {
   QuestionDialog dialog(
       parent, InvitationQuestion::tr("Invite"),
-      InvitationQuestion::tr("%1: a link each, with which they set a password of their own in a browser. A "
-                             "link made before is of no use then.")
+      InvitationQuestion::tr(
+          "%1: each receives a link to set a password in a browser. Any earlier link stops working.")
           .arg(logins));
   auto* where = new QLineEdit(toQString(address), &dialog);
   where->setObjectName(QStringLiteral("browserAddress"));
@@ -81,11 +80,10 @@ std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logi
   }
   why->setVisible(byTwo);
   dialog.column()->addLayout(form);
-  dialog.addNote(
-      byTwo
-          ? InvitationQuestion::tr("This needs two people: you get a code for each to hand over, and another "
-                                   "administrator, who confirms it, the link.")
-          : InvitationQuestion::tr("As torsio serve says it when it starts, or as your proxy is called."));
+  dialog.addNote(byTwo ? InvitationQuestion::tr("This needs two people: you receive a code for each person, "
+                                                "and another administrator, who confirms, receives the link.")
+                       : InvitationQuestion::tr(
+                             "The address that torsio serve shows when it starts, or that of your proxy."));
   QPushButton* ok = dialog.finish(InvitationQuestion::tr("&Invite"));
   const auto check = [&] {
     ok->setEnabled(!where->text().trimmed().isEmpty() && (!byTwo || !why->text().trimmed().isEmpty()));

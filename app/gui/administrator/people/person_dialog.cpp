@@ -120,7 +120,7 @@ class PersonDialog : public QDialog {
                  : tr("Choose a class here, or tick that the person trains.");
     });
     if (change_) {
-      form->addRow(tr("&Reason of the change"), reason_);
+      form->addRow(tr("&Reason for the change"), reason_);
       checks_->addNeeded(form, reason_, reasonWanted());
     }
     reason_->setVisible(change_);

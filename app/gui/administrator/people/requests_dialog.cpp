@@ -68,15 +68,14 @@ RequestsDialog::RequestsDialog(ShellContext& shell, QWidget* parent)
   QVBoxLayout* column = pageColumn(this);
   QLabel* words = sentence(this);
   words->setText(
-      tr("What needs two people waits here for two weeks. Nobody confirms what they asked for "
-         "themselves."));
+      tr("Actions that need two people wait here for two weeks. Nobody can confirm their own request."));
   column->addWidget(words);
   column->addWidget(table_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   column->addWidget(buttons);
   table_->setColumns(
       {{tr("What")}, {tr("About")}, {tr("Roles")}, {tr("Asked by")}, {tr("When")}, {tr("Why")}});
-  table_->setEmptyText(tr("Nothing waits for a second person."));
+  table_->setEmptyText(tr("Nothing is waiting for a second person."));
   connect(buttons, &QDialogButtonBox::rejected, this, &RequestsDialog::reject);
   connect(confirm_, &QPushButton::clicked, this, &RequestsDialog::confirm);
   connect(decline_, &QPushButton::clicked, this, &RequestsDialog::decline);
@@ -212,8 +211,8 @@ void RequestsDialog::erase(const OpenRequest& request) {
     copies = copiesText(shell_.session(), std::array{PersonId(request.request.subject)}, locale());
   });
   QuestionDialog dialog(this, tr("Erase a person"),
-                        tr("%1 asks to erase %2: \u201C%3\u201D. The identity is gone for good; marks stay "
-                           "under the code.")
+                        tr("%1 asks to erase %2: \u201C%3\u201D. The identity is erased permanently; marks "
+                           "stay under the code.")
                                 .arg(toQString(request.requestedBy), toQString(request.shown),
                                      toQString(request.request.reason)) +
                             copies);

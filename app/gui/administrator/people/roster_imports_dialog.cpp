@@ -39,8 +39,8 @@ RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
   takeBack_->setText(tr("&Take back\u2026"));
   QLabel* words = sentence(this);
   words->setText(
-      tr("A roster that was imported by mistake is taken back whole: whom it added goes, whom it changed is "
-         "as before. That can be done while nothing hangs on its people."));
+      tr("An import made by mistake can be undone as a whole: people it added are removed, people it changed "
+         "are restored. This works only while no records depend on them."));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(words);
   column->addWidget(table_, 1);
@@ -55,7 +55,7 @@ RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
                       {tr("State")},
                       {tr("Everybody")}});
   table_->hideAtFirst(kImportedPeople);  // whoever looks for one code finds the import
-  table_->setEmptyText(tr("No roster was imported yet."));
+  table_->setEmptyText(tr("No roster has been imported yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &RosterImportsDialog::reject);
   connect(takeBack_, &QPushButton::clicked, this, &RosterImportsDialog::takeBack);
   connect(table_, &DataTable::currentChanged, this, &RosterImportsDialog::showButtons);
@@ -69,7 +69,7 @@ QString RosterImportsDialog::stateText(const ImportedRoster& one) const {
   if (one.takenBack) {
     return tr("taken back");
   }
-  return one.hindrance.empty() ? tr("can be taken back") : toQString(one.hindrance);
+  return one.hindrance.empty() ? tr("can be undone") : toQString(one.hindrance);
 }
 
 void RosterImportsDialog::read() {
@@ -118,18 +118,18 @@ void RosterImportsDialog::takeBack() {
   if (ids.empty()) {
     return;
   }
-  const std::optional<std::string> reason = askReason(
-      this, tr("Take back"),
-      tr("People who go, with accounts that nobody used: %1. People who are as before: %2. Codes that were "
-         "given are not given again.")
-          .arg(added)
-          .arg(changed));
+  const std::optional<std::string> reason =
+      askReason(this, tr("Take back"),
+                tr("People removed, with accounts that were never used: %1. People restored: %2. Codes that "
+                   "were assigned are not reused.")
+                    .arg(added)
+                    .arg(changed));
   if (!reason) {
     return;
   }
   attempt(shell_, [&] {
     takeBackRosters(shell_.session(), ids, *reason);
-    shell_.notify(tr("%n import(s) taken back", nullptr, static_cast<int>(ids.size())));
+    shell_.notify(tr("%n import(s) undone", nullptr, static_cast<int>(ids.size())));
   });
   read();
 }

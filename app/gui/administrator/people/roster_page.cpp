@@ -131,7 +131,7 @@ void RosterPage::retranslate() {
   export_->setText(tr("&Export\u2026"));
   consents_->setText(tr("C&onsents\u2026"));
   package_->setText(tr("Export recor&ds of people\u2026"));
-  package_->setToolTip(tr("Everything the record holds about each of the chosen people, for themselves"));
+  package_->setToolTip(tr("Everything the record holds about each selected person, for that person"));
   erase_->setText(tr("Erase on re&quest\u2026"));
   table_->setColumns({{tr("Code")},
                       {tr("Name")},
@@ -282,8 +282,8 @@ void RosterPage::switchState() {
     const QString code = codesOf(alike);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
-                           tr("%1 keeps the record and is offered nowhere any more.").arg(code))
-               : askReason(this, tr("Came back"), tr("%1 is offered again.").arg(code));
+                           tr("The record of %1 is kept, but %1 no longer appears in lists.").arg(code))
+               : askReason(this, tr("Came back"), tr("%1 appears in lists again.").arg(code));
     if (!reason) {
       return;
     }
@@ -302,14 +302,15 @@ void RosterPage::askExportRecords() {
   }
   const bool one = people.size() == 1;
   const QString codes = codesOf(people);
-  const std::optional<std::string> reason = askReason(
-      this, tr("Export records of people"),
-      one ? tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
-               "holds the name; hand it to nobody else.")
-                .arg(codes)
-          : tr("A new folder takes a folder for each of %1, with everything about them: tables, recordings "
-               "and a list of all files. Each holds a name; hand each to its own person and to nobody else.")
-                .arg(codes));
+  const std::optional<std::string> reason =
+      askReason(this, tr("Export records of people"),
+                one ? tr("A new folder will hold everything about %1: tables, recordings and a list of all "
+                         "files. It contains the name; give it to nobody else.")
+                          .arg(codes)
+                    : tr("A new folder will hold a folder for each of %1, with everything about them: "
+                         "tables, recordings and a list of all files. Each contains a name; give each to its "
+                         "own person and to nobody else.")
+                          .arg(codes));
   if (!reason) {
     return;
   }

@@ -32,15 +32,15 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
       summary_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
-  setTitle(tr("What would happen"));
+  setTitle(tr("Preview of the import"));
   setSubTitle(
-      tr("Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and "
+      tr("Nothing has been saved yet. If any line has an error, nothing is imported: correct the file and "
          "choose it again."));
   setFinalPage(true);
   summary_->setWordWrap(true);
   progress_->setRange(0, kWhole);
   progress_->setTextVisible(false);
-  progress_->setAccessibleName(tr("How far it has come"));
+  progress_->setAccessibleName(tr("Progress"));
   progress_->hide();
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
@@ -83,7 +83,7 @@ void RosterPreviewPage::initializePage() {
   };
   const auto found = std::make_shared<Found>();
   shell_.run(
-      tr("Looking at the roster"),
+      tr("Reading the roster"),
       [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
           SessionContext& session, const ProgressCallback& progress) {
         try {
@@ -127,7 +127,7 @@ void RosterPreviewPage::showPreview() {
   if (import_.file->encoding != "UTF-8") {
     summary +=
         QLatin1Char(' ') +
-        tr("The file was read as %1: look at letters with accents.").arg(toQString(import_.file->encoding));
+        tr("The file was read as %1: check letters with accents.").arg(toQString(import_.file->encoding));
   }
   summary_->setText(summary);
   // Every column that the file fills, so that what is taken can be read before it is.

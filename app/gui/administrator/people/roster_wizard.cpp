@@ -118,8 +118,8 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
       checks_(new FieldChecks(this)) {
   setTitle(tr("The file"));
   setSubTitle(
-      tr("A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number "
-         "tells who somebody is; an e-mail address alone never does."));
+      tr("A table saved as CSV (UTF-8), one person a line, with a header line. People are identified by "
+         "their staff or student number, never by an e-mail address alone."));
   trainees_->setChecked(true);
   path_->setObjectName(QStringLiteral("path"));
   path_->setPlaceholderText(tr("Path of the CSV file"));
@@ -167,10 +167,9 @@ void RosterFilePage::sayColumns() {
   for (const RosterField field : rosterFields(kind)) {
     (isRequired(field, kind) ? needed : other) << rosterFieldName(field);
   }
-  columns_->setText(
-      tr("Needed columns: %1. Further columns, as far as you have them: %2. Their order and their "
-         "headings do not matter; the next step asks which is which.")
-          .arg(needed.join(tr(", ")), other.join(tr(", "))));
+  columns_->setText(tr("Required columns: %1. Optional columns: %2. Their order and headings do not matter; "
+                       "the next step asks which is which.")
+                        .arg(needed.join(tr(", ")), other.join(tr(", "))));
 }
 
 bool RosterFilePage::isComplete() const {
@@ -226,7 +225,8 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
       hint_(sentence(this, false)) {
   setTitle(tr("The columns"));
   setSubTitle(
-      tr("Which column holds what. Fields with a star are needed; the first lines of the file stand below."));
+      tr("Match the columns to the fields. Fields with a star are required; the first lines of the file are "
+         "shown below."));
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
   form_->setHorizontalSpacing(kSpace);
@@ -285,7 +285,7 @@ void RosterColumnsPage::addChoice(RosterField field) {
     QLabel* missing = fieldHint(this);
     form_->addWidget(missing, row + 1, side + 1);
     checks_->add(missing, choice, [choice] {
-      return choice->currentData().toInt() < 0 ? tr("Needed: choose its column, or add one to the file.")
+      return choice->currentData().toInt() < 0 ? tr("Required: choose its column, or add one to the file.")
                                                : QString();
     });
     checks_->touch(choice);  // the headings told nothing: it waits for an answer

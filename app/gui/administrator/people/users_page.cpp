@@ -126,7 +126,7 @@ void UsersPage::enter(const QVariant&) {
 
 void UsersPage::retranslate() {
   heading_->setTexts(tr("Users and roles"),
-                     tr("Who may sign in, and as what. Every change is kept in the audit trail."));
+                     tr("Who may sign in, and in which role. Every change is kept in the audit trail."));
   add_->setText(tr("&New user\u2026"));
   addForRoster_->setText(tr("&Accounts for the roster\u2026"));
   desk_->setText(tr("&Browsers\u2026"));
@@ -135,16 +135,14 @@ void UsersPage::retranslate() {
   password_->setText(tr("New &password\u2026"));
   cards_->setText(tr("&Kiosk cards\u2026"));
   cards_->setToolTip(
-      tr("Of the chosen trainees, or of all: a card with a barcode that opens a kiosk. A card made before is "
-         "of no use then."));
+      tr("For the selected trainees, or for all: a card with a barcode that opens a kiosk. Any earlier card "
+         "stops working."));
   revoke_->setText(tr("Re&voke cards\u2026"));
   invite_->setText(tr("&Invite\u2026"));
-  invite_->setToolTip(
-      tr("A link for each of the chosen users, with which they set a password in a browser."));
+  invite_->setToolTip(tr("A link for each selected user to set a password in a browser."));
   uninvite_->setText(tr("Revoke &links\u2026"));
-  endSessions_->setText(tr("&Sign out of browsers"));
-  endSessions_->setToolTip(
-      tr("Ends whatever the chosen users have open in browsers, within the moment of their next click."));
+  endSessions_->setText(tr("End &sessions"));
+  endSessions_->setToolTip(tr("Ends the browser sessions of the selected users at their next click."));
   table_->setColumns({{tr("Sign-in name")},
                       {tr("Person")},
                       {tr("Roles")},

@@ -45,7 +45,7 @@ void UsersPage::makeKioskCards() {
 void UsersPage::revokeKioskCards() {
   const std::vector<UserId> ids = chosenUsers();
   const std::optional<std::string> reason =
-      askReason(this, tr("Revoke cards"), tr("The cards of the chosen users open no kiosk any more."));
+      askReason(this, tr("Revoke cards"), tr("The cards of the selected users no longer open a kiosk."));
   if (!reason) {
     return;
   }
@@ -96,7 +96,7 @@ void UsersPage::inviteChosen() {
 void UsersPage::revokeInvitations() {
   const std::vector<UserId> ids = chosenUsers();
   const std::optional<std::string> reason =
-      askReason(this, tr("Revoke invitations"), tr("The links of the chosen users are of no use any more."));
+      askReason(this, tr("Revoke invitations"), tr("The links of the selected users stop working."));
   if (!reason) {
     return;
   }

@@ -53,6 +53,7 @@ TraceDialog::TraceDialog(ShellContext& shell, const CohortId& cohortId,
   steps_->setHeaderLabels({tr("Made of"), tr("Value")});
   steps_->setAccessibleName(tr("What the chosen number was made of"));
   steps_->setColumnWidth(0, kStepWidth);
+  steps_->setAllColumnsShowFocus(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   auto* told = sentence(this);

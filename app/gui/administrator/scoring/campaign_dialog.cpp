@@ -98,8 +98,8 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters,
   models_->setFixedHeight(kModelLines * models_->fontMetrics().lineSpacing() + 3 * kSpace);
   models_->setPlainText(tr("PM = proposed model\nFEM = finite elements\nMSM = mass-spring"));
   models_->setToolTip(
-      tr("Code = name. Behind a bar (|) may stand the id of a recording made with the model, for all models "
-         "or for none: the raters then watch it under its letter."));
+      tr("Code = name. After a bar (|) you may give the id of a recording made with the model, for all "
+         "models or for none: the raters then watch it under its letter."));
   fillRecordings(assets);
   fillRaters(raters);
   auto* form = new QFormLayout;
@@ -193,7 +193,7 @@ void CampaignDialog::addChecks(QFormLayout* form, QVBoxLayout* left) {
     checks_->add(hint, fields.back(), [&fields] {
       return sumOf(fields) == kWhole_milli
                  ? QString()
-                 : tr("The weights must sum to 1, and sum to %1.").arg(weightText(sumOf(fields)));
+                 : tr("The weights must sum to 1; they sum to %1.").arg(weightText(sumOf(fields)));
     });
     for (const QDoubleSpinBox* field : fields) {
       connect(field, &QDoubleSpinBox::valueChanged, this, [this, &fields] { checks_->touch(fields.back()); });

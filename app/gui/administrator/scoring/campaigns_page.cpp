@@ -133,7 +133,7 @@ void CampaignsPage::askNew() {
 
 void CampaignsPage::retranslate() {
   heading_->setTexts(tr("Evaluation of models"), tr("Raters score tissue models on nine indices; they see "
-                                                    "letters, not names, in an order of their own."));
+                                                    "letters, not names, each in a different order."));
   add_->setText(tr("&New evaluation\u2026"));
   table_->setColumns({{tr("Name")},
                       {tr("Raters"), true},

@@ -105,11 +105,10 @@ RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidge
   send_->setProperty("primary", true);
   table_->setColumns(
       {{tr("Rater")}, {tr("Mail address")}, {tr("Sheets"), true, true}, {tr("Late"), true, true}});
-  table_->setEmptyText(tr("Nobody owes a sheet."));
+  table_->setEmptyText(tr("No sheets are outstanding."));
   QLabel* words = sentence(this, false);
   words->setText(
-      tr("Each of the chosen raters gets a message with the labels of their own cases, and nothing "
-         "else."));
+      tr("Each selected rater receives a message with the labels of their own cases, and nothing else."));
   auto* row = new QHBoxLayout;
   passwordLabel_ = addField(row, password_);
   nameField(passwordLabel_, tr("Pass&word of the mail server"));

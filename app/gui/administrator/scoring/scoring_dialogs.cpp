@@ -74,8 +74,7 @@ std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent, const std::vec
     boxes->addWidget(box);
     points.emplace_back(occasion.code, box);
   }
-  auto* limited =
-      new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "To be done by the end of")), &dialog);
+  auto* limited = new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "Due by the end of")), &dialog);
   limited->setObjectName(QStringLiteral("limited"));
   auto* due = new QDateEdit(QDate::currentDate().addDays(kUsualDays), &dialog);
   due->setObjectName(QStringLiteral("due"));
@@ -137,7 +136,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
     return needed && reason->text().trimmed().isEmpty() ? reasonWanted() : QString();
   });
   dialog.column()->addLayout(form);
-  checks.decide(dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it"))),
+  checks.decide(dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Apply"))),
                 [&states] { return !states.empty(); });
   QObject::connect(point, &QComboBox::currentIndexChanged, &checks, &FieldChecks::check);
   if (dialog.exec() != QDialog::Accepted) {
@@ -186,7 +185,7 @@ void fillAdjudicators(QComboBox* box, const std::vector<const AdjudicatorRequest
     return;
   }
   if (chosen.size() > 1) {
-    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "for each case the freest of the same class")),
+    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "for each case the least busy of the same class")),
                  QString());
   }
   for (const Adjudicator& rater : chosen.front()->free) {
@@ -225,8 +224,8 @@ std::vector<AdjudicatorChosen> chooseAdjudicators(QWidget* parent,
   QuestionDialog dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign an adjudicator")),
                         translated(QT_TRANSLATE_NOOP(
                             "Scoring",
-                            "Physicians could not agree about these cases and ask for one more. The freest "
-                            "one of the same class is suggested; nobody learns who asked.")));
+                            "Physicians could not agree on these cases and ask for another opinion. The "
+                            "least busy rater of the same class is suggested; nobody learns who asked.")));
   dialog.resize(860, 460);
   auto* table = new DataTable(QString(), &dialog);
   table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},

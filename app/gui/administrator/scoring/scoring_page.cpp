@@ -256,8 +256,8 @@ void ScoringPage::reassignSheets() {
     const SheetsMoved moved =
         reassignAll(shell().session(), chosen->sheets, chosen->newRaterId, chosen->reason);
     read();
-    shell().notify(tr("%n sheet(s) changed hands. Reassign takes them back, too.", nullptr,
-                      static_cast<int>(moved.moved)));
+    shell().notify(
+        tr("%n sheet(s) reassigned. Reassign can also return them.", nullptr, static_cast<int>(moved.moved)));
   });
 }
 
@@ -303,21 +303,21 @@ void ScoringPage::showCalibration() {
 }
 
 void ScoringPage::retranslate() {
-  heading_->setTexts(tr("Scoring"),
-                     tr("Who scores whom, and how far it has come. Marks are not shown here."));
+  heading_->setTexts(tr("Scoring"), tr("Who scores whom, and progress so far. Marks are not shown here."));
   calibration_->setText(tr("Rater cali&bration\u2026"));
   revise_->setText(tr("Scoring &sheet\u2026"));
   revise_->setToolTip(tr("What raters fill in: criteria, scales, anchors and weights"));
   calibration_->setToolTip(tr("The reference runs that every physician scores first"));
   invite_->setText(tr("&Invite raters\u2026"));
-  adjudicator_->setToolTip(tr("Physicians could not agree and ask for one more"));
+  adjudicator_->setToolTip(tr("Physicians could not agree and ask for another opinion"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
   reassign_->setToolTip(tr("The sheets of the chosen rows, or of all: to another rater, or back"));
   remind_->setText(tr("Copy re&minders"));
-  remind_->setToolTip(tr("Whom to remind of which cases, as a text for your mail"));
+  remind_->setToolTip(tr("Which raters still owe which cases, ready to paste into an email"));
   mail_->setText(tr("Sen&d reminders\u2026"));
-  mail_->setToolTip(tr("By the mail server of the centre, to all who owe a sheet or some of them"));
+  mail_->setToolTip(
+      tr("Through the centre's mail server, to all raters with outstanding sheets or some of them"));
   release_->setText(tr("Re&lease marks\u2026"));
   table_->setEmptyText(tr(
       "No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own."));

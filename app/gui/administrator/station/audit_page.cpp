@@ -130,30 +130,28 @@ void AuditPage::readMore() {
 }
 
 void AuditPage::retranslate() {
-  heading_->setTexts(
-      tr("Audit trail"),
-      tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
-         "without being found."));
+  heading_->setTexts(tr("Audit trail"), tr("Who did what, when, where and why. Entries are chained, so none "
+                                           "can be changed or removed unnoticed."));
   for (QDateEdit* day : {from_, to_}) {
     showAsDate(day);
   }
   verify_->setText(tr("&Verify"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded run"));
   heads_->setText(tr("&Heads\u2026"));
-  heads_->setToolTip(tr("The key of this station, its witness file, and what kept heads say"));
+  heads_->setToolTip(tr("The key of this station, its witness file, and the check against saved heads"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything"),
-                          tr("Between two days")};
+                          tr("Between two dates")};
   for (int index = 0; index < spans.size(); ++index) {
     days_->setItemText(index, spans[index]);
   }
-  more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
+  more_->setToolTip(tr("Only the newest entries of this period are shown; press to show twice as many"));
   days_->setAccessibleName(tr("Time span"));
   from_->setAccessibleName(tr("From"));
   to_->setAccessibleName(tr("Until"));
   export_->setText(tr("&Export\u2026"));
-  export_->setToolTip(tr("All entries of this time as a table (CSV)"));
-  entry_->setAccessibleName(tr("Chosen entry"));
-  entry_->setPlaceholderText(tr("Choose an entry to see what was changed."));
+  export_->setToolTip(tr("All entries of this period as a table (CSV)"));
+  entry_->setAccessibleName(tr("Selected entry"));
+  entry_->setPlaceholderText(tr("Select an entry to see what was changed."));
   table_->setColumns({{tr("No."), true},
                       {tr("When")},
                       {tr("Who")},
@@ -162,7 +160,7 @@ void AuditPage::retranslate() {
                       {tr("Object")},
                       {tr("Why")},
                       {tr("Code")}});
-  table_->setEmptyText(tr("Nothing happened in this time."));
+  table_->setEmptyText(tr("There are no entries in this period."));
   showContent();
   showVerdict();
 }
@@ -294,7 +292,7 @@ void AuditPage::showVerdict() {
   verdict_->setProperty("good", sound);
   verdict_->setProperty("caution", !sound);
   if (sound) {
-    verdict_->setText(tr("\u2713 Everything is as it was written: entries, marks and runs."));
+    verdict_->setText(tr("\u2713 Entries, marks and runs are exactly as they were recorded."));
   } else {
     QStringList lines{tr("\u26A0 %n finding(s). Do not report from this record before they are explained.",
                          nullptr, static_cast<int>(findings_->size()))};

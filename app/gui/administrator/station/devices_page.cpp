@@ -97,7 +97,7 @@ void DevicesPage::remember() {
   }
   attempt(shell(), [&] {
     rememberDevice(now);
-    shell().notify(tr("Kept. It holds at this station from the next sign-in on"));
+    shell().notify(tr("Saved. It applies at this station from the next sign-in"));
   });
 }
 
@@ -163,13 +163,12 @@ void DevicesPage::retranslate() {
   heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
   check_->setText(tr("&Check the device"));
   driverLabel_->setText(tr("This station w&orks with"));
-  driver_->setItemText(0, tr("the first device that is there"));
+  driver_->setItemText(0, tr("the first device found"));
   nameLabel_->setText(tr("De&vice name"));
-  name_->setPlaceholderText(tr("the usual one"));
+  name_->setPlaceholderText(tr("default"));
   others_->setText(tr("Other &programs\u2026"));
   force_->setText(tr("&Force test: somebody holds the stylus"));
-  table_->setColumns(
-      {{tr("Result")}, {tr("What was looked at")}, {tr("What was found")}, {tr("What to do")}});
+  table_->setColumns({{tr("Result")}, {tr("Checked")}, {tr("Findings")}, {tr("What to do")}});
   table_->setEmptyText(tr("Press Check the device."));
   showContent();
 }

@@ -218,12 +218,12 @@ void HeadsPage::showStation() {
     key = tr("Heads are signed with the key in %1\nIts public part, to be kept where heads are checked: %2")
               .arg(toQString(heads_.anchor.key), toQString(heads_.publicKey));
     if (heads_.keyBesideRecord) {
-      key += QLatin1Char('\n') +
-             tr("! The key lies beside the record: whoever takes the folder can sign. Move it away.");
+      key += QLatin1Char('\n') + tr("! The key is stored beside the record: anyone who takes the folder can "
+                                    "sign. Move it elsewhere.");
     }
   } else {
     key =
-        tr("! This station has no key, so its heads are not signed: whoever can change the place where they "
+        tr("! This station has no key, so its heads are not signed: anyone with write access to where they "
            "are kept can replace them.");
   }
   keyText_->setText(key);
@@ -237,14 +237,14 @@ void HeadsPage::showStation() {
         tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
             .arg(toQString(heads_.anchor.witness), locale().toString(static_cast<qlonglong>(heads_.kept)));
     if (heads_.witnessOnDisk) {
-      witness += QLatin1Char('\n') +
-                 tr("! It lies on the disk of the record: whoever takes the disk, or puts an older one back, "
-                    "has both. Choose a file on another disk.");
+      witness +=
+          QLatin1Char('\n') + tr("! It is on the same disk as the record: anyone who takes the disk, or puts "
+                                 "an older one back, has both. Choose a file on another disk.");
     }
   } else {
     witness =
-        tr("! This station keeps no heads. A record that was cut off, rewritten or put back is not "
-           "found by itself.");
+        tr("! This station keeps no heads. A record that was truncated, rewritten or replaced by an older "
+           "one would go unnoticed.");
   }
   if (!heads_.trouble.str().empty()) {
     witness += QLatin1Char('\n') + QStringLiteral("! ") + toQString(heads_.trouble);
@@ -270,7 +270,7 @@ void HeadsPage::showButtons() {
 void HeadsPage::makeKey(const std::filesystem::path& file) {
   attempt(shell(), [&] {
     makeStationKey(shell().session(), file);
-    shell().notify(tr("The key is made. Note its public part elsewhere"));
+    shell().notify(tr("The key has been created. Note its public part elsewhere"));
   });
   read();
 }
@@ -336,7 +336,7 @@ void HeadsPage::printHead() {
 
 void HeadsPage::loadWitness() {
   const QString file =
-      askFileToOpen(this, tr("Heads that were kept"), tr("Heads (*)"), toQString(heads_.anchor.witness));
+      askFileToOpen(this, tr("Saved heads"), tr("Heads (*)"), toQString(heads_.anchor.witness));
   if (file.isEmpty()) {
     return;
   }
@@ -353,7 +353,7 @@ void HeadsPage::verify() {
   const auto findings = std::make_shared<std::optional<std::vector<AuditFinding>>>();
   const auto unreadable = std::make_shared<std::optional<Error>>();
   shell().run(
-      tr("Comparing the record with kept heads"),
+      tr("Comparing the record with saved heads"),
       [findings, unreadable, lines = linesOf(lines_->toPlainText()),
        key = public_->text().trimmed().toStdString()](SessionContext& session, const ProgressCallback&) {
         try {
@@ -383,8 +383,7 @@ void HeadsPage::showVerdict() {
     return;
   }
   const bool sound = findings_->empty();
-  QStringList lines{sound ? tr("\u2713 The audit trail is the one that these heads were taken from, and "
-                               "nothing was cut off.")
+  QStringList lines{sound ? tr("\u2713 The audit trail matches these heads, and nothing has been removed.")
                           : tr("\u26A0 %n finding(s). Do not report from this record before they are "
                                "explained.",
                                nullptr, static_cast<int>(findings_->size()))};
@@ -399,28 +398,27 @@ void HeadsPage::showVerdict() {
 }
 
 void HeadsPage::retranslate() {
-  heading_->setTexts(
-      tr("Heads of the audit trail"),
-      tr("What is kept outside of the record, and finds what the record cannot tell of itself: "
-         "entries cut off, a trail rewritten, an older file put back."));
+  heading_->setTexts(tr("Heads of the audit trail"),
+                     tr("Heads are kept outside the record and reveal what it cannot show itself: entries "
+                        "removed, a trail rewritten, an older file put back."));
   back_->setText(tr("&Back to the audit trail"));
   station_->setTitle(tr("This station"));
   useKey_->setText(tr("&Use another key\u2026"));
   witness_->setText(tr("Choose the &witness file\u2026"));
   noWitness_->setText(tr("Keep &no heads"));
-  now_->setTitle(tr("The head now"));
+  now_->setTitle(tr("Current head"));
   nowText_->setText(
       tr("Length, hash and time of the trail in one line. Keep it where nobody who can change the record can "
-         "change it: on paper, in a mail, on another disk."));
-  line_->setAccessibleName(tr("The head now"));
+         "change it: on paper, in an email, on another disk."));
+  line_->setAccessibleName(tr("Current head"));
   copy_->setText(tr("&Copy"));
   print_->setText(tr("&Print\u2026"));
   add_->setText(tr("&Add to the witness file"));
-  compare_->setTitle(tr("Compare with heads that were kept"));
+  compare_->setTitle(tr("Compare with saved heads"));
   compareText_->setText(
       tr("Paste or type heads, one a line, or read a witness file. Without a public key they must be signed "
          "with the key of this station, where it has one."));
-  lines_->setAccessibleName(tr("Heads that were kept"));
+  lines_->setAccessibleName(tr("Saved heads"));
   load_->setText(tr("Read a &file\u2026"));
   nameField(publicLabel_, tr("Public &key"));
   public_->setPlaceholderText(tr("that of this station"));

@@ -55,7 +55,7 @@ void InstrumentOutletDialog::build() {
   QLabel* words = sentence(this, false);
   words->setText(
       tr("A program such as 3D Slicer can follow the instrument of this station in runs and free practice: "
-         "its pose, and when it touches, grips and lets go. Nothing says who trains."));
+         "its pose, and when it touches, grips and releases. The trainee's identity is not sent."));
   port_->setRange(1, 0xffff);
   port_->setGroupSeparatorShown(false);
   who_->addItem(tr("programs on this computer"), kOwnComputer);
@@ -114,7 +114,7 @@ void InstrumentOutletDialog::keep() {
     rememberTracker(choice);
     outlet_.reset();
     outlet_ = outletOfThisStation();
-    shell_.notify(tr("Kept. It holds at this station from the next sign-in on"));
+    shell_.notify(tr("Saved. It applies at this station from the next sign-in"));
   });
   showState();
 }

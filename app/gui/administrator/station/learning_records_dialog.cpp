@@ -153,8 +153,7 @@ void LearningRecordsDialog::keep() {
     setLrsSettings(shell_.session(), {.on = on_->isChecked(),
                                       .endpoint = endpoint_->text().trimmed().toStdString(),
                                       .homePage = homePage_->text().trimmed().toStdString()});
-    shell_.notify(on_->isChecked() ? tr("Kept. What happens from now on is sent")
-                                   : tr("Kept. Nothing is sent"));
+    shell_.notify(on_->isChecked() ? tr("Saved. Events are sent from now on") : tr("Saved. Nothing is sent"));
     showView(learningRecords(shell_.session()));
   });
 }

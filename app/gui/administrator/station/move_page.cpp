@@ -191,7 +191,7 @@ void MovePage::testServer() {
   }
   auto found = std::make_shared<ServerCheck>();
   shell().run(
-      tr("Looking at the server"),
+      tr("Checking the server"),
       [typed = address(), found](SessionContext& session, const ProgressCallback&) {
         *found = checkServer(session, typed);
       },

@@ -94,10 +94,9 @@ QString retentionCategoryName(const std::string& code) {
 
 std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
                                                     const std::vector<RetentionRule>& rules) {
-  QuestionDialog asked(
-      parent, RetentionDialog::tr("Rules for keeping records"),
-      RetentionDialog::tr("After this long without activity a record is listed for review. Nothing is "
-                          "erased by itself."));
+  QuestionDialog asked(parent, RetentionDialog::tr("Rules for keeping records"),
+                       RetentionDialog::tr("A record that has been inactive for this long is listed for "
+                                           "review. Nothing is erased automatically."));
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(2 * kSpace);
   grid->setVerticalSpacing(kSpace);

@@ -207,7 +207,7 @@ void RetentionQueue::retranslate() {
                       {tr("Due since")},
                       {tr("State")}});
   table_->setEmptyText(
-      tr("No record is due. Rules says after how long without activity a record is listed here."));
+      tr("No record is due. Rules sets how long a record may be inactive before it is listed here."));
   showRows();
 }
 

@@ -66,8 +66,6 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   warnLabel_ = addField(row, warn_);
   row->addSpacing(2 * kSpace);
   lockLabel_ = addField(row, lock_);
-  row->addSpacing(2 * kSpace);
-  row->addWidget(keep_);
   content()->addLayout(row);
   checks_->add(content(), name_, [this] {
     return name_->text().trimmed().isEmpty() ? tr("Enter the name of your centre.") : QString();
@@ -83,6 +81,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   signing->addStretch(1);
   learning_->setObjectName(QStringLiteral("learningRecordsButton"));
   signing->addWidget(learning_);
+  signing->addWidget(keep_);
   content()->addLayout(signing);
   content()->addWidget(note_);
   // Whichever was set last stands, and the other one makes room for it.
@@ -122,7 +121,7 @@ void StationSettingsCard::keep() {
     if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
       keepTwoPeople();
     }
-    shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
+    shell_.notify(tr("Saved. It applies at every station from the next sign-in"));
   });
 }
 
@@ -138,21 +137,21 @@ void StationSettingsCard::keepTwoPeople() {
 void StationSettingsCard::retranslate() {
   setTitle(tr("At every station"));
   nameField(nameLabel_, tr("&Name of the centre"));
-  nameField(warnLabel_, tr("When nobody is there, &warn after"));
+  nameField(warnLabel_, tr("When idle, &warn after"));
   nameField(lockLabel_, tr("and &lock after"));
   warn_->setSuffix(tr(" min"));
   lock_->setSuffix(tr(" min"));
   mouse_->setText(tr("&Grade runs with mouse and keyboard"));
-  sound_->setText(tr("A sound when a l&imit is reached (not in a room that is shared)"));
+  sound_->setText(tr("Play a sound when a l&imit is reached (not in a shared room)"));
   two_->setText(
       tr("&Two people for new passwords and roles of those who score or run the study, for erasing, "
          "restoring and opening the allocation"));
   cards_->setText(
-      tr("&Kiosks let trainees in by the code on their card, without a password (from their next start on)"));
-  nameField(signLabel_, tr("A password that was &entered signs for"));
+      tr("&Kiosks admit trainees by the code on their card, without a password (from their next start)"));
+  nameField(signLabel_, tr("One password &entry signs for"));
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));
-  note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
+  note_->setText(tr("This never interrupts a run. A kiosk signs out instead of locking."));
   learning_->setText(tr("Learning &records\u2026"));
   keep_->setText(tr("&Save"));
 }

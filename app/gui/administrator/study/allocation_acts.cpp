@@ -121,7 +121,7 @@ bool AllocationPage::reveal(const std::string& reason) {
 void AllocationPage::askReveal() {
   const std::optional<std::string> reason =
       askReason(this, tr("Open the seal"),
-                tr("From now on anybody can repeat the draw, and foresee what is left of it."));
+                tr("From now on anybody can repeat the draw and predict the remaining allocations."));
   if (reason) {
     reveal(*reason);
   }
@@ -151,7 +151,7 @@ void AllocationPage::check() {
         found.sound ? tr("The whole draw was repeated: every record is as drawn (%1), moved by hand: %2.")
                           .arg(found.records)
                           .arg(found.overrides)
-                    : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
+                    : tr("The draw does not match its record: %1").arg(toQString(found.finding)));
   });
 }
 

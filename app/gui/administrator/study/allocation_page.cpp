@@ -322,7 +322,7 @@ void AllocationPage::showDesign() {
 
 void AllocationPage::retranslate() {
   heading_->setTexts(tr("Allocation"),
-                     tr("Random groups that anybody can check afterwards: design, lock, draw, proof."));
+                     tr("Random allocation that anybody can verify afterwards: design, lock, draw, check."));
   cohortLabel_->setText(tr("&Cohort"));
   design_->setTitle(tr("Design"));
   methodLabel_->setText(tr("&Method"));
@@ -340,11 +340,11 @@ void AllocationPage::retranslate() {
   state_->setTitle(tr("Current design"));
   allocate_->setText(tr("&Allocate everybody"));
   cards_->setText(tr("Ca&rds\u2026"));
-  cards_->setToolTip(tr("A page with a label and a card for each envelope, to print"));
+  cards_->setToolTip(tr("A printable page with a label and a card for each envelope"));
   reveal_->setText(tr("&Open the seal\u2026"));
   check_->setText(tr("Chec&k the draw"));
   move_->setText(tr("Mo&ve by hand\u2026"));
-  move_->setToolTip(tr("Puts a trainee into another group than the draw did, with a reason"));
+  move_->setToolTip(tr("Moves a trainee to a group other than the one drawn, with a reason"));
   balance_->setColumns({{tr("Detail")},
                         {tr("Value")},
                         {tr("Trainees"), true},

@@ -131,13 +131,13 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
   attempt(shell_, [&] {
     if (request.room.empty()) {
       room_->setFocus();
-      shell_.notify(tr("Say in which room the real arm stands."));
+      shell_.notify(tr("Enter the room of the real arm."));
       return;
     }
     const CallCheck check = checkCall(shell_.session(), request);
     if (check.objection) {
       const std::optional<std::string> reason =
-          askReason(this, tr("Call nevertheless"),
+          askReason(this, tr("Call anyway"),
                     tr("%1, and \"%2\" is to be scored. Why now? It is noted as a deviation.")
                         .arg(toQString(*check.objection), occasionName(check.occasion)));
       if (!reason) {
@@ -201,8 +201,8 @@ void CallBar::addLine(int row, const CalledCase& called) {
   });
   connect(wrong, &QPushButton::clicked, this, [this, id, code = called.traineeCode] {
     const std::optional<std::string> reason =
-        askReason(this, tr("Take the call back"),
-                  tr("Somebody else than %1 stood at the arm: the sheets are closed again, what was typed is "
+        askReason(this, tr("Withdraw the call"),
+                  tr("Somebody other than %1 was at the arm: the sheets are closed again; what was typed is "
                      "kept for the next call.")
                       .arg(toQString(code)));
     if (!reason) {

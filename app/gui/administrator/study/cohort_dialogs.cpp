@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<C
 
 std::optional<std::string> askCohortName(QWidget* parent, const std::string& name) {
   QuestionDialog dialog(parent, CohortDialog::tr("Rename the cohort"),
-                        CohortDialog::tr("Reports made before keep the name that they were made under."));
+                        CohortDialog::tr("Earlier reports keep the previous name."));
   auto* field = new QLineEdit(toQString(name), &dialog);
   field->setObjectName(QStringLiteral("name"));
   nameField(addField(dialog.column(), field), CohortDialog::tr("&Name"));
@@ -140,13 +140,12 @@ std::optional<CohortStateChange> askCohortState(QWidget* parent, const QString& 
     step->addItem(text, static_cast<int>(next));
   };
   if (state == CohortState::kRunning) {
-    offer(CohortState::kClosed,
-          CohortDialog::tr("close: nobody trains, is enrolled, called or newly asked for sheets"));
+    offer(CohortState::kClosed, CohortDialog::tr("close: no more training, enrolment, calls or new sheets"));
   } else {
     if (state == CohortState::kClosed) {
-      offer(CohortState::kArchived, CohortDialog::tr("archive: closed, and left out of the lists"));
+      offer(CohortState::kArchived, CohortDialog::tr("archive: closed and hidden from lists"));
     }
-    offer(CohortState::kRunning, CohortDialog::tr("open again: it trains and is scored as before"));
+    offer(CohortState::kRunning, CohortDialog::tr("reopen: training and scoring as before"));
   }
   nameField(addField(dialog.column(), step), CohortDialog::tr("&Step"));
   auto* reason = new QLineEdit(&dialog);
@@ -155,7 +154,7 @@ std::optional<CohortStateChange> askCohortState(QWidget* parent, const QString& 
   FieldChecks checks(&dialog);
   checks.add(dialog.column(), reason,
              [reason] { return reason->text().trimmed().isEmpty() ? reasonWanted() : QString(); });
-  checks.decide(dialog.finish(CohortDialog::tr("Do it")));
+  checks.decide(dialog.finish(CohortDialog::tr("Apply")));
   if (dialog.exec() != QDialog::Accepted) {
     return std::nullopt;
   }
@@ -173,8 +172,7 @@ std::optional<std::string> askCurriculum(QWidget* parent, const QString& names,
   bool given = false;
   const QString title = QInputDialog::getItem(
       parent, CohortDialog::tr("Follow a curriculum"),
-      CohortDialog::tr("The groups of %1 go through its arms, number by number.").arg(names), titles, 0,
-      false, &given);
+      CohortDialog::tr("The groups of %1 follow its arms in order.").arg(names), titles, 0, false, &given);
   if (!given) {
     return std::nullopt;
   }

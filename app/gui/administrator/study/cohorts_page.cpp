@@ -265,9 +265,9 @@ void CohortsPage::changeState() {
                 [back](const Enrolment* one) { return (one->state == EnrolmentState::kWithdrawn) != back; });
   const QString codes = firstFew(namesOf(alike, [](const Enrolment& one) { return one.traineeCode; }));
   const std::optional<std::string> reason =
-      askReason(this, back ? tr("Back into the study") : tr("Withdraw from the study"),
+      askReason(this, back ? tr("Return to the study") : tr("Withdraw from the study"),
                 back ? tr("%1 takes part again.").arg(codes)
-                     : tr("%1 trains no further; what was recorded stays.").arg(codes));
+                     : tr("%1 stops training; existing records are kept.").arg(codes));
   if (!reason) {
     return;
   }

@@ -41,9 +41,9 @@ DeviationsDialog::DeviationsDialog(ShellContext& shell, const CohortId& cohortId
   table_->setEmptyText(tr("No deviation was noted."));
   correct_->setObjectName(QStringLiteral("correctDeviations"));
   correct_->setText(tr("Entered in &error\u2026"));
-  correct_->setToolTip(tr("Notes beside the chosen ones that they are wrong, and why; nothing is removed"));
+  correct_->setToolTip(tr("Marks the selected deviations as wrong, with the reason; nothing is removed"));
   QLabel* words = sentence(this, false);
-  words->setText(tr("What went otherwise than the protocol says. The report lists it as well."));
+  words->setText(tr("Where the study departed from the protocol. The report lists it as well."));
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &DeviationsDialog::reject);

@@ -26,8 +26,8 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& codes,
                                       const std::vector<StudyGroup>& groups) {
   QuestionDialog asked(
       parent, GroupMoveDialog::tr("Move to another group"),
-      GroupMoveDialog::tr("The draw put %1 into a group. A move by hand stands beside the drawn record "
-                          "for good, with its reason, and weakens the study.")
+      GroupMoveDialog::tr("%1 was allocated to a group by the draw. A manual move is kept permanently beside "
+                          "the drawn record, with its reason, and weakens the study.")
           .arg(codes));
   auto* group = new QComboBox(&asked);
   group->setObjectName(QStringLiteral("group"));

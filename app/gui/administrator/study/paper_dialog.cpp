@@ -209,7 +209,7 @@ void PaperDialog::keep() {
   attempt(shell_, [&] {
     switch (enterPaperSheet(shell_.session(), chosen_, typed())) {
       case PaperOutcome::kFirst:
-        shell_.notify(tr("Kept. It counts once somebody else has typed the same."));
+        shell_.notify(tr("Saved. It counts once somebody else has typed the same."));
         break;
       case PaperOutcome::kDiffers:
         shell_.notify(

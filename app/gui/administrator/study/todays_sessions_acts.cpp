@@ -160,9 +160,9 @@ void TodaysSessionsPage::changeState() {
     }
   }
   const std::optional<std::string> reason =
-      back ? askReason(this, tr("Back into the study"), tr("%1 takes part again.").arg(firstFew(codes)))
+      back ? askReason(this, tr("Return to the study"), tr("%1 takes part again.").arg(firstFew(codes)))
            : askReason(this, tr("Withdraw from the study"),
-                       tr("%1 trains no further; what was recorded stays.").arg(firstFew(codes)));
+                       tr("%1 stops training; existing records are kept.").arg(firstFew(codes)));
   if (!reason) {
     return;
   }

@@ -305,7 +305,7 @@ void TodaysSessionsPage::retranslate() {
   sheets_->setToolTip(tr("Of the chosen trainee; without one, of everybody whose scoring is due"));
   typeIn_->setText(tr("Type sheets in\u2026"));
   typeIn_->setObjectName(QStringLiteral("typeSheets"));
-  reminders_->setText(tr("Copy who owes which sheet"));
+  reminders_->setText(tr("Copy the outstanding sheets"));
   heading_->setTexts(
       tr("Today's sessions"),
       tr("Who is doing what, what is left, which sheets are missing, and whether the devices are fit."));
