@@ -30,10 +30,10 @@ QString dayText(std::int64_t utc_us, const QLocale& locale) {
 }
 
 QString shownTime(std::int64_t utc_us, const QLocale& locale) {
-  return utc_us == 0 ? QString(kDash)
-                     : QStringLiteral("%1 %2").arg(
-                           dayText(utc_us, locale),
-                           locale.toString(timeOf(utc_us).time(), QLocale::ShortFormat));
+  return utc_us == 0
+             ? QString(kDash)
+             : QStringLiteral("%1 %2").arg(dayText(utc_us, locale),
+                                           locale.toString(timeOf(utc_us).time(), QLocale::ShortFormat));
 }
 
 void showAsDate(QDateEdit* field) {

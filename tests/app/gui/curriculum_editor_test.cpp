@@ -216,8 +216,8 @@ TEST(CurriculumEditor, ShowsShippedNamesInTheLanguageOfTheWindow) {
   language.choose(Language::kEnglish);
   page->retranslate();
 
-  for (const char* english : {"Forearm: pronate to 60 degrees", "20 min virtual, 20 min real arm",
-                              "virtual 0-20 min"}) {
+  for (const char* english :
+       {"Forearm: pronate to 60 degrees", "20 min virtual, 20 min real arm", "virtual 0-20 min"}) {
     EXPECT_FALSE(shown.contains(QString::fromLatin1(english))) << english;
   }
   EXPECT_TRUE(shown.contains(QStringLiteral("\u524D\u81C2\uFF1A\u65CB\u524D 60 \u5EA6")));
