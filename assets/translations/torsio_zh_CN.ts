@@ -6266,7 +6266,7 @@
         <translation>各组随评分时点的变化</translation>
     </message>
     <message>
-        <source>DEMONSTRATION DATA - SIMULATED</source>
+        <source>DEMONSTRATION DATA – SIMULATED</source>
         <translation>演示数据（模拟）</translation>
     </message>
     <message>
@@ -22255,6 +22255,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>dataset-%1</source>
         <translation>dataset-%1</translation>
+    </message>
+    <message>
+        <source>Cells exactly as the file will hold them: words in English, numbers with all their digits.</source>
+        <translation>单元格即文件中的原值：词语为英文，数字保留全部位数。</translation>
     </message>
 </context>
 <context>
