@@ -99,7 +99,7 @@ void run(const ExportArguments& given, Write write) {
 }
 
 ExchangeFiles writeBook(SessionContext& session, const ExchangeData& data, const ExportArguments& given) {
-  const Wording wording = wordingIn(given.language);
+  const Wording wording = wordingIn(given.language, Signs::kOfFiles);
   return exportWorkbook(
       session, data, [&](const Text& text) { return wording(text).toStdString(); }, given.out);
 }

@@ -31,6 +31,12 @@ Text shortName(const ModelResult& model) {
                              : Text::verbatim("MSM");
 }
 
+/// Times from microseconds to minutes in one column: three digits, and all of a whole part.
+std::string readable(double value) {
+  const int before = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
+  return formatFixed(value, std::clamp(3 - before, 0, 6));
+}
+
 Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std::int64_t n) {
   Provenance provenance;
   provenance.formula = formula;
@@ -159,9 +165,9 @@ ReportTable accuracyTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-accuracy";
   table.title = Text::tr("Accuracy in equilibrium, against the reference");
-  table.columns = {Text::tr("model"),        Text::tr("end angle (deg)"), Text::tr("RMSE (mm)"),
-                   Text::tr("markers (mm)"), Text::tr("course (mm)"),     Text::tr("roughness (mm)"),
-                   Text::tr("radius (%)"),   Text::tr("volume (%)"),      Text::tr("energy (mJ)")};
+  table.columns = {Text::tr("Model"),        Text::tr("End angle (\u00b0)"), Text::tr("RMSE (mm)"),
+                   Text::tr("Markers (mm)"), Text::tr("Course (mm)"),        Text::tr("Roughness (mm)"),
+                   Text::tr("Radius (%)"),   Text::tr("Volume (%)"),         Text::tr("Energy (mJ)")};
   for (const ModelResult& model : result.models) {
     const ModelState& state = model.settled;
     if (!model.noEquilibrium.empty()) {
@@ -188,20 +194,20 @@ ReportTable timeTable(const ComparisonResult& result) {
   ReportTable table;
   table.id = "table-times";
   table.title = Text::tr("Processing times");
-  table.columns = {Text::tr("model"),      Text::tr("unknowns"),     Text::tr("set-up (s)"),
-                   Text::tr("frame (ms)"), Text::tr("worst (ms)"),   Text::tr("frames"),
-                   Text::tr("twist (s)"),  Text::tr("settling (s)"), Text::tr("last angle (deg)")};
+  table.columns = {Text::tr("Model"),      Text::tr("Unknowns"),     Text::tr("Set-up (s)"),
+                   Text::tr("Frame (ms)"), Text::tr("Worst (ms)"),   Text::tr("Frames"),
+                   Text::tr("Twist (s)"),  Text::tr("Settling (s)"), Text::tr("Last angle (\u00b0)")};
   for (const ModelResult& model : result.models) {
     table.rows.push_back({shortName(model), std::to_string(model.unknowns), formatFixed(model.setUp_s, 3),
-                          formatFixed(1e3 * model.frameMedian_s, 4), formatFixed(1e3 * model.frameWorst_s, 4),
-                          std::to_string(model.frames), formatFixed(model.deformation_s, 4),
+                          readable(1e3 * model.frameMedian_s), readable(1e3 * model.frameWorst_s),
+                          std::to_string(model.frames), readable(model.deformation_s),
                           formatFixed(model.settle_s, 2), formatFixed(degrees(model.moving.angle_rad), 2)});
   }
   table.notes = {
       Text::tr("Frame: the median. Settling: from the last frame to equilibrium, no part of the twist. Last "
                "angle: "
                "as the last frame showed it."),
-      Text::tr("The twist model alone, without its mesh, updates all key points in %1 microseconds.",
+      Text::tr("The twist model alone, without its mesh, updates all key points in %1 \u00b5s.",
                formatFixed(1e6 * result.latticeUpdate_s, 2))};
   table.provenance =
       comparedFrom(result, Text::tr("processing time"), static_cast<std::int64_t>(result.models.size()));

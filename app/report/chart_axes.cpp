@@ -176,8 +176,7 @@ QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const 
     axis->setStartValue(marks.front());
   }
   for (const double value : marks) {
-    appendTo(*axis, style_.number ? style_.number(value, decimals) : QString::number(value, 'f', decimals),
-             value);
+    appendTo(*axis, chartNumber(value, decimals, style_), value);
   }
   return axis;
 }

@@ -112,11 +112,15 @@ class Builder {
 
   [[nodiscard]] std::size_t lookOf(std::size_t s) const { return figure_.series[s].look.value_or(s); }
 
+  [[nodiscard]] QPen pen(const QColor& colour, double width, Qt::PenStyle dash = Qt::SolidLine) const {
+    return QPen(colour, style_.stroke * width, dash);
+  }
+
   [[nodiscard]] QScatterSeries* marks(std::size_t number, const Text& name, double size) const {
     auto* points = new QScatterSeries;
     points->setName(say_(name));
     points->setMarkerShape(kMarkers[number % kMarkers.size()]);
-    points->setMarkerSize(size);
+    points->setMarkerSize(style_.stroke * size);
     points->setColor(seriesColour(number, style_));
     points->setBorderColor(style_.dark ? style_.ground : seriesColour(number, style_).darker(150));
     return points;
@@ -145,7 +149,7 @@ class Builder {
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
       auto* set = new QBarSet(say_(figure_.series[s].name));
       set->setBrush(seriesFill(lookOf(s), style_));
-      set->setPen(QPen(seriesColour(lookOf(s), style_).darker(style_.dark ? 100 : 130), 1.2));
+      set->setPen(pen(seriesColour(lookOf(s), style_).darker(style_.dark ? 100 : 130), 1.2));
       for (const auto& value : figure_.series[s].y) {
         *set << value.value_or(0.0);
       }
@@ -153,12 +157,19 @@ class Builder {
     }
     add(all, axis, values_, true);
     inLegend_ = static_cast<int>(figure_.series.size());
+    ChartStyle fine = style_;  // a pattern as coarse as that of wide bars would not show in so small a field
+    fine.hatch = 1.0;
+    const QList<QLegendMarker*> fields = chart_->legend()->markers(all);
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      fields[static_cast<qsizetype>(s)]->setBrush(seriesFill(lookOf(s), fine));
+    }
   }
 
   /// A line with caps from low to high; across the axis of values when `lying`.
   QLineSeries* whisker(std::size_t number, double at, double low, double high, double cap, bool lying) const {
     auto* line = new QLineSeries;
-    line->setPen(QPen(seriesColour(number, style_), 2.0));
+    line->setPen(pen(seriesColour(number, style_), 2.0));
+    cap /= style_.hatch;  // the same share of a wide chart would be a fence
     const auto point = [lying](double along, double value) {
       return lying ? QPointF(value, along) : QPointF(along, value);
     };
@@ -217,9 +228,8 @@ class Builder {
       if (series.faint) {
         colour = paled(colour, kFaint, style_);
       }
-      QPen pen(colour, series.faint ? 1.1 : 2.2);
-      pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
-      line->setPen(pen);
+      line->setPen(pen(colour, series.faint ? 1.1 : 2.2,
+                       static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4))));
       line->setName(say_(series.name));
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i]) {
@@ -240,7 +250,7 @@ class Builder {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i] && series.low[i] < series.high[i]) {
           QLineSeries* bar = whisker(number, abscissa(series, i), series.low[i], series.high[i], cap, false);
-          bar->setPen(QPen(seriesColour(number, style_), 1.3));
+          bar->setPen(pen(seriesColour(number, style_), 1.3));
           add(bar, axis, values_, false);
         }
       }
@@ -280,7 +290,7 @@ class Builder {
   void through(const FigureSeries& series, QAbstractAxis* axis) {
     auto* line = new QLineSeries;
     line->setName(say_(series.name));
-    line->setPen(QPen(style_.ink, 1.2, Qt::DashLine));
+    line->setPen(pen(style_.ink, 1.2, Qt::DashLine));
     for (std::size_t i = 0; i < series.y.size(); ++i) {
       line->append(series.x[i], series.y[i].value_or(0.0));
     }
@@ -320,7 +330,7 @@ class Builder {
       auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
                               box.upperWhisker, say_(series.name));
       set->setBrush(paler(seriesColour(lookOf(s), style_)));
-      set->setPen(QPen(style_.ink, 1.4));
+      set->setPen(pen(style_.ink, 1.4));
       all->append(set);
       means->append(static_cast<double>(s), box.mean);
       for (const double value : box.outliers) {
@@ -351,7 +361,7 @@ class Builder {
       const FigureReference& reference = figure_.references[i];
       auto* line = new QLineSeries;
       line->setName(say_(reference.label));
-      line->setPen(QPen(style_.ink, 1.2, kStyles[i % kStyles.size()]));
+      line->setPen(pen(style_.ink, 1.2, kStyles[i % kStyles.size()]));
       if (lying) {
         line->append({{reference.value, axes_.across().low}, {reference.value, axes_.across().high}});
         add(line, values_, rows_, true);

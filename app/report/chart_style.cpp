@@ -7,6 +7,8 @@
 
 #include <QTransform>
 
+#include "app/report/printed_minus.h"
+
 namespace torsio {
 
 namespace {
@@ -54,6 +56,10 @@ QColor shade(double at, const ChartStyle& look) {
   static const QColor kDeep(0x06, 0x2B, 0x45);
   const double from = look.dark ? 1.0 - place : place;
   return from < 0.5 ? between(kPale, kMiddle, 2.0 * from) : between(kMiddle, kDeep, 2.0 * from - 1.0);
+}
+
+QString chartNumber(double value, int decimals, const ChartStyle& look) {
+  return look.number ? look.number(value, decimals) : printedMinus(QString::number(value, 'f', decimals));
 }
 
 QColor inkOn(const QColor& ground) {

@@ -16,9 +16,11 @@ struct ChartStyle {
   QColor ink{0x26, 0x32, 0x38};
   QColor grid{0xDD, 0xE3, 0xE6};
   bool dark = false;
-  int label_px = 13;   ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
-  double hatch = 1.0;  ///< size of the patterns of fills: larger where a chart is many pixels wide
-  /// Writes the numbers at the marks of an axis. Empty: as files have them, like the tables of a report.
+  int label_px = 13;    ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
+  double hatch = 1.0;   ///< size of the patterns of fills: larger where a chart is many pixels wide
+  double stroke = 1.0;  ///< size of marks and lines: likewise
+  /// Writes the numbers at the marks of an axis. Empty: not grouped, like those in the tables of a
+  /// report.
   std::function<QString(double value, int decimals)> number;
 };
 
@@ -32,6 +34,8 @@ struct ChartStyle {
 [[nodiscard]] QBrush seriesFill(std::size_t i, const ChartStyle& look = {});
 /// Shade of a heat map, `at` from 0 (lowest) to 1: lightness falls evenly, so that it reads in grey.
 [[nodiscard]] QColor shade(double at, const ChartStyle& look = {});
+/// A number of a chart, with the minus of print.
+[[nodiscard]] QString chartNumber(double value, int decimals, const ChartStyle& look);
 /// Ink that can be read on a ground.
 [[nodiscard]] QColor inkOn(const QColor& ground);
 

@@ -114,7 +114,7 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
         continue;
       }
       painter.setPen(inkOn(fill));
-      painter.drawText(cell, Qt::AlignCenter, QString::number(value, 'f', decimals_));
+      painter.drawText(cell, Qt::AlignCenter, chartNumber(value, decimals_, style_));
     }
   }
 }
@@ -197,7 +197,7 @@ void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
     const double y = bar.bottom() - at * bar.height();
     const double inside = std::clamp(y - 0.5 * metrics.height(), bar.top(), bar.bottom() - metrics.height());
     painter.drawText(QRectF(bar.right() + 4, inside, 60, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                     QString::number(low_ + at * (high_ - low_), 'f', high_ - low_ >= 8.0 ? 0 : 1));
+                     chartNumber(low_ + at * (high_ - low_), high_ - low_ >= 8.0 ? 0 : 1, style_));
   }
   if (figure_.yLabel.empty()) {
     return;

@@ -115,11 +115,10 @@ class Composer {
  private:
   [[nodiscard]] PlainTable plain(const ReportTable& table) const {
     PlainTable out;
-    for (const Text& column : table.columns) {  // "[95 %]", "Eq. 25" and "n - 1" stay together
+    for (const Text& column : table.columns) {  // "[95 %]" and "Eq. 25" stay together
       out.columns.push_back(say_(column)
                                 .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
-                                .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0"))
-                                .replace(QStringLiteral("n - 1"), QStringLiteral("n\u00A0\u2212\u00A01")));
+                                .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
     }
     for (const std::vector<Text>& row : table.rows) {
       TORSIO_EXPECTS(row.size() == table.columns.size());
@@ -276,7 +275,7 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
                                                model.numbersHash, model.auditHead));
     }
     if (model.demonstration) {
-      style.watermark = wording(Text::tr("DEMONSTRATION DATA - SIMULATED"));
+      style.watermark = wording(Text::tr("DEMONSTRATION DATA \u2013 SIMULATED"));
     }
     style.pageText = [&wording](std::size_t page, std::size_t pages) {
       return wording(Text::tr("page %1 of %2", page, pages));

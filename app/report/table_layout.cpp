@@ -9,6 +9,7 @@
 #include <QRectF>
 #include <QStringView>
 
+#include "app/report/printed_minus.h"
 #include "app/report/text_fit.h"
 
 namespace torsio {
@@ -26,8 +27,9 @@ constexpr double kMostStretch = 1.35;
 /// Numbers, and what stands in their place: "< 0.001", "4, 54".
 bool looksNumeric(const QString& cell) {
   static const QString kSigns = QStringLiteral("0123456789.,+-eE%<= ");
-  return !cell.isEmpty() &&
-         std::all_of(cell.begin(), cell.end(), [](QChar sign) { return kSigns.contains(sign); });
+  const QString plain = plainMinus(cell);
+  return !plain.isEmpty() &&
+         std::all_of(plain.begin(), plain.end(), [](QChar sign) { return kSigns.contains(sign); });
 }
 
 /// Of every column: the longest word, what keeps short cells on one line, the longest cell, and what its

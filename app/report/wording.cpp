@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <QTranslator>
 
+#include "app/report/printed_minus.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 
@@ -23,23 +25,28 @@ constexpr const char* kContext = "Text";
 
 }  // namespace
 
-QString worded(const Text& text, const std::function<QString(const std::string&)>& translate) {
+QString worded(const Text& text, const std::function<QString(const std::string&)>& translate, Signs signs) {
   if (text.empty()) {
     return {};
   }
+  const bool print = signs == Signs::kOfPrint;
+  QString pattern = translate(text.pattern());
   if (text.arguments().empty()) {
-    return translate(text.pattern());
+    return print ? printedMinus(std::move(pattern)) : pattern;
+  }
+  if (print) {
+    pattern = printedPattern(std::move(pattern));
   }
   std::vector<std::string> words;
   words.reserve(text.arguments().size());
   for (const Text& argument : text.arguments()) {
-    words.push_back(worded(argument, translate).toStdString());
+    words.push_back(worded(argument, translate, signs).toStdString());
   }
-  return QString::fromStdString(filledIn(translate(text.pattern()).toStdString(), words));
+  return QString::fromStdString(filledIn(pattern.toStdString(), words));
 }
 
 QString englishWording(const Text& text) {
-  return QString::fromStdString(text.str());
+  return worded(text, [](const std::string& pattern) { return QString::fromStdString(pattern); });
 }
 
 const std::vector<std::string>& reportLanguages() {
@@ -47,25 +54,30 @@ const std::vector<std::string>& reportLanguages() {
   return kLanguages;
 }
 
-Wording wordingIn(const std::string& language) {
+Wording wordingIn(const std::string& language, Signs signs) {
   const std::vector<std::string>& known = reportLanguages();
   if (std::find(known.begin(), known.end(), language) == known.end()) {
     throw Error(ErrorCode::kUsage, Text::tr("reports are not written in this language"), language,
                 Text::tr("Give en or zh_CN"));
   }
   if (language == kEnglish) {
-    return englishWording;
+    return [signs](const Text& text) {
+      return signs == Signs::kOfPrint ? englishWording(text) : QString::fromStdString(text.str());
+    };
   }
   initTranslations();
   const auto translator = std::make_shared<QTranslator>();
   const bool loaded = translator->load(
       QStringLiteral(":/torsio/translations/torsio_%1.qm").arg(QString::fromStdString(language)));
   TORSIO_EXPECTS(loaded);
-  return [translator](const Text& text) {
-    return worded(text, [&translator](const std::string& pattern) {
-      const QString translated = translator->translate(kContext, pattern.c_str());
-      return translated.isEmpty() ? QString::fromStdString(pattern) : translated;
-    });
+  return [translator, signs](const Text& text) {
+    return worded(
+        text,
+        [&translator](const std::string& pattern) {
+          const QString translated = translator->translate(kContext, pattern.c_str());
+          return translated.isEmpty() ? QString::fromStdString(pattern) : translated;
+        },
+        signs);
   };
 }
 

@@ -14,10 +14,14 @@ namespace torsio {
 /// How a report says a Text: in the language of whoever reads it.
 using Wording = std::function<QString(const Text&)>;
 
-/// `text` with the patterns that `translate` gives for its own and those of its arguments.
-[[nodiscard]] QString worded(const Text& text, const std::function<QString(const std::string&)>& translate);
+/// Who reads a text: people, who see the minus of print, or programs, which ask for the hyphen.
+enum class Signs { kOfPrint, kOfFiles };
 
-/// As it stands in the sources.
+/// `text` with the patterns that `translate` gives for its own and those of its arguments.
+[[nodiscard]] QString worded(const Text& text, const std::function<QString(const std::string&)>& translate,
+                             Signs signs = Signs::kOfPrint);
+
+/// The words of the sources, for people.
 [[nodiscard]] QString englishWording(const Text& text);
 
 /// The languages a report can be written in: "en", "zh_CN".
@@ -25,6 +29,6 @@ using Wording = std::function<QString(const Text&)>;
 
 /// The wording of one of reportLanguages(), whatever the language of the window. What its translation lacks
 /// stays English. Needs no window. Throws Error{kUsage} for another language.
-[[nodiscard]] Wording wordingIn(const std::string& language);
+[[nodiscard]] Wording wordingIn(const std::string& language, Signs signs = Signs::kOfPrint);
 
 }  // namespace torsio

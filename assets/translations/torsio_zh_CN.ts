@@ -6266,7 +6266,7 @@
         <translation>各组随评分时点的变化</translation>
     </message>
     <message>
-        <source>DEMONSTRATION DATA - SIMULATED</source>
+        <source>DEMONSTRATION DATA – SIMULATED</source>
         <translation>演示数据（模拟）</translation>
     </message>
     <message>
@@ -8762,6 +8762,10 @@
         <translation>形变时间（图 10），以 10 的幂表示</translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
         <source>model</source>
         <translation>模型</translation>
     </message>
@@ -8822,7 +8826,7 @@
         <translation>平衡时相对参考解的精度</translation>
     </message>
     <message>
-        <source>end angle (deg)</source>
+        <source>End angle (°)</source>
         <translation>端部角度（°）</translation>
     </message>
     <message>
@@ -8830,11 +8834,11 @@
         <translation>均方根误差（mm）</translation>
     </message>
     <message>
-        <source>roughness (mm)</source>
+        <source>Roughness (mm)</source>
         <translation>粗糙度（mm）</translation>
     </message>
     <message>
-        <source>energy (mJ)</source>
+        <source>Energy (mJ)</source>
         <translation>能量（mJ）</translation>
     </message>
     <message>
@@ -8846,20 +8850,20 @@
         <translation>计算时间</translation>
     </message>
     <message>
-        <source>unknowns</source>
+        <source>Unknowns</source>
         <translation>未知量</translation>
     </message>
     <message>
-        <source>set-up (s)</source>
+        <source>Set-up (s)</source>
         <translation>准备（s）</translation>
     </message>
     <message>
-        <source>frames</source>
+        <source>Frames</source>
         <translation>帧数</translation>
     </message>
     <message>
-        <source>The twist model alone, without its mesh, updates all key points in %1 microseconds.</source>
-        <translation>仅扭转模型（不含网格）更新全部关键点需 %1 微秒。</translation>
+        <source>The twist model alone, without its mesh, updates all key points in %1 µs.</source>
+        <translation>仅扭转模型（不含网格）更新全部关键点需 %1 µs。</translation>
     </message>
     <message>
         <source>Comparison of twist models</source>
@@ -9426,19 +9430,19 @@
         <translation>请给出截面数，或不填</translation>
     </message>
     <message>
-        <source>markers (mm)</source>
+        <source>Markers (mm)</source>
         <translation>标记点（mm）</translation>
     </message>
     <message>
-        <source>course (mm)</source>
+        <source>Course (mm)</source>
         <translation>曲线（mm）</translation>
     </message>
     <message>
-        <source>radius (%)</source>
+        <source>Radius (%)</source>
         <translation>半径（%）</translation>
     </message>
     <message>
-        <source>volume (%)</source>
+        <source>Volume (%)</source>
         <translation>体积（%）</translation>
     </message>
     <message>
@@ -9446,23 +9450,23 @@
         <translation>RMSE：对网格线的全部关键点计算；标记点与曲线：对其位移计算。半径：其最大变化。粗糙度：关键点半径变化与其四个相邻点之差。</translation>
     </message>
     <message>
-        <source>frame (ms)</source>
+        <source>Frame (ms)</source>
         <translation>每帧（ms）</translation>
     </message>
     <message>
-        <source>worst (ms)</source>
+        <source>Worst (ms)</source>
         <translation>最慢帧（ms）</translation>
     </message>
     <message>
-        <source>twist (s)</source>
+        <source>Twist (s)</source>
         <translation>扭转（s）</translation>
     </message>
     <message>
-        <source>settling (s)</source>
+        <source>Settling (s)</source>
         <translation>趋于平衡（s）</translation>
     </message>
     <message>
-        <source>last angle (deg)</source>
+        <source>Last angle (°)</source>
         <translation>末帧角（°）</translation>
     </message>
     <message>
@@ -22264,6 +22268,10 @@ MSM = 质点弹簧</translation>
         <source>dataset-%1</source>
         <translation>dataset-%1</translation>
     </message>
+    <message>
+        <source>Cells exactly as the file will hold them: words in English, numbers with all their digits.</source>
+        <translation>单元格即文件中的原值：词语为英文，数字保留全部位数。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::FigureCanvas</name>
@@ -23774,6 +23782,10 @@ Leave it empty to remove it.</source>
         <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. Make one: Audit trail, Heads.</source>
         <translation>本站的链头没有密钥签名，能改动其保存位置的人就能替换它们。请在“审计记录”的“链头”中生成密钥。</translation>
     </message>
+    <message>
+        <source>Disk in use: %1 %</source>
+        <translation>磁盘已用 %1 %</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MarkerEditor</name>
@@ -23856,6 +23868,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>For later, and for torsio compare --markers</source>
         <translation>供以后使用，也供 torsio compare --markers 使用</translation>
+    </message>
+    <message>
+        <source>Where the markers sit</source>
+        <translation>标记点的位置</translation>
     </message>
 </context>
 <context>
@@ -27121,8 +27137,8 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::RosterPage</name>
     <message>
-        <source>People</source>
-        <translation>人员</translation>
+        <source>Roster</source>
+        <translation>人员名册</translation>
     </message>
     <message>
         <source>Who trains and who scores. Everything else in the record knows them by their code only.</source>
@@ -29897,12 +29913,16 @@ T-02,master,17</translation>
         <source>force cut by the machine, times: %1</source>
         <translation>因计算机繁忙力中断 %1 次</translation>
     </message>
+    <message>
+        <source>Competence is judged as in “%1”.</source>
+        <translation>能力判定方式同“%1”。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::TrendPage</name>
     <message>
-        <source>Your way</source>
-        <translation>您的进程</translation>
+        <source>Trend</source>
+        <translation>趋势</translation>
     </message>
     <message>
         <source>Every attempt is kept and shown.</source>
@@ -29935,10 +29955,6 @@ T-02,master,17</translation>
     <message>
         <source>in the last run; threshold %1</source>
         <translation>上次操作；阈值 %1</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
     </message>
     <message>
         <source>This quantity has no threshold in this module.</source>

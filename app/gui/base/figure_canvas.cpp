@@ -14,6 +14,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/report/chart_builder.h"
+#include "app/report/printed_minus.h"
 #include "assessment/report/figure_table.h"
 
 namespace torsio::gui {
@@ -23,6 +24,7 @@ namespace {
 constexpr QSize kCopiedPicture(1600, 900);
 constexpr double kCopiedScale = 2.0;  // laid out at 800 x 450, drawn twice as large
 constexpr int kDescribedRows = 12;    // a screen reader offers the table for more
+constexpr int kLabel_px = 13;
 constexpr int kRowHeight = 26;
 constexpr int kFrameHeight = 110;
 
@@ -31,11 +33,20 @@ const Wording kTranslated = [](const Text& text) { return toQString(text); };
 
 }  // namespace
 
-/// Patterns are drawn for a chart of some hundred pixels; across a 4K screen their lines would melt into a
-/// tint.
-double hatchFor(int width) {
+/// Charts are drawn for some hundred pixels. Across a 4K screen the lines of patterns would melt into a tint,
+/// and marks, lines and letters would be lost.
+bool isWide(int width) {
   constexpr int kPlainUpTo = 1200;
-  return width <= kPlainUpTo ? 1.0 : 2.0;
+  return width > kPlainUpTo;
+}
+
+void growFor(int width, ChartStyle& look) {
+  constexpr double kStroke = 1.6;
+  constexpr int kWideLabel_px = 17;
+  const bool wide = isWide(width);
+  look.hatch = wide ? 2.0 : 1.0;
+  look.stroke = wide ? kStroke : 1.0;
+  look.label_px = wide ? kWideLabel_px : kLabel_px;
 }
 
 ChartStyle chartStyle(const Theme& theme) {
@@ -44,7 +55,7 @@ ChartStyle chartStyle(const Theme& theme) {
   look.ink = theme.text;
   look.grid = theme.line;
   look.dark = theme.kind == ThemeKind::kDark;
-  look.label_px = 13;
+  look.label_px = kLabel_px;
   look.number = [](double value, int decimals) { return numberText(value, decimals); };
   return look;
 }
@@ -54,7 +65,7 @@ QString tabbed(const ReportTable& table) {
   const auto line = [](const std::vector<Text>& cells) {
     QStringList parts;
     for (const Text& cell : cells) {
-      parts << toQString(cell);
+      parts << plainMinus(toQString(cell));
     }
     return parts.join(QLatin1Char('\t'));
   };
@@ -106,7 +117,7 @@ void FigureCanvas::rebuild() {
   if (!figure_) {
     return;
   }
-  style_.hatch = hatchFor(viewport()->width());
+  growFor(viewport()->width(), style_);
   item_ = buildFigure(*figure_, style_, kTranslated).release();
   scene()->addItem(item_);
   fit();
@@ -123,7 +134,7 @@ void FigureCanvas::fit() {
 
 void FigureCanvas::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  if (style_.hatch != hatchFor(viewport()->width())) {
+  if ((style_.hatch > 1.0) != isWide(viewport()->width())) {
     rebuild();
   } else {
     fit();

@@ -15,6 +15,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/number_text.h"
+#include "app/report/printed_minus.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
 
@@ -26,10 +27,11 @@ namespace {
 Cell cellOf(const Text& content) {
   Cell cell{toQString(content)};
   bool isNumber = false;
-  const double value = cell.text.toDouble(&isNumber);
+  const QString plain = plainMinus(cell.text);
+  const double value = plain.toDouble(&isNumber);
   if (isNumber) {
     cell.sortKey = value;
-    if (const QString shown = numberText(cell.text); !shown.isEmpty()) {
+    if (const QString shown = numberText(plain); !shown.isEmpty()) {
       cell.text = shown;
     }
   }

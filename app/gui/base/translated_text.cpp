@@ -130,14 +130,6 @@ QString meaningOf(ErrorCode code) {
   return QCoreApplication::translate("Text", "Something unexpected happened");
 }
 
-/// Errors begin in lower case: they also stand within lines of the command line.
-QString capitalised(QString sentence) {
-  if (!sentence.isEmpty()) {
-    sentence[0] = sentence[0].toUpper();
-  }
-  return sentence;
-}
-
 }  // namespace
 
 QString toQString(const std::string& utf8) {
@@ -154,6 +146,13 @@ std::filesystem::path toPath(const QString& text) {
 
 QString toQString(const Text& text) {
   return worded(text, patternInLanguage);
+}
+
+QString capitalised(QString sentence) {
+  if (!sentence.isEmpty()) {
+    sentence[0] = sentence[0].toUpper();
+  }
+  return sentence;
 }
 
 QString translatedLines(const std::vector<Text>& texts) {

@@ -31,6 +31,10 @@ template <typename Tag>
 /// lacks stays English. GUI thread.
 [[nodiscard]] QString toQString(const Text& text);
 
+/// Errors and findings begin in lower case, as they also stand within lines of the command line; alone on a
+/// screen they begin with a capital.
+[[nodiscard]] QString capitalised(QString sentence);
+
 /// Translates each text; joined, one a line. GUI thread.
 [[nodiscard]] QString translatedLines(const std::vector<Text>& texts);
 

@@ -216,7 +216,7 @@ void InstrumentPanel::showNumbers() {
             : tr("Nothing has been found yet."));
   QStringList remarks;
   for (const ScanRemark& remark : tool_.remarks) {
-    QString line = toQString(remark.code) + QStringLiteral(": ") + toQString(remark.what);
+    QString line = capitalised(toQString(remark.what));
     if (!remark.remedy.empty()) {
       line += QStringLiteral(". ") + toQString(remark.remedy);
     }

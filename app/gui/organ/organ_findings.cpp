@@ -36,10 +36,7 @@ QString wordsOf(const OrganFinding& finding) {
   if (sentence.startsWith(code)) {
     sentence = sentence.mid(code.size()).trimmed();
   }
-  if (!sentence.isEmpty()) {
-    sentence[0] = sentence[0].toUpper();
-  }
-  return sentence;
+  return capitalised(sentence);
 }
 
 QString number(double value, int decimals) {

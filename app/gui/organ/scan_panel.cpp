@@ -400,7 +400,7 @@ void ScanPanel::showState() {
     said += QLatin1Char('\n') + tr("The mask holds %1 ml").arg(numberText(*volume_ml, 0));
   }
   for (const ScanRemark& remark : state_.preview.remarks) {
-    said += QLatin1Char('\n') + toQString(remark.code) + QLatin1Char(' ') + toQString(remark.what);
+    said += QLatin1Char('\n') + capitalised(toQString(remark.what));
   }
   said_->setText(said);
 }

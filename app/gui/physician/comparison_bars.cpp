@@ -8,7 +8,7 @@
 #include <QPainter>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/physician/review_labels.h"
+#include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
 
@@ -17,7 +17,7 @@ namespace {
 constexpr int kBand = 10;
 
 QString tenths(double points) {
-  return pointsText(std::round(points * 10.0) / 10.0);
+  return numberText(points, 1);
 }
 
 }  // namespace

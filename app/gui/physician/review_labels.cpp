@@ -11,10 +11,9 @@
 namespace torsio::gui {
 
 QString pointsText(double points) {
-  QLocale locale;
   const bool whole = std::abs(points - std::round(points)) < 1e-9;
   const bool tenths = std::abs(points * 10.0 - std::round(points * 10.0)) < 1e-9;
-  return locale.toString(points, 'f', whole ? 0 : tenths ? 1 : 2);
+  return numberText(points, whole ? 0 : tenths ? 1 : 2);
 }
 
 QString scoreText(std::int64_t score_steps, const ScoreScale& scale) {

@@ -88,6 +88,7 @@ QWidget* MarkerEditor::createPanel() {
   card_->setFixedWidth(kEditorWidth);
   hint_ = sentence(card_);
   hint_->setMinimumHeight(kHintLines * hint_->fontMetrics().lineSpacing());  // in any language
+  hint_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   list_ = new QListWidget(card_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideNone);
@@ -260,7 +261,7 @@ void MarkerEditor::showMarkers() {
 }
 
 void MarkerEditor::retranslate() {
-  card_->setTitle(tr("Markers"));
+  card_->setTitle(tr("Where the markers sit"));
   hint_->setText(
       tr("Choose a marker and click on the organ to move it, or give section and ridge. Drag to turn the "
          "view."));

@@ -30,6 +30,8 @@ constexpr double kLegendBelow = 20.0;
 constexpr double kLegendHeight = 34.0;  // two lines
 constexpr double kSignRoom = 13.0;
 constexpr double kTipWithin = 6.0;
+constexpr double kAir = 7.0;  // of a lane above and below its marks: a curve at zero is no part of the frame
+constexpr double kLegendGap = 16.0;
 constexpr int kTimeMarks = 7;
 constexpr double kPressureStep_mmHg = 5.0;
 
@@ -212,7 +214,8 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
                              const std::vector<double>& values, double scale,
                              std::optional<double> limit) const {
   const auto yOf = [&lane](double value) {
-    return lane.area.bottom() - (value - lane.low) / (lane.high - lane.low) * lane.area.height();
+    return lane.area.bottom() - kAir -
+           (value - lane.low) / (lane.high - lane.low) * (lane.area.height() - 2.0 * kAir);
   };
   painter.setPen(theme_->quietText);
   painter.drawText(
@@ -255,7 +258,7 @@ void DetorsionPlot::drawTime(QPainter& painter, double bottom) const {
 }
 
 void DetorsionPlot::drawEvents(QPainter& painter, double bottom) const {
-  QStringList legend;
+  std::vector<DetorsionMoment> told;
   for (const DetorsionStory::Event& event : story_.events) {
     const double x = xOf(event.at_s);
     QColor faint = isMishap(event.what) ? theme_->caution : theme_->quietText;
@@ -265,16 +268,41 @@ void DetorsionPlot::drawEvents(QPainter& painter, double bottom) const {
       const QRectF area = lane(i, 0.0, 1.0).area;
       painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     }
-    const QString entry = QStringLiteral("%1\u00a0%2").arg(momentSign(event.what), momentName(event.what));
-    if (!legend.contains(entry)) {
-      legend << entry;
+    if (std::find(told.begin(), told.end(), event.what) == told.end()) {
+      told.push_back(event.what);
     }
   }
   drawSigns(painter, false);
   drawSigns(painter, true);
-  painter.setPen(theme_->quietText);
-  painter.drawText(QRectF(kLaneLeft, bottom + kLegendBelow, width() - kLaneLeft - kLaneRight, kLegendHeight),
-                   Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, legend.join(QStringLiteral("    ")));
+  drawLegend(painter, told, bottom + kLegendBelow);
+}
+
+QColor DetorsionPlot::signColour(DetorsionMoment moment) const {
+  return isMishap(moment) ? theme_->caution : theme_->text;
+}
+
+/// Each sign in the colour it has above.
+void DetorsionPlot::drawLegend(QPainter& painter, const std::vector<DetorsionMoment>& told,
+                               double top) const {
+  const QFontMetricsF metrics(painter.font());
+  const double line = kLegendHeight / 2.0;
+  double x = kLaneLeft;
+  for (const DetorsionMoment moment : told) {
+    const QString sign = momentSign(moment);
+    const QString name = momentName(moment);
+    const double signWidth = std::max(metrics.horizontalAdvance(sign), kSignRoom);
+    const double wide = signWidth + 3.0 + metrics.horizontalAdvance(name);
+    if (x > kLaneLeft && x + wide > width() - kLaneRight) {
+      x = kLaneLeft;
+      top += line;
+    }
+    painter.setPen(signColour(moment));
+    painter.drawText(QRectF(x, top, signWidth, line), Qt::AlignCenter, sign);
+    painter.setPen(theme_->text);
+    painter.drawText(QRectF(x + signWidth + 3.0, top, metrics.horizontalAdvance(name) + 1.0, line),
+                     Qt::AlignLeft | Qt::AlignVCenter, name);
+    x += wide + kLegendGap;
+  }
 }
 
 void DetorsionPlot::drawSigns(QPainter& painter, bool mishaps) const {
@@ -291,7 +319,7 @@ void DetorsionPlot::drawSigns(QPainter& painter, bool mishaps) const {
       x = free;  // what went wrong is never left out
     }
     free = x + kSignRoom;
-    painter.setPen(mishaps ? theme_->caution : theme_->text);
+    painter.setPen(signColour(event.what));
     painter.drawText(QRectF(x - 10.0, mishaps ? kSignRow : 0.0, 20.0, kSignRow), Qt::AlignCenter,
                      momentSign(event.what));
   }

@@ -58,6 +58,8 @@ class DetorsionPlot : public QWidget {
   void drawTime(QPainter& painter, double bottom) const;
   void drawEvents(QPainter& painter, double bottom) const;
   void drawSigns(QPainter& painter, bool mishaps) const;
+  void drawLegend(QPainter& painter, const std::vector<DetorsionMoment>& told, double top) const;
+  [[nodiscard]] QColor signColour(DetorsionMoment moment) const;
 
   const Theme* theme_;
   DetorsionStory story_;

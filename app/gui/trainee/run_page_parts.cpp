@@ -115,6 +115,7 @@ void RunPage::createTime(QWidget* panel) {
   countdown_->setObjectName(QStringLiteral("countdown"));
   makeHuge(countdown_, kCountdown_pt);
   progress_ = new QProgressBar(time_);
+  progress_->setObjectName(QStringLiteral("timeLeft"));
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
   phase_ = plainLabel(time_, "quiet");

@@ -94,7 +94,8 @@ void RunPage::showState() {
   const bool real = phase.arm == PhaseKind::kReal;
   countdown_->setText(clockTimeLeft(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
-  progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
+  progress_->setValue(  // what is left, as the figure above it
+      static_cast<int>(run.remainingInPhase_us() * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
   const int number = static_cast<int>(run.phaseIndex()) + 1;
   const int all = static_cast<int>(run.plan().phases.size());
   phase_->setVisible(all > 1);

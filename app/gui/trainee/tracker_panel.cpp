@@ -16,6 +16,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/tracker/tracker_choice.h"
 #include "sim/base/angle.h"
@@ -156,9 +157,8 @@ void TrackerPanel::showLink(bool recording) {
   }
   const Vec3 mm = view.pose.position_m * kMillimetresPerMetre;
   pose_->setText(tr("%1: %2, %3, %4 mm, turned by %5\302\260")
-                     .arg(toQString(view.instrument), QString::number(mm.x, 'f', 1),
-                          QString::number(mm.y, 'f', 1), QString::number(mm.z, 'f', 1),
-                          QString::number(turnOf_deg(view.pose.orientation), 'f', 0)));
+                     .arg(toQString(view.instrument), numberText(mm.x, 1), numberText(mm.y, 1),
+                          numberText(mm.z, 1), numberText(turnOf_deg(view.pose.orientation), 0)));
   const QString missing = view.stamped ? QString::number(view.counts.missing) : tr("not known");
   counts_->setText(tr("Poses: %1, missing: %2, late: %3, of no use: %4; %5 a second")
                        .arg(QString::number(view.counts.received), missing, QString::number(view.counts.late),

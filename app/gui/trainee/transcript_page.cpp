@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <system_error>
 
 #include <QPageLayout>
@@ -31,6 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLeast = 420;
+constexpr int kAboveModule_px = 22;
 const QMarginsF kPaperMargins_mm(20.0, 20.0, 20.0, 20.0);
 
 QString cell(const QString& text) {
@@ -92,13 +94,18 @@ QString TranscriptPage::html(bool paper) const {
            .arg(t.virtual_min, 0, 'f', 1)
            .arg(t.real_min, 0, 'f', 1)
            .arg(t.rest_min, 0, 'f', 1));
+  std::map<QString, QString> judgedAs;  // the module that says it first
   for (const TranscriptModule& module : t.modules) {
     const QString title = toQString(Text(module.step.module.title));
-    page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
+    page += QStringLiteral("<h3 style='margin-top: %1px'>%2</h3>")
+                .arg(kAboveModule_px)
+                .arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence)));
-    line(StationLabels::competenceDesign(module.competence) + QLatin1Char(' ') +
-         StationLabels::competenceErrors(module.competence));
+    const QString judgedHow = StationLabels::competenceDesign(module.competence) + QLatin1Char(' ') +
+                              StationLabels::competenceErrors(module.competence);
+    const auto [first, isNew] = judgedAs.try_emplace(judgedHow, title);
+    line(isNew ? judgedHow : tr("Competence is judged as in \u201c%1\u201d.").arg(first->second));
     if (module.attempts.empty()) {
       continue;
     }
@@ -122,7 +129,7 @@ QString TranscriptPage::html(bool paper) const {
                                 ? QString()
                                 : tr("force cut by the machine, times: %1").arg(attempt.forceCuts)));
     }
-    page += QStringLiteral("</table>");
+    page += QStringLiteral("</table><p></p>");
   }
   if (paper) {
     line(tr("Made on %1 with Torsio %2. A training record, no certificate of clinical competence.")

@@ -181,8 +181,7 @@ void TrendPage::applyTheme(const Theme& theme) {
 }
 
 void TrendPage::fill() {
-  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : toQString(Text(trend_.moduleTitle)),
-                     tr("Every attempt is kept and shown."));
+  heading_->setTexts(tr("Trend"), tr("Every attempt is kept and shown."));
   moduleLabel_->setText(tr("&Module"));
   metricLabel_->setText(tr("&Quantity"));
   fillChoices();
@@ -213,7 +212,7 @@ void TrendPage::fill() {
                                                           : tr("in the last run; threshold %1"))
                                .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
   } else {
-    distanceFigure_->setText(tr("None"));
+    distanceFigure_->setText(QStringLiteral("\u2013"));
     distanceText_->setText(tr("This quantity has no threshold in this module."));
   }
   left_->setTitle(tr("Attempts"));

@@ -6,17 +6,13 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "app/report/printed_minus.h"
+
 namespace torsio::gui {
-
-namespace {
-
-constexpr QChar kMinus(0x2212);
-
-}  // namespace
 
 QString numberText(double value, int decimals) {
   const bool zero = std::abs(value) * std::pow(10.0, decimals) < 0.5;
-  return QLocale().toString(zero ? 0.0 : value, 'f', decimals).replace(QLatin1Char('-'), kMinus);
+  return printedMinus(QLocale().toString(zero ? 0.0 : value, 'f', decimals));
 }
 
 QString numberText(const QString& plain) {
@@ -24,10 +20,6 @@ QString numberText(const QString& plain) {
   const QRegularExpressionMatch number = kNumber.match(plain);
   return number.hasMatch() ? numberText(plain.toDouble(), static_cast<int>(number.capturedLength(2)))
                            : QString();
-}
-
-QString plainMinus(QString shown) {
-  return shown.replace(kMinus, QLatin1Char('-'));
 }
 
 }  // namespace torsio::gui

@@ -8,7 +8,7 @@
 namespace torsio::gui {
 
 // Numbers as every screen shows them: grouped as QLocale() groups, with the minus of print and no minus
-// before a zero. What is typed, copied or written to a file keeps the plain form. Any thread.
+// before a zero. What is typed, copied or written to a file keeps the plain form (plainMinus()). Any thread.
 
 [[nodiscard]] QString numberText(double value, int decimals);
 template <std::integral Count>
@@ -19,8 +19,5 @@ template <std::integral Count>
 /// A number that was written in the form of files ("-1808.50", "7666"), with its decimals; empty: it is none,
 /// or it has an exponent.
 [[nodiscard]] QString numberText(const QString& plain);
-
-/// As files have it: the minus of print becomes a hyphen.
-[[nodiscard]] QString plainMinus(QString shown);
 
 }  // namespace torsio::gui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/comparison/comparison_run.h"
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <ctime>
 #include <filesystem>
@@ -122,6 +124,20 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   EXPECT_EQ(report.sections[1].figures[1].series.size(), 8U);  // both subjects
   for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
+  }
+  for (const ReportTable* table : {&report.sections[0].tables[0], &report.sections[1].tables[0]}) {
+    for (const Text& column : table->columns) {
+      EXPECT_TRUE(std::isupper(static_cast<unsigned char>(column.str().front()))) << column;
+    }
+  }
+  for (const std::vector<Text>& row : report.sections[0].tables[0].rows) {
+    for (const std::size_t c : {3U, 4U}) {  // milliseconds from those of the twist model to those of elements
+      const std::string cell = row[c].str();
+      EXPECT_LE(std::count_if(cell.begin(), cell.end(), [](char sign) { return sign >= '1' && sign <= '9'; }),
+                5)
+          << cell;
+      EXPECT_TRUE(cell.size() < 5 || cell.find('.') == std::string::npos || cell.starts_with("0.")) << cell;
+    }
   }
   std::set<std::string> names;
   for (const Text& name : report.sections[0].figures[0].categories) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <QAbstractTextDocumentLayout>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextLayout>
@@ -146,6 +148,44 @@ TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePageIs) {
   }
 }
 
+/// The first cells of tables that reach beyond the sheet.
+std::string tooWide(const ReportPreview& preview) {
+  std::string names;
+  const double edge = preview.viewport()->width();
+  for (QTextFrame* frame : preview.document()->rootFrame()->childFrames()) {
+    const auto* table = qobject_cast<const QTextTable*>(frame);
+    const QRectF area = preview.document()->documentLayout()->frameBoundingRect(frame);
+    if (table == nullptr || area.right() <= edge) {
+      continue;
+    }
+    names += std::to_string(static_cast<int>(area.width())) + " px: ";
+    for (int c = 0; c < table->columns(); ++c) {
+      names += table->cellAt(0, c).firstCursorPosition().block().text().toStdString() + " | ";
+    }
+    names += "\n";
+  }
+  return names;
+}
+
+TEST(ReportPreview, IsASheetOfReadableWidthAndNeverNeedsTheBarBelow) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+  preview.show();
+  for (const char* language : {"en", "zh_CN"}) {
+    preview.setReport(report, wordingIn(language));
+    for (const int width : {1128, 3600, 1000}) {  // in windows of 1366, 3840 and 1280 pixels
+      preview.resize(width, 800);
+      QApplication::processEvents();
+
+      EXPECT_FALSE(preview.horizontalScrollBar()->isVisible()) << language << ", " << width;
+      EXPECT_EQ(tooWide(preview), "") << language << ", " << width;
+      EXPECT_LE(preview.viewport()->width(), 1121);
+      const int beside = preview.width() - preview.viewport()->width();
+      EXPECT_NEAR(preview.viewport()->x(), beside / 2, 20) << width;
+    }
+  }
+}
+
 /// Longest stretch of one colour within the hatched bar in the middle of a canvas `width` wide, px.
 int widestStripe(int width) {
   ReportFigure figure;
@@ -221,6 +261,7 @@ TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
   office.shell().waitForJobs();
 
   EXPECT_TRUE(child<QLabel>(*page, "recordText").text().contains(QStringLiteral("sound")));
+  EXPECT_TRUE(child<QLabel>(*page, "diskText").text().startsWith(QStringLiteral("Disk in use: ")));
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 

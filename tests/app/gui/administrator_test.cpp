@@ -210,6 +210,8 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     auto& exported = dynamic_cast<ExportDialog&>(dialog);
     shell.waitForJobs();
     EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("T-"));
+    EXPECT_TRUE(
+        child<QLabel>(dialog, "as-in-file").text().contains(QStringLiteral("exactly as the file will hold")));
     type(dialog, QStringLiteral("for the board"));
     exported.writeTo(folder / "cohort.xlsx");
     shell.waitForJobs();

@@ -92,6 +92,28 @@ TEST(DetorsionPlot, MarksWhatWentWrongWithASignOfItsOwnAndALegend) {
   EXPECT_FALSE(painted.contains(QStringLiteral("gas out")));
 }
 
+/// Pixels of `colour` in the part of a picture below `top`.
+int pixelsOf(const QImage& picture, const QColor& colour, int top) {
+  int found = 0;
+  for (int y = top; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      found += picture.pixelColor(x, y) == colour ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+TEST(DetorsionPlot, SignsOfTheLegendHaveTheColoursTheyHaveAbove) {
+  DetorsionStory story = tenSeconds();
+  const QColor caution = theme(ThemeKind::kLight).caution;
+  story.events = {{1.0, DetorsionMoment::kGrip}};
+  constexpr int kBelowLanes = 420 - 34;
+  EXPECT_EQ(pixelsOf(PlotOf(story).plot.grab().toImage(), caution, kBelowLanes), 0);
+
+  story.events.push_back({2.0, DetorsionMoment::kBruise});
+  EXPECT_GT(pixelsOf(PlotOf(story).plot.grab().toImage(), caution, kBelowLanes), 5);
+}
+
 TEST(DetorsionPlot, TellsNoTwoInstantsByTheSameSign) {
   std::set<QString> signs;
   std::set<QString> names;

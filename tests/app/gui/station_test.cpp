@@ -12,10 +12,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPixmap>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTextBrowser>
 #include <QTimer>
 #include <gtest/gtest.h>
 
@@ -134,11 +136,13 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   EXPECT_TRUE(station.run().runSession()->graded());
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
+  EXPECT_EQ(station.find<QProgressBar>("timeLeft")->value(), 1000);
   EXPECT_FALSE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // no help in a graded run
   EXPECT_FALSE(station.page->leave());
   station.train(15 * kSecond_us);
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:25"));
-  station.train(kMinute_us);  // hard stop
+  EXPECT_NEAR(station.find<QProgressBar>("timeLeft")->value(), 1000 * 25 / 40, 2);  // of what is left
+  station.train(kMinute_us);                                                        // hard stop
 
   ASSERT_EQ(station.pageId, PageId::kDebrief);
   auto& debrief = static_cast<DebriefPage&>(*station.page);
@@ -569,6 +573,32 @@ TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
   }
   const std::vector<double> angles = marksOf("force.mean", 0.01);
   EXPECT_GT(angles.size(), 2U);
+}
+
+TEST(StationPages, TheTranscriptSaysOnceHowCompetenceIsJudged) {
+  TrainingCentre centre;
+  centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.open(PageId::kTranscript);
+
+  const QString all = station.page->findChild<QTextBrowser*>()->toPlainText();
+
+  EXPECT_EQ(all.count(QStringLiteral("are judged able (false pass)")), 1) << all.toStdString();
+  EXPECT_GE(all.count(QStringLiteral("Competence is judged as in \u201c")), 1) << all.toStdString();
+}
+
+TEST(StationPages, TheTrendOfAQuantityWithoutAThresholdShowsADashForTheDistance) {
+  TrainingCentre centre;
+  centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.open(PageId::kTrend, QString::fromStdString(centre.module("first")));
+  static_cast<TrendPage&>(*station.page).chooseMetric("twist.sparc");
+
+  const QStringList all = station.allText().split(QLatin1Char('\n'));
+
+  EXPECT_TRUE(all.contains(QStringLiteral("\u2013"))) << all.join(u'|').toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("This quantity has no threshold in this module.")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Trend")));
 }
 
 TEST(StationPages, TheTranscriptIsAPdf) {

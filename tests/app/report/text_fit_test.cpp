@@ -4,13 +4,17 @@
 #include <memory>
 #include <numeric>
 
+#include <QBarSeries>
+#include <QBarSet>
 #include <QBuffer>
 #include <QCategoryAxis>
 #include <QChart>
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGraphicsScene>
+#include <QLegendMarker>
 #include <QPdfWriter>
+#include <QScatterSeries>
 #include <gtest/gtest.h>
 
 #include "app/report/chart_builder.h"
@@ -138,8 +142,40 @@ TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
   EXPECT_TRUE(marks.contains(QStringLiteral("\u22122.0"))) << marks.join(u' ').toStdString();
   EXPECT_TRUE(marks.contains(QStringLiteral("2.0"))) << marks.join(u' ').toStdString();
   EXPECT_FALSE(marks.join(u' ').contains(u'-')) << marks.join(u' ').toStdString();
-  EXPECT_TRUE(valuesOf(*printed)->categoriesLabels().contains(QStringLiteral("-2.0")));
+  EXPECT_TRUE(valuesOf(*printed)->categoriesLabels().contains(QStringLiteral("\u22122.0")));
   EXPECT_EQ(valuesOf(*shown)->endValue(marks.back()), valuesOf(*shown)->max());
+}
+
+/// A pattern as coarse as that of bars across a 4K screen leaves the fields of the legend empty.
+TEST(Chart, FieldsOfTheLegendKeepFinePatternsAndMarksAndLinesGrow) {
+  ReportFigure figure;
+  figure.categories = {std::string("first")};
+  for (const char* name : {"1", "2"}) {
+    FigureSeries series;
+    series.name = std::string(name);
+    series.y = {1.5};
+    figure.series.push_back(series);
+  }
+  ChartStyle wide;
+  wide.hatch = 2.0;
+  wide.stroke = 1.6;
+
+  const std::unique_ptr<QChart> bars = buildChart(figure, wide);
+  figure.kind = FigureKind::kPoints;
+  const std::unique_ptr<QChart> points = buildChart(figure, wide);
+  const std::unique_ptr<QChart> usual = buildChart(figure);
+
+  const auto* all = qobject_cast<QBarSeries*>(bars->series().at(0));
+  ASSERT_NE(all, nullptr);
+  EXPECT_EQ(all->barSets().at(1)->brush().transform().m11(), 2.0);
+  const QList<QLegendMarker*> fields = bars->legend()->markers(bars->series().at(0));
+  ASSERT_EQ(fields.size(), 2);
+  EXPECT_EQ(fields[1]->brush().style(), Qt::BDiagPattern);
+  EXPECT_EQ(fields[1]->brush().transform().m11(), 1.0);
+  const auto sizeIn = [](const QChart& chart) {
+    return qobject_cast<QScatterSeries*>(chart.series().at(0))->markerSize();
+  };
+  EXPECT_NEAR(sizeIn(*points), 1.6 * sizeIn(*usual), 1e-9);
 }
 
 TEST(ChartAxes, TheLastNumberBelowIsWholeWithinTheChart) {
@@ -208,7 +244,9 @@ TEST(TableLayout, CutsNoWordOfAWideHeader) {
 TEST(TableLayout, SetsNumbersAndWhatStandsInTheirPlaceToTheRight) {
   PlainTable table;
   table.columns = {QStringLiteral("p"), QStringLiteral("Group")};
-  table.rows = {{QStringLiteral("< 0.001"), QStringLiteral("Group 1")}, {QStringLiteral("0.032"), QString()}};
+  table.rows = {{QStringLiteral("< 0.001"), QStringLiteral("Group 1")},
+                {QStringLiteral("0.032"), QString()},
+                {QStringLiteral("\u22121.4"), QString()}};
 
   const TableLayout layout = laidOut(table, 170.0);
 

@@ -119,7 +119,7 @@ void RosterPage::enter(const QVariant&) {
 }
 
 void RosterPage::retranslate() {
-  heading_->setTexts(tr("People"),
+  heading_->setTexts(tr("Roster"),
                      tr("Who trains and who scores. Everything else in the record knows them by their "
                         "code only."));
   import_->setText(tr("&Import a roster\u2026"));

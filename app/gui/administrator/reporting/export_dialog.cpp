@@ -32,7 +32,7 @@ namespace {
 
 constexpr int kDialogWidth = 860;
 constexpr int kFirstRows = 8;
-constexpr int kTableHeight = 150;  // beside the fields of a data set it must fit 768 pixels
+constexpr int kTableHeight = 130;  // beside the fields of a data set it must fit 768 pixels
 
 }  // namespace
 
@@ -53,6 +53,7 @@ ExportDialog::ExportDialog(ShellContext& shell, const ReportRequest& request,
       rate_(new QComboBox(this)),
       what_(sentence(this, false)),
       table_(new QComboBox(this)),
+      asInFile_(sentence(this)),
       rows_(new QTableWidget(this)),
       done_(sentence(this, false)) {
   request_.cohortId = request.cohortId;
@@ -96,6 +97,9 @@ void ExportDialog::build() {
   rows_->setItemDelegate(new PaddedCells(rows_));
   rows_->setAlternatingRowColors(true);
   rows_->setAccessibleName(tr("First rows"));
+  asInFile_->setObjectName(QStringLiteral("as-in-file"));
+  asInFile_->setText(
+      tr("Cells exactly as the file will hold them: words in English, numbers with all their digits."));
 
   auto* form = new QFormLayout;
   form->addRow(tr("&Format"), form_);
@@ -108,6 +112,7 @@ void ExportDialog::build() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->addLayout(form);
+  column->addWidget(asInFile_);
   column->addWidget(rows_, 1);
   column->addWidget(done_);
   followJobs(*column);
@@ -278,6 +283,7 @@ void ExportDialog::showTable() {
   freeText_->setVisible(!grades);
   table_->setEnabled(!grades);
   rows_->setVisible(!grades);
+  asInFile_->setVisible(!grades);
   for (QWidget* field : std::initializer_list<QWidget*>{title_, licence_, citation_, creator_, rate_}) {
     layout_->setRowVisible(field, isDataset());
   }
@@ -342,8 +348,8 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
   shell_.run(
       tr("Writing the export"),
       [written, place, given = data_, request = request_, digests = digests_, form = chosen(),
-       wanted = dataset(),
-       wording = wordingIn(language_)](SessionContext& session, const ProgressCallback& progress) {
+       wanted = dataset(), wording = wordingIn(language_, Signs::kOfFiles)](
+          SessionContext& session, const ProgressCallback& progress) {
         switch (form) {
           case Form::kWorkbook:
             *written = exportWorkbook(

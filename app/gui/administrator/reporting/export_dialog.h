@@ -72,6 +72,7 @@ class ExportDialog : public QDialog {
   QFormLayout* layout_ = nullptr;
   QLabel* what_;
   QComboBox* table_;
+  QLabel* asInFile_;
   QTableWidget* rows_;
   QLabel* done_;
   QPushButton* save_ = nullptr;

@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <utility>
 
+#include <QAbstractTextDocumentLayout>
 #include <QGraphicsScene>
 #include <QGraphicsWidget>
 #include <QImage>
+#include <QMimeData>
+#include <QPaintEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextDocumentFragment>
 #include <QTextFrame>
 #include <QTextTable>
 #include <QUrl>
@@ -26,8 +31,10 @@ namespace {
 constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
 constexpr char kRows[] = "rows:";
-constexpr std::size_t kRowsShown = 15;  // of a long table, until all are asked for
-constexpr int kTableRoom = 1000;        // pixels that a wide table keeps
+constexpr std::size_t kRowsShown = 15;    // of a long table, until all are asked for
+constexpr std::size_t kUsualColumns = 9;  // more of them need smaller letters
+constexpr int kTableRoom = 1000;          // pixels that a wide table keeps
+constexpr int kSheet = 1120;              // the widest sheet; beside it is the desk
 constexpr int kLine = 86;  // average signs, some 95 of running text: the eye finds its way back from there
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
@@ -49,6 +56,18 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
   return image;
 }
 
+/// A hash breaks where its cell is narrow: a table would else be as wide as all of its hashes.
+QString breaking(QString html) {
+  static const QRegularExpression kSixteen(
+      QStringLiteral("((?:(?<=\u200B)|(?<![0-9a-f]))[0-9a-f]{16})(?=[0-9a-f])"));
+  qsizetype length = 0;
+  while (length != html.size()) {  // each break makes place for the next
+    length = html.size();
+    html.replace(kSixteen, QStringLiteral("\\1\u200B"));
+  }
+  return html;
+}
+
 }  // namespace
 
 ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
@@ -66,24 +85,29 @@ ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
   paper.setColor(QPalette::Base, Qt::white);
   paper.setColor(QPalette::Text, QColor(0x17, 0x22, 0x2B));
   setPalette(paper);
-  setStyleSheet(QStringLiteral("QTextBrowser { background: #ffffff; color: #17222b; border-radius: 6px; }"));
+  setStyleSheet(
+      QStringLiteral("QTextBrowser { background: transparent; color: #17222b; border-radius: 6px; }"));
   document()->setDocumentMargin(3 * kSpace);
 }
 
 QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
                                  const Wording& wording) const {
   const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
+  const bool crowded = table.columns.size() > kUsualColumns;
+  const auto inCell = [crowded](const QString& words) {
+    return crowded ? QStringLiteral("<small>%1</small>").arg(words) : words;
+  };
   QString text = QStringLiteral("<p><b>%1</b></p><table cellpadding='4' cellspacing='0' border='0'><tr>")
                      .arg(html(table.title));
   for (const Text& column : table.columns) {
-    text += QStringLiteral("<th align='left' bgcolor='#e4ecf2'>%1</th>").arg(html(column));
+    text += QStringLiteral("<th align='left' bgcolor='#e4ecf2'>%1</th>").arg(inCell(html(column)));
   }
   text += QStringLiteral("</tr>");
   const bool whole = table.rows.size() <= kRowsShown || whole_.contains(name);
   for (std::size_t r = 0; r < (whole ? table.rows.size() : kRowsShown); ++r) {
     text += QStringLiteral("<tr>");
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
-      const QString cell = html(table.rows[r][c]);
+      const QString cell = inCell(breaking(html(table.rows[r][c])));
       const std::string origin = table.origins.empty() ? std::string() : table.origins[r][c];
       text += origin.empty()
                   ? QStringLiteral("<td>%1</td>").arg(cell)
@@ -136,7 +160,7 @@ void ReportPreview::showReport() {
   }
   text += QStringLiteral("<table cellpadding='3'>");
   for (const auto& [label, value] : model.facts) {
-    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(html(label), html(value));
+    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(html(label), breaking(html(value)));
   }
   text += QStringLiteral("</table>");
   int tables = 0;
@@ -167,11 +191,40 @@ void ReportPreview::showReport() {
   QTextCursor(document()).insertHtml(text);
   besideText_ = 0;
   keepLinesShort();
+  showBarIfNeeded();
 }
 
 void ReportPreview::resizeEvent(QResizeEvent* event) {
+  const int bar = verticalScrollBar()->isVisibleTo(this) ? verticalScrollBar()->width() : 0;
+  const int desk = contentsRect().width() - bar;
+  const int beside = std::max(0, (desk - kSheet) / 2);
+  if (beside != viewportMargins().left()) {
+    setViewportMargins(beside, 0, beside, 0);  // comes back here where that changes the width
+  }
   QTextBrowser::resizeEvent(event);
   keepLinesShort();
+  showBarIfNeeded();
+}
+
+/// The layout counts room beside the tables that nothing stands in: the bar is for tables that are cut.
+void ReportPreview::showBarIfNeeded() {
+  double right = 0.0;
+  for (QTextFrame* table : document()->rootFrame()->childFrames()) {
+    right = std::max(right, document()->documentLayout()->frameBoundingRect(table).right());
+  }
+  setHorizontalScrollBarPolicy(right > viewport()->width() ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+}
+
+/// What is copied has no breaks.
+QMimeData* ReportPreview::createMimeDataFromSelection() const {
+  auto* copied = new QMimeData;
+  copied->setText(textCursor().selection().toPlainText().remove(QChar(0x200B)));
+  return copied;
+}
+
+void ReportPreview::paintEvent(QPaintEvent* event) {
+  QPainter(viewport()).fillRect(event->rect(), Qt::white);
+  QTextBrowser::paintEvent(event);
 }
 
 /// Paragraphs wrap before their lines get too long to be read and stand in the middle of a wide page; tables
@@ -194,7 +247,7 @@ void ReportPreview::keepLinesShort() {
   narrow.setRightMargin(beside - left);
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     cursor.setPosition(block.position());
-    if (cursor.currentTable() == nullptr) {
+    if (cursor.currentTable() == nullptr && block.length() > 1) {  // not what follows a table
       cursor.mergeBlockFormat(narrow);
     }
   }

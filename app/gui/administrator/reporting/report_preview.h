@@ -30,10 +30,13 @@ class ReportPreview : public QTextBrowser {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  [[nodiscard]] QMimeData* createMimeDataFromSelection() const override;
 
  private:
   void showReport();
   void keepLinesShort();
+  void showBarIfNeeded();
   /// Shows all rows of a long table, or the first ones again.
   void toggleRows(const QString& name);
   [[nodiscard]] QString tableHtml(const ReportTable& table, const QString& name,

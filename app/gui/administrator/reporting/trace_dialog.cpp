@@ -16,6 +16,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
+#include "app/report/printed_minus.h"
 #include "assessment/report/cohort_csv.h"
 
 namespace torsio::gui {
@@ -102,7 +103,7 @@ void TraceDialog::fill() {
                      {toQString(number.model)},
                      {toQString(number.index)},
                      {toQString(number.occasion)},
-                     {value, isNumber ? QVariant(sortKey) : QVariant(), value}}});
+                     {printedMinus(value), isNumber ? QVariant(sortKey) : QVariant(), value}}});
   }
   numbers_->setRows(std::move(rows));
 }

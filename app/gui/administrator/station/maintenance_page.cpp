@@ -42,6 +42,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       record_(new Card(QString(), this)),
       recordText_(sentence(this, false)),
       disk_(new QProgressBar(this)),
+      diskText_(sentence(this)),
       checkButton_(new QPushButton(this)),
       backup_(new Card(QString(), this)),
       backupText_(sentence(this, false)),
@@ -55,6 +56,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       restoreButton_(new QPushButton(this)),
       moveButton_(new QPushButton(this)),
       queue_(new RetentionQueue(shell, this)) {
+  diskText_->setObjectName(QStringLiteral("diskText"));
   recordText_->setObjectName(QStringLiteral("recordText"));
   backupText_->setObjectName(QStringLiteral("backupText"));
   QVBoxLayout* column = pageColumn(this);
@@ -93,7 +95,7 @@ QWidget* MaintenancePage::cards() {
     card->content()->addLayout(row);
   };
   fill(backup_, {backupText_}, {backupButton_, testButton_});
-  fill(record_, {recordText_, disk_}, {checkButton_});
+  fill(record_, {recordText_, diskText_, disk_}, {checkButton_});
   fill(simulated_, {simulatedText_}, {removeButton_});
   fill(move_, {moveText_}, {restoreButton_, moveButton_});
   int place = 0;
@@ -129,15 +131,20 @@ void MaintenancePage::showRecord() {
     lines << tr("%1, %2 free on the disk")
                  .arg(locale().formattedDataSize(file.size()),
                       locale().formattedDataSize(disk.bytesAvailable()));
-    if (disk.bytesTotal() > 0) {
-      disk_->setValue(static_cast<int>(kDiskParts * (1.0 - static_cast<double>(disk.bytesAvailable()) /
-                                                               static_cast<double>(disk.bytesTotal()))));
+    const bool known = disk.bytesTotal() > 0;
+    if (known) {
+      const double used =
+          1.0 - static_cast<double>(disk.bytesAvailable()) / static_cast<double>(disk.bytesTotal());
+      disk_->setValue(static_cast<int>(kDiskParts * used));
+      diskText_->setText(tr("Disk in use: %1 %").arg(numberText(100.0 * used, 0)));
     }
     disk_->setAccessibleName(tr("Disk in use"));
-    disk_->setVisible(true);
+    disk_->setVisible(known);
+    diskText_->setVisible(known);
   } else {
     lines << tr("On a database server");
     disk_->setVisible(false);
+    diskText_->setVisible(false);
   }
   if (check_) {
     lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, audit entries: %2")

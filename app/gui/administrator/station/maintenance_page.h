@@ -51,6 +51,7 @@ class MaintenancePage : public Page {
   Card* record_;
   QLabel* recordText_;
   QProgressBar* disk_;
+  QLabel* diskText_;
   QPushButton* checkButton_;
   Card* backup_;
   QLabel* backupText_;
