@@ -237,7 +237,7 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
               physician ? Text::tr("there is no simulated physician here")
                         : Text::tr("there is no simulated trainee here"),
               Text::tr("people"),
-              Text::tr("Set up a centre with a demonstration cohort, or explore before the first set-up"));
+              Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
 }
 
 void signOut(SessionContext& session) {

@@ -11,7 +11,7 @@ namespace {
 constexpr Phrase kSentences[] = {
     Text::tr("%1 %"),
     Text::tr("%1 (edited)"),
-    Text::tr("%1 is signed in here. Nothing was lost; the work goes on where it was left."),
+    Text::tr("%1 is signed in here. Nothing was lost; work continues where it was left."),
     Text::tr("%1 long"),
     Text::tr("%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5"),
     Text::tr("%1 min"),
@@ -38,7 +38,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("%1: not assessable"),
     Text::tr(", "),
     Text::tr("5 s back"),
-    Text::tr("5 s on"),
+    Text::tr("5 s forward"),
     Text::tr("95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5."),
     Text::tr("A personal link to set a password in a browser. It works once and for a week; any earlier link "
              "stops working."),

@@ -329,10 +329,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The database finally refused %n entries of this station. Please tell its administrator</source>
+        <source>The database permanently refused %n entries of this station. Please tell its administrator</source>
         <translation>
             <numerusform>The database finally refused %n entry of this station. Please tell its administrator</numerusform>
-            <numerusform>The database finally refused %n entries of this station. Please tell its administrator</numerusform>
+            <numerusform>The database permanently refused %n entries of this station. Please tell its administrator</numerusform>
         </translation>
     </message>
 </context>

@@ -13160,7 +13160,7 @@ audit trail %3</source>
         <translation>人员</translation>
     </message>
     <message>
-        <source>Set up a centre with a demonstration cohort, or explore before the first set-up</source>
+        <source>Set up a centre with a demonstration cohort, or look round before the first set-up</source>
         <translation>请在设置中心时加入演示批次，或在首次设置之前先浏览</translation>
     </message>
     <message>
@@ -13548,7 +13548,7 @@ audit trail %3</source>
         <translation>%1（已修改）</translation>
     </message>
     <message>
-        <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
+        <source>%1 is signed in here. Nothing was lost; work continues where it was left.</source>
         <translation>%1 已在此登录。内容没有丢失，解锁后可继续。</translation>
     </message>
     <message>
@@ -13604,7 +13604,7 @@ audit trail %3</source>
         <translation>后退 5 秒</translation>
     </message>
     <message>
-        <source>5 s on</source>
+        <source>5 s forward</source>
         <translation>前进 5 秒</translation>
     </message>
     <message>
@@ -18900,7 +18900,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
         <translation>其间每 1 秒相当于组织 %1 秒。</translation>
     </message>
     <message>
-        <source>Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns back. Let gas out first where it resists.
+        <source>Grip the turned part and turn it back. Before you release to re-grip, set the clip, or it turns back. Let gas out first where it resists.
 C: clip. V: gas out. 1, 2, 3: look, feel the pulse, Doppler.
 Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
         <translation>夹住扭转的部分并转回。松手重新夹持之前请先上夹子，否则会回转。遇到阻力时先排气。
@@ -18922,7 +18922,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         </translation>
     </message>
     <message>
-        <source>the organ is let go, and the jaw draws back.</source>
+        <source>the organ is released, and the jaw draws back.</source>
         <translation>器官已松开，钳口退回。</translation>
     </message>
     <message>
@@ -21358,7 +21358,7 @@ MSM = 质点弹簧</translation>
         <translation>夹持</translation>
     </message>
     <message>
-        <source>let go</source>
+        <source>release</source>
         <translation>松开</translation>
     </message>
     <message>
@@ -22511,7 +22511,7 @@ MSM = 质点弹簧</translation>
         <translation>语言(&amp;G)</translation>
     </message>
     <message>
-        <source>Explore with simulated people</source>
+        <source>Look round with simulated people</source>
         <translation>用模拟人员浏览</translation>
     </message>
     <message>
@@ -23427,7 +23427,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>已锁定</translation>
     </message>
     <message>
-        <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
+        <source>%1 is signed in here. Nothing was lost; work continues where it was left.</source>
         <translation>%1 已在此登录。内容没有丢失，解锁后可继续。</translation>
     </message>
     <message>
@@ -23454,7 +23454,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>由于长时间无人操作，已退出登录</translation>
     </message>
     <message>
-        <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
+        <source>The database does not answer. Your run continues; it is kept on this computer and stored as soon as the database answers</source>
         <translation>数据库没有应答。您的操作继续进行；录制保存在本机，数据库恢复后立即存入</translation>
     </message>
     <message>
@@ -23578,7 +23578,7 @@ Leave it empty to remove it.</source>
         <translation>未能保存审计记录的链头：%1</translation>
     </message>
     <message numerus="yes">
-        <source>The database finally refused %n entries of this station. Please tell its administrator</source>
+        <source>The database permanently refused %n entries of this station. Please tell its administrator</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %n 条记录。请告知维护人员</numerusform>
         </translation>
@@ -23592,7 +23592,7 @@ Leave it empty to remove it.</source>
         <translation>无法为此创建文件夹：%1</translation>
     </message>
     <message>
-        <source>Exploring: simulated people</source>
+        <source>Look round: simulated people</source>
         <translation>浏览：模拟人员</translation>
     </message>
     <message>
@@ -26121,7 +26121,7 @@ Leave it empty to remove it.</source>
         <translation>后退五秒（J）</translation>
     </message>
     <message>
-        <source>5 s on</source>
+        <source>5 s forward</source>
         <translation>前进 5 秒</translation>
     </message>
     <message>
@@ -27939,7 +27939,7 @@ Leave it empty to remove it.</source>
         <translation>您的操作已妥善保存</translation>
     </message>
     <message>
-        <source>No run goes on</source>
+        <source>No run in progress</source>
         <translation>没有正在进行的操作</translation>
     </message>
     <message>
@@ -27963,7 +27963,7 @@ Leave it empty to remove it.</source>
         <translation>休息</translation>
     </message>
     <message>
-        <source>Your training clock stands still. Training goes on by itself when the rest is used up.</source>
+        <source>Your training clock is paused. Training resumes automatically when the rest is used up.</source>
         <translation>训练计时已暂停。休息时间用完后训练自动继续。</translation>
     </message>
     <message>
@@ -27979,7 +27979,7 @@ Leave it empty to remove it.</source>
         <translation>请回到模拟器</translation>
     </message>
     <message>
-        <source>The next phase starts by itself: %1</source>
+        <source>The next phase starts automatically: %1</source>
         <translation>下一阶段将自动开始：%1</translation>
     </message>
     <message>
@@ -28011,7 +28011,7 @@ Leave it empty to remove it.</source>
         <translation>已接触。闭合钳口：按住左键或空格键。</translation>
     </message>
     <message>
-        <source>On target. Hold, then let go gently.</source>
+        <source>On target. Hold, then release gently.</source>
         <translation>已到目标。保持，然后轻轻松开。</translation>
     </message>
     <message>
@@ -28019,11 +28019,11 @@ Leave it empty to remove it.</source>
         <translation>已到目标。轻轻松开。</translation>
     </message>
     <message>
-        <source>Within %1°, held for %2 s, then let go</source>
+        <source>Within %1°, hold for %2 s, then release</source>
         <translation>在 %1° 以内，保持 %2 秒，然后松开</translation>
     </message>
     <message>
-        <source>Within %1°, then let go</source>
+        <source>Within %1°, then release</source>
         <translation>在 %1° 以内，然后松开</translation>
     </message>
     <message>
@@ -28091,7 +28091,7 @@ Leave it empty to remove it.</source>
         <translation>需要几秒钟。计时尚未开始。</translation>
     </message>
     <message>
-        <source>This takes a few seconds. Your training clock stands still.</source>
+        <source>This takes a few seconds. Your training clock is paused.</source>
         <translation>需要几秒钟。训练计时已暂停。</translation>
     </message>
     <message>
@@ -30399,7 +30399,7 @@ T-02,master,17</translation>
 <context>
     <name>torsio::gui::VisitBar</name>
     <message>
-        <source>You are exploring with simulated people. Whose desk?</source>
+        <source>You are looking round among simulated people. Whose desk?</source>
         <translation>您正在浏览模拟人员的中心。查看谁的工作台？</translation>
     </message>
     <message>

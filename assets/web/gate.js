@@ -25,7 +25,7 @@ export class Gate {
     this.element.replaceChildren(
       h('div', { class: 'card narrow' },
         h('h1', { id: 'gate-title' }, t('Locked')),
-        h('p', {}, t('%1 is signed in here. Nothing was lost; the work goes on where it was left.', login)),
+        h('p', {}, t('%1 is signed in here. Nothing was lost; work continues where it was left.', login)),
         place,
         button(t('Sign out'), this.onSignOut),
       ),

@@ -189,7 +189,7 @@ export class Player {
 
   #transport() {
     this.back = button(t('5 s back'), () => this.seek(this.position_us - kJump_us), { title: t('Jumps five seconds back (J)') });
-    this.forward = button(t('5 s on'), () => this.seek(this.position_us + kJump_us), {
+    this.forward = button(t('5 s forward'), () => this.seek(this.position_us + kJump_us), {
       title: t('Jumps five seconds on; what is skipped does not count as watched'),
     });
     this.play = button([icon('play'), t('Play')], () => this.toggle(), { class: 'play', title: t('Plays or pauses (Space)') });

@@ -152,7 +152,7 @@ void ReplayPanel::retranslate() {
   view_->setAccessibleName(tr("The organ in three dimensions"));
   back_->setText(tr("5 s back"));
   back_->setToolTip(tr("Jumps five seconds back (J)"));
-  forward_->setText(tr("5 s on"));
+  forward_->setText(tr("5 s forward"));
   forward_->setToolTip(tr("Jumps five seconds on; what is skipped does not count as watched"));
   play_->setToolTip(tr("Plays or pauses (Space)"));
   time_->setAccessibleName(tr("Time in the recording"));

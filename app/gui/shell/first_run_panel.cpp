@@ -400,7 +400,7 @@ void FirstRunPanel::retranslate() {
   why_->setText(reasons[step]);
   nameField(languageLabel_, tr("Lan&guage"));
   nameField(centreLabel_, tr("&Name of the centre"));
-  look_->setText(tr("Explore with simulated people"));
+  look_->setText(tr("Look round with simulated people"));
   lookTrainee_->setText(tr("As a &trainee"));
   lookPhysician_->setText(tr("As a &physician"));
   lookAdministrator_->setText(tr("As an &administrator"));

@@ -76,8 +76,7 @@ void LockPanel::setWorking(bool working) {
 
 void LockPanel::retranslate() {
   heading_->setText(tr("Locked"));
-  why_->setText(
-      tr("%1 is signed in here. Nothing was lost; the work goes on where it was left.").arg(login_));
+  why_->setText(tr("%1 is signed in here. Nothing was lost; work continues where it was left.").arg(login_));
   nameField(label_, tr("&Password"));
   unlock_->setText(tr("Unlock"));
   signOut_->setText(tr("Sign out"));

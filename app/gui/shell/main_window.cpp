@@ -246,7 +246,7 @@ void MainWindow::heartbeat() {
     refusedTold_ = refused;
     if (refused > 0 && desk_ != nullptr) {
       desk_->context().notify(
-          tr("The database finally refused %n entries of this station. Please tell its administrator",
+          tr("The database permanently refused %n entries of this station. Please tell its administrator",
              nullptr, static_cast<int>(refused)));
     }
   }
@@ -256,7 +256,7 @@ void MainWindow::showAnswers(bool answers) {
   const bool running = desk_ != nullptr && desk_->busy();
   awayBanner_->setVisible(!answers);
   if (!answers) {
-    awayBanner_->setText(running ? tr("The database does not answer. Your run goes on; it is kept on this "
+    awayBanner_->setText(running ? tr("The database does not answer. Your run continues; it is kept on this "
                                       "computer and stored as soon as the database answers")
                                  : tr("The database does not answer. Torsio tries again by itself; what is "
                                       "stored is safe"));

@@ -19,7 +19,7 @@ void MainWindow::lookRound(VisitedDesk desk) {
   lookedFrom_ = setup_.locator;
   FirstRunChoice choice;
   choice.locator = lookedAt_->filePath(QStringLiteral("torsio.sqlite"));
-  choice.first.centre = tr("Exploring: simulated people").toStdString();
+  choice.first.centre = tr("Look round: simulated people").toStdString();
   choice.first.login = "visitor";
   choice.first.password = randomStartPassword();
   choice.first.language = languageCode(firstRun_->language()).toStdString();

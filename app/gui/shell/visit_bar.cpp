@@ -47,7 +47,7 @@ void VisitBar::setSeen(VisitedDesk desk) {
 }
 
 void VisitBar::retranslate() {
-  sentence_->setText(tr("You are exploring with simulated people. Whose desk?"));
+  sentence_->setText(tr("You are looking round among simulated people. Whose desk?"));
   desks_.at(VisitedDesk::kTrainee)->setText(tr("Trainee"));
   desks_.at(VisitedDesk::kPhysician)->setText(tr("Physician"));
   desks_.at(VisitedDesk::kAdministrator)->setText(tr("Administrator"));

@@ -68,7 +68,7 @@ constexpr double kSlowMotion = 0.25;
 QString doneNow(const LiveState& state, const TrainingModule& module, bool undone) {
   switch (state.phase) {
     case ExercisePhase::kTracking:
-      return state.times.released_us >= 0 ? BriefingPage::tr("the organ is let go, and the jaw draws back.")
+      return state.times.released_us >= 0 ? BriefingPage::tr("the organ is released, and the jaw draws back.")
                                           : BriefingPage::tr("the jaw goes to the marked band.");
     case ExercisePhase::kContact:
       return BriefingPage::tr("it touches, and the jaw closes.");
@@ -317,7 +317,7 @@ void BriefingPage::fill() {
          "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
   if (undone) {
     hints_->setText(
-        tr("Grip the turned part and turn it back. Before you let go to grip anew set the clip, or it turns "
+        tr("Grip the turned part and turn it back. Before you release to re-grip, set the clip, or it turns "
            "back. Let gas out first where it resists.\nC: clip. V: gas out. 1, 2, 3: look, feel the pulse, "
            "Doppler.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
   }

@@ -100,7 +100,7 @@ QString DetorsionPlot::momentName(DetorsionMoment moment) {
     case DetorsionMoment::kGrip:
       return tr("grip");
     case DetorsionMoment::kLetGo:
-      return tr("let go");
+      return tr("release");
     case DetorsionMoment::kClipOn:
       return tr("clip on");
     case DetorsionMoment::kClipOff:

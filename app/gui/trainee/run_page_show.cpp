@@ -74,7 +74,7 @@ void RunPage::showState() {
   if (!runSession_) {
     countdown_->setText(clockTimeLeft(0));
     stage_->setCurrentIndex(1);
-    noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
+    noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run in progress"));
     noticeFigure_->clear();
     noticeText_->setText(inFile_ ? tr("The database did not answer. The recording is kept, on this computer "
                                       "where need be; as soon as the database answers you find its debrief "
@@ -143,7 +143,7 @@ bool RunPage::showNotice() {
   if (opening_.going()) {
     noticeTitle_->setText(tr("Getting the haptic device ready"));
     noticeText_->setText(waiting_ ? tr("This takes a few seconds. Your time has not begun yet.")
-                                  : tr("This takes a few seconds. Your training clock stands still."));
+                                  : tr("This takes a few seconds. Your training clock is paused."));
     goOn_->setText(tr("&Cancel"));
     return true;
   }
@@ -151,14 +151,14 @@ bool RunPage::showNotice() {
     noticeTitle_->setText(tr("Rest"));
     noticeFigure_->setText(clockTimeLeft(run.restLeft_us()));
     noticeText_->setText(
-        tr("Your training clock stands still. Training goes on by itself when the rest is used up."));
+        tr("Your training clock is paused. Training resumes automatically when the rest is used up."));
     goOn_->setText(tr("&Go on now"));
     return true;
   }
   if (run.state() == RunState::kHandOver) {
     noticeTitle_->setText(real ? tr("Go to the real arm") : tr("Come to the simulator"));
     noticeFigure_->setText(clockTimeLeft(run.handOverLeft_us()));
-    noticeText_->setText(tr("The next phase starts by itself: %1").arg(toQString(phase.label)));
+    noticeText_->setText(tr("The next phase starts automatically: %1").arg(toQString(phase.label)));
     goOn_->setText(tr("I am &ready"));
     return true;
   }
@@ -192,7 +192,7 @@ QString RunPage::cue(const LiveState& state) const {
     case ExercisePhase::kTwisting: {
       const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
       if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad) {
-        return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")
+        return module.hold_us > 0 ? tr("On target. Hold, then release gently.")
                                   : tr("On target. Let go gently.");
       }
       if (way > 1.0) {
@@ -238,9 +238,9 @@ void RunPage::showCount() {
   const TrainingModule& module = runSession_->step().module;
   const QString within = numberText(degrees(module.tolerance_rad), 0);
   goal_->setText(module.hold_us > 0
-                     ? tr("Within %1\u00b0, held for %2 s, then let go")
+                     ? tr("Within %1\u00b0, hold for %2 s, then release")
                            .arg(within, numberText(static_cast<double>(module.hold_us) * 1e-6, 1))
-                     : tr("Within %1\u00b0, then let go").arg(within));
+                     : tr("Within %1\u00b0, then release").arg(within));
   verdict_->setText(verdict());
 }
 

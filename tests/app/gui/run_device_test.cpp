@@ -95,7 +95,7 @@ TEST(RunDevice, ARefusedRunShowsNothingOfTheRunBefore) {
   EXPECT_FALSE(station.problems.isEmpty()) << "good enough for practice only";
   const QList<QLabel*> labels = run.findChildren<QLabel*>();
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-    return label->text() == QStringLiteral("No run goes on");
+    return label->text() == QStringLiteral("No run in progress");
   }));
   EXPECT_FALSE(child<QPushButton>(run, "stop").isEnabled());
 }
@@ -118,7 +118,7 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   ASSERT_EQ(station.problems.size(), 1);
   EXPECT_EQ(station.problems[0],
             QStringLiteral("The haptic device was disconnected: the graded run has ended"));
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("No run goes on")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("No run in progress")));
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
   EXPECT_FALSE(station.desk().readiness.has_value());  // to be checked anew
   const NextSteps steps = nextSteps(centre.session(), centre.person());

@@ -339,7 +339,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   EXPECT_FALSE(window_->desk()->open(PageId::kAudit));
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   page().isBusy = true;
-  EXPECT_TRUE(tells("Your run goes on"));
+  EXPECT_TRUE(tells("Your run continues"));
   page().isBusy = false;
 
   window_->desk()->context().report(std::make_exception_ptr(
