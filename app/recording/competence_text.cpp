@@ -24,7 +24,8 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
           : Text::tr(
                 "Competence design shipped with the exercise (none was registered before the first attempt)");
   return Text::tr(
-      "%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 "
+      "%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for "
+      "%6 "
       "{attempt|attempts}.",
       which, success, percentText(design.adequate), percentText(design.inadequate),
       formatFixed(design.limit, 2), design.attempts);
@@ -32,7 +33,8 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
 
 Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
   return Text::tr(
-      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false "
+      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent "
+      "(false "
       "pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false "
       "alarm.",
       errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
@@ -46,11 +48,12 @@ Text competenceLevelText(const CompetenceVerdict& verdict) {
     case SkillLevel::kLearning:
       return Text::tr("learning");
     case SkillLevel::kSteady:
-      return Text::tr("able, since attempt %1", verdict.ableAt.value_or(0));
+      return Text::tr("competent since attempt %1", verdict.ableAt.value_or(0));
     case SkillLevel::kWatch:
-      return Text::tr("able since attempt %1; the last attempts raise a doubt", verdict.ableAt.value_or(0));
+      return Text::tr("competent since attempt %1; the last attempts raise a doubt",
+                      verdict.ableAt.value_or(0));
     case SkillLevel::kRelapsed:
-      return Text::tr("able at attempt %1, not any more", verdict.ableAt.value_or(0));
+      return Text::tr("competent at attempt %1, no longer so", verdict.ableAt.value_or(0));
   }
   return {};
 }

@@ -10682,15 +10682,15 @@
         <translation>学习中</translation>
     </message>
     <message>
-        <source>able, since attempt %1</source>
+        <source>competent since attempt %1</source>
         <translation>自第 %1 次尝试起胜任</translation>
     </message>
     <message>
-        <source>able since attempt %1; the last attempts raise a doubt</source>
+        <source>competent since attempt %1; the last attempts raise a doubt</source>
         <translation>自第 %1 次尝试起胜任；最近几次尝试令人存疑</translation>
     </message>
     <message>
-        <source>able at attempt %1, not any more</source>
+        <source>competent at attempt %1, no longer so</source>
         <translation>在第 %1 次尝试时胜任，现在不再是</translation>
     </message>
     <message>
@@ -12452,7 +12452,7 @@ audit trail %3</source>
         <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
     </message>
     <message>
-        <source>%1: success is %2; able once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
+        <source>%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
         <translation>%1：成功指%2；失败率 %3 对 %4 的 LC‑CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
     </message>
     <message>
@@ -15624,7 +15624,7 @@ audit trail %3</source>
         <translation>误报警的概率</translation>
     </message>
     <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged able (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false alarm.</source>
+        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false alarm.</source>
         <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
     </message>
     <message>
@@ -24268,7 +24268,7 @@ Leave it empty to remove it.</source>
         <translation>第一次使用？</translation>
     </message>
     <message>
-        <source>This trainee has learned something already; you begin with the first exercise, “%1”. It shows one movement after the other, takes two minutes, and nothing is graded.</source>
+        <source>This simulated trainee has practised already. Begin with the first exercise, “%1”. It shows one movement after the other and takes two minutes; nothing is graded.</source>
         <translation>这名学员已有学习记录；您可从第一个练习“%1”开始：逐步提示每个动作，约两分钟，不评分。</translation>
     </message>
     <message>

@@ -192,9 +192,9 @@ void NextStepPage::fillVisitor() {
     return;
   }
   visitor_->setTitle(tr("New here?"));
-  visitorWords_->setText(tr("This trainee has learned something already; you begin with the first exercise, "
-                            "\u201c%1\u201d. It shows one movement after the other, takes two minutes, and "
-                            "nothing is graded.")
+  visitorWords_->setText(tr("This simulated trainee has practised already. Begin with the first exercise, "
+                            "\u201c%1\u201d. It shows one movement after the other and takes two "
+                            "minutes; nothing is graded.")
                              .arg(toQString(Text(steps_.modules.front().module.title))));
   tryTwist_->setText(tr("&Try a first twist"));
 }

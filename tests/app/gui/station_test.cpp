@@ -120,7 +120,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.open(PageId::kNextStep);
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Master first: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged able (false pass)")));  // beside it
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged competent (false pass)")));  // beside it
   station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
   station.press("begin");
@@ -154,14 +154,15 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station
                   .find<QLabel>("competence")  // no verdict without its error rates
                   ->text()
-                  .contains(QStringLiteral("are judged able (false pass)")));
+                  .contains(QStringLiteral("are judged competent (false pass)")));
   station.press("trend");
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
   EXPECT_TRUE(station.find<QLabel>("level")->text().endsWith(QStringLiteral("until a level is shown")));
-  EXPECT_TRUE(
-      station.find<QLabel>("competence")->text().contains(QStringLiteral("are judged able (false pass)")));
+  EXPECT_TRUE(station.find<QLabel>("competence")
+                  ->text()
+                  .contains(QStringLiteral("are judged competent (false pass)")));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
@@ -583,7 +584,7 @@ TEST(StationPages, TheTranscriptSaysOnceHowCompetenceIsJudged) {
 
   const QString all = station.page->findChild<QTextBrowser*>()->toPlainText();
 
-  EXPECT_EQ(all.count(QStringLiteral("are judged able (false pass)")), 1) << all.toStdString();
+  EXPECT_EQ(all.count(QStringLiteral("are judged competent (false pass)")), 1) << all.toStdString();
   EXPECT_GE(all.count(QStringLiteral("Competence is judged as in \u201c")), 1) << all.toStdString();
 }
 
