@@ -111,7 +111,7 @@ QString TranscriptPage::html(bool paper) const {
     }
     const bool untwisted = std::any_of(module.attempts.begin(), module.attempts.end(), isUntwisting);
     const QString judged = untwisted ? tr("Result") : tr("Twists on target");
-    page += QStringLiteral("<table><tr>");
+    page += QStringLiteral("<table style='margin-top: 8px'><tr>");
     for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), judged, tr("Note")}) {
       page += QStringLiteral("<th align='left' style='padding: 3px 14px 3px 0'>%1</th>")
                   .arg(head.toHtmlEscaped());
