@@ -360,7 +360,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("Transcript"),
     Text::tr("tries left: %1"),
     Text::tr("Try again"),
-    Text::tr("Twist to %1\u00B0 and release within \u00B1%2\u00B0"),
+    Text::tr("Twist to %1° and release within ±%2°"),
     Text::tr("Twists"),
     Text::tr("Undo"),
     Text::tr("Undo %1 (Ctrl+Z)"),

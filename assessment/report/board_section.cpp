@@ -34,7 +34,8 @@ bool opensDirection(const PrimaryDifference& pair) {
 }
 
 /// With more decimals where an interval is so narrow that its ends would read the same.
-Text shown(const PrimaryDifference& pair) {
+/// As many decimals as tell the ends of the interval apart.
+int decimalsOf(const PrimaryDifference& pair) {
   constexpr int kMostDecimals = 4;
   constexpr double kSteps = 2.0;  // of the last decimal, between the ends
   int decimals = kPointDecimals;
@@ -42,6 +43,11 @@ Text shown(const PrimaryDifference& pair) {
          pair.interval.upper - pair.interval.lower < kSteps * std::pow(10.0, -decimals)) {
     ++decimals;
   }
+  return decimals;
+}
+
+Text shown(const PrimaryDifference& pair) {
+  const int decimals = decimalsOf(pair);
   return Text::tr("%1 points [%2; %3]", formatFixed(pair.value, decimals),
                   formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals));
 }
@@ -186,7 +192,10 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   FigureSeries series;
   series.name = Text::tr("difference [95 %]");
   for (const PrimaryDifference& pair : pairs) {
-    figure.categories.push_back(Text::verbatim("%1: %2", pairName(in, pair.first, pair.second), shown(pair)));
+    const int decimals = decimalsOf(pair);  // points, as the axis says: a chart cuts what is long
+    figure.categories.push_back(Text::verbatim(
+        "%1: %2 [%3; %4]", pairName(in, pair.first, pair.second), formatFixed(pair.value, decimals),
+        formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals)));
     series.y.emplace_back(pair.value);
     series.low.push_back(pair.interval.lower);
     series.high.push_back(pair.interval.upper);

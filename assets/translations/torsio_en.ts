@@ -349,20 +349,20 @@
 <context>
     <name>torsio::gui::ModelComparison</name>
     <message numerus="yes">
-        <source>for the whole twist, %n frame(s) of %1; set-up apart: %2</source>
+        <source>for the whole twist, %n frame(s), median %1; set-up not included: %2</source>
         <translation>
-            <numerusform>for the whole twist, %n frame of %1; set-up apart: %2</numerusform>
-            <numerusform>for the whole twist, %n frames of %1; set-up apart: %2</numerusform>
+            <numerusform>for the whole twist, %n frame, median %1; set-up not included: %2</numerusform>
+            <numerusform>for the whole twist, %n frames, median %1; set-up not included: %2</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::NextStepPage</name>
     <message numerus="yes">
-        <source>%n remark(s) of physicians that you have not read</source>
+        <source>%n unread remark(s) from physicians</source>
         <translation>
-            <numerusform>One remark of a physician that you have not read</numerusform>
-            <numerusform>%n remarks of physicians that you have not read</numerusform>
+            <numerusform>One unread remark from a physician</numerusform>
+            <numerusform>%n unread remarks from physicians</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -10715,7 +10715,7 @@
     </message>
     <message>
         <source>largest false fail</source>
-        <translation>最大误不通过率</translation>
+        <translation>最大误判不通过率</translation>
     </message>
     <message>
         <source>must be greater than the adequate one</source>
@@ -10835,7 +10835,7 @@
     </message>
     <message>
         <source>False fail</source>
-        <translation>误不通过</translation>
+        <translation>误判不通过</translation>
     </message>
     <message>
         <source>Within attempts</source>
@@ -15625,7 +15625,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false alarm.</source>
-        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
+        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误判不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
     </message>
     <message>
         <source>Not shown to differ: %1.</source>
@@ -16976,8 +16976,8 @@ audit trail %3</source>
         <translation>假定钳口绕其宽边转动，在文件坐标中方向为 %1、%2、%3</translation>
     </message>
     <message>
-        <source>Give the axis of the hinge where it is another</source>
-        <translation>若铰链轴不同，请给出</translation>
+        <source>Enter the axis of the hinge if it differs</source>
+        <translation>若铰链轴不同，请输入</translation>
     </message>
     <message>
         <source>the jaws are %1 mm long; the force is computed with jaws of %2 mm</source>
@@ -18653,8 +18653,8 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>Who did what, when, where and why. Entries are chained, so none can be changed or removed unnoticed.</source>
-        <translation>何人在何时、何地、因何做了何事。各条目前后链接，任何修改或删除都会被发现。</translation>
+        <source>Who did what, when, where and why. Entries are chained, so none can be changed or removed unnoticed. Numbers that are not listed are seals, which the record sets by itself.</source>
+        <translation>何人在何时、何地、因何做了何事。各条目前后链接，任何修改或删除都会被发现。未列出的编号是数据库自动加盖的封印。</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
@@ -19090,7 +19090,7 @@ MSM = 质点弹簧</translation>
         <translation>名称(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;Models, one a line</source>
+        <source>&amp;Models, one per line</source>
         <translation>模型，每行一个(&amp;M)</translation>
     </message>
     <message>
@@ -19756,7 +19756,7 @@ MSM = 质点弹簧</translation>
         <translation>随机分组(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Withdraw or take back…</source>
+        <source>&amp;Withdraw or reinstate…</source>
         <translation>退出或恢复(&amp;W)…</translation>
     </message>
     <message>
@@ -19938,7 +19938,7 @@ MSM = 质点弹簧</translation>
         <translation>您 %1</translation>
     </message>
     <message>
-        <source>%1; %2; apart by %3</source>
+        <source>%1; %2; difference %3</source>
         <translation>%1；%2；相差 %3</translation>
     </message>
     <message>
@@ -20006,7 +20006,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Wrong &amp;fails, at most</source>
-        <translation>最多误不通过(&amp;F)</translation>
+        <translation>最多误判不通过(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Reason</source>
@@ -20030,7 +20030,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Too many would fail wrongly: plan more attempts, or choose rates further apart.</source>
-        <translation>误不通过的人太多：请计划更多次尝试，或让两个失败率相差更大。</translation>
+        <translation>误判不通过的人太多：请计划更多次尝试，或让两个失败率相差更大。</translation>
     </message>
     <message>
         <source>A tolerance chosen by hand needs a reason.</source>
@@ -21052,8 +21052,8 @@ MSM = 质点弹簧</translation>
         <translation>器官比开始时多扭了 %1。</translation>
     </message>
     <message>
-        <source>Blood flow returned after %1 (%2 of tissue time).</source>
-        <translation>%1 后血流恢复（组织时间 %2）。</translation>
+        <source>Blood flow returned after %1; %2 for the tissue.</source>
+        <translation>%1 后血流恢复；组织时间为 %2。</translation>
     </message>
     <message>
         <source>Blood flow did not return in this run.</source>
@@ -21076,8 +21076,8 @@ MSM = 质点弹簧</translation>
         <translation>两次夹持之间又回转了 %1：松开前请先上夹子。</translation>
     </message>
     <message>
-        <source>The tissue was overloaded for %1.</source>
-        <translation>组织超负荷 %1。</translation>
+        <source>Jaw pressure or force was more than the ischaemic wall bears for %1.</source>
+        <translation>钳口压力或拉力超过缺血组织承受能力的时间：%1。</translation>
     </message>
     <message>
         <source>The organ twisted again after it had been untwisted.</source>
@@ -21621,7 +21621,7 @@ MSM = 质点弹簧</translation>
         <translation>处理办法</translation>
     </message>
     <message>
-        <source>Press Check the device.</source>
+        <source>Press “Check the device”.</source>
         <translation>请按“检查设备”。</translation>
     </message>
     <message>
@@ -22269,8 +22269,8 @@ MSM = 质点弹簧</translation>
         <translation>dataset-%1</translation>
     </message>
     <message>
-        <source>Cells exactly as the file will hold them: words in English, numbers with all their digits.</source>
-        <translation>单元格即文件中的原值：词语为英文，数字保留全部位数。</translation>
+        <source>Below the headings, cells are exactly as the file will hold them: words in English, numbers with all their digits.</source>
+        <translation>表头以下的单元格即文件中的原值：词语为英文，数字保留全部位数。</translation>
     </message>
 </context>
 <context>
@@ -22711,12 +22711,12 @@ Its public part, to be kept where heads are checked: %2</source>
 其公钥请保存在核对链头的地方：%2</translation>
     </message>
     <message>
-        <source>! The key is stored beside the record: anyone who takes the folder can sign. Move it elsewhere.</source>
-        <translation>! 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请移到别处。</translation>
+        <source>⚠ The key is stored beside the record: anyone who takes the folder can sign. Move it elsewhere.</source>
+        <translation>⚠ 密钥与记录放在同一文件夹：拿到该文件夹的人就能签名。请移到别处。</translation>
     </message>
     <message>
-        <source>! This station has no key, so its heads are not signed: anyone with write access to where they are kept can replace them.</source>
-        <translation>! 本站没有密钥，链头未签名：能写入其保存位置的人就能替换它们。</translation>
+        <source>⚠ This station has no key, so its heads are not signed: anyone with write access to where they are kept can replace them.</source>
+        <translation>⚠ 本站没有密钥，链头未签名：能写入其保存位置的人就能替换它们。</translation>
     </message>
     <message>
         <source>&amp;Make a key…</source>
@@ -22731,12 +22731,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>管理员每次退出登录时，都会在 %1 中添加一个链头。现有行数：%2</translation>
     </message>
     <message>
-        <source>! It is on the same disk as the record: anyone who takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
-        <translation>! 它与记录在同一磁盘上：拿走该磁盘或换回旧磁盘的人同时拥有两者。请选择另一磁盘上的文件。</translation>
+        <source>⚠ It is on the same disk as the record: anyone who takes the disk, or puts an older one back, has both. Choose a file on another disk.</source>
+        <translation>⚠ 它与记录在同一磁盘上：拿走该磁盘或换回旧磁盘的人同时拥有两者。请选择另一磁盘上的文件。</translation>
     </message>
     <message>
-        <source>! This station keeps no heads. A record that was truncated, rewritten or replaced by an older one would go unnoticed.</source>
-        <translation>! 本站不保存链头。记录若被截断、重写或换成旧的，将无法发现。</translation>
+        <source>⚠ This station keeps no heads. A record that was truncated, rewritten or replaced by an older one would go unnoticed.</source>
+        <translation>⚠ 本站不保存链头。记录若被截断、重写或换成旧的，将无法发现。</translation>
     </message>
     <message>
         <source>The key has been created. Note its public part elsewhere</source>
@@ -22849,7 +22849,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>与已保存的链头核对</translation>
     </message>
     <message>
-        <source>Paste or type heads, one a line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
+        <source>Paste or type heads, one per line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
         <translation>粘贴或输入链头，每行一个，或读取见证文件。未填公钥时，若本站有密钥，链头须由本站的密钥签名。</translation>
     </message>
     <message>
@@ -23755,7 +23755,7 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
-        <source>Simulated people: %1, recordings: %2, marks: %3. They are marked everywhere and can go at once; real data stay.</source>
+        <source>Simulated people: %1, recordings: %2, marks: %3. They are marked everywhere and can be removed in one step; real data stay.</source>
         <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
     </message>
     <message>
@@ -23964,9 +23964,9 @@ Leave it empty to remove it.</source>
         <translation>尚未计算</translation>
     </message>
     <message numerus="yes">
-        <source>for the whole twist, %n frame(s) of %1; set-up apart: %2</source>
+        <source>for the whole twist, %n frame(s), median %1; set-up not included: %2</source>
         <translation>
-            <numerusform>为整个扭转的用时：%n 帧，每帧 %1；准备时间另计：%2</numerusform>
+            <numerusform>整个扭转用时：%n 帧，每帧中位数 %1；准备时间不计在内：%2</numerusform>
         </translation>
     </message>
     <message>
@@ -24089,7 +24089,7 @@ Leave it empty to remove it.</source>
         <translation>✓ 已复制并核对：%2 个表的 %1 行在两边的数量和哈希值一致，%3 条审计记录相符。</translation>
     </message>
     <message>
-        <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody must be working meanwhile: close Torsio at all other stations.</source>
+        <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody may be working meanwhile: close Torsio at all other stations.</source>
         <translation>复制全部内容并逐行核对两边。您的记录保持不变。期间不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
@@ -24320,7 +24320,7 @@ Leave it empty to remove it.</source>
         <translation>全部模块</translation>
     </message>
     <message numerus="yes">
-        <source>%n remark(s) of physicians that you have not read</source>
+        <source>%n unread remark(s) from physicians</source>
         <translation>
             <numerusform>有 %n 条医师评语未读</numerusform>
         </translation>
@@ -24781,7 +24781,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>A drawn forearm and hand: wrist and fingers as measured on the trainee or the patient. The preset values are a man&apos;s; the girth of the forearm follows the wrist.</source>
-        <translation>绘制的前臂与手：腕部和手指按受训者或患者的测量值。预设值为男性尺寸；前臂围度随腕部而变。</translation>
+        <translation>绘制的前臂与手：腕部和手指按学员或患者的测量值。预设值为男性尺寸；前臂围度随腕部而变。</translation>
     </message>
     <message>
         <source>Draw the arm</source>
@@ -24859,7 +24859,7 @@ Leave it empty to remove it.</source>
         <translation>索取副本(&amp;C)…</translation>
     </message>
     <message>
-        <source>Ask for &amp;erasing…</source>
+        <source>Ask for &amp;erasure…</source>
         <translation>申请删除(&amp;E)…</translation>
     </message>
     <message>
@@ -25456,7 +25456,7 @@ Leave it empty to remove it.</source>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>Called to the real arm, your sheet is not in: %1. To be called: %2.</source>
+        <source>Called to the real arm, your sheet is missing: %1. Not called yet: %2.</source>
         <translation>已呼叫到实物手臂、您尚未提交：%1。待呼叫：%2。</translation>
     </message>
     <message>
@@ -25882,7 +25882,7 @@ Leave it empty to remove it.</source>
         <translation>医师的评语</translation>
     </message>
     <message>
-        <source>Each remark stands at the second of the run that it concerns.</source>
+        <source>Each remark is linked to the moment of the run it is about.</source>
         <translation>每条评语都标在操作中所涉及的那一秒。</translation>
     </message>
     <message>
@@ -25907,7 +25907,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1
-%2, %3 not read</source>
+%2, %3 unread</source>
         <translation>%1
 %2，%3 条未读</translation>
     </message>
@@ -26591,7 +26591,7 @@ Leave it empty to remove it.</source>
         <translation>1  备份</translation>
     </message>
     <message>
-        <source>It is first read from end to end in a copy; your record is not touched. Nobody must be working: close Torsio at all other stations.</source>
+        <source>It is first read from end to end in a copy; your record is not touched. Nobody may be working: close Torsio at all other stations.</source>
         <translation>首先在副本中从头到尾读取备份，不会改动您的记录。此时不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
@@ -26803,7 +26803,7 @@ Leave it empty to remove it.</source>
         <translation>状态</translation>
     </message>
     <message>
-        <source>No record is due. Rules sets how long a record may be inactive before it is listed here.</source>
+        <source>No record is due. “Rules” sets how long a record may be inactive before it is listed here.</source>
         <translation>没有到期的记录。在“规则”中设定记录多久无活动后列于此处。</translation>
     </message>
 </context>
@@ -29424,7 +29424,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Pass from a score of %1 on: %2 % of %3 novices would pass wrongly, %4 % of %5 masters fail wrongly, were their scores normal.</source>
-        <translation>得分达到 %1 即通过：若得分呈正态分布，%3 名新手中有 %2 % 会误通过，%5 名熟练者中有 %4 % 会误不通过。</translation>
+        <translation>得分达到 %1 即通过：若得分呈正态分布，%3 名新手中有 %2 % 会误通过，%5 名熟练者中有 %4 % 会误判不通过。</translation>
     </message>
     <message>
         <source>Pass mark</source>
@@ -29555,7 +29555,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>One password &amp;entry signs for</source>
-        <translation>输入一次密码可签名(&amp;E)</translation>
+        <translation>输入一次密码后可签名(&amp;E)</translation>
     </message>
     <message>
         <source>Play a sound when a l&amp;imit is reached (not in a shared room)</source>

@@ -50,7 +50,7 @@ QString ComparisonBars::sentenceOf(const RowComparison& row) const {
   const QString others =
       tr("others %1, from %2 to %3").arg(tenths(row.mean), tenths(row.lowest), tenths(row.highest));
   const QString own = tr("you %1").arg(tenths(row.own));
-  return row.apart ? tr("%1; %2; apart by %3").arg(own, others, tenths(std::abs(row.own - row.mean)))
+  return row.apart ? tr("%1; %2; difference %3").arg(own, others, tenths(std::abs(row.own - row.mean)))
                    : tr("%1; %2").arg(own, others);
 }
 

@@ -139,7 +139,7 @@ void QueuePage::showFigures() {
   const QLocale locale;
   waiting_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.waiting)));
   const QString submitted = tr("%1 submitted so far").arg(queue_.submitted);
-  const std::int64_t worked_min = queue_.worked_us / kMinute_us;
+  const std::int64_t worked_min = (queue_.worked_us + kMinute_us / 2) / kMinute_us;
   const QString worked = worked_min < 60 ? tr("%1 min").arg(worked_min)
                                          : tr("%1 h %2 min").arg(worked_min / 60).arg(worked_min % 60);
   waiting_.words->setText(worked_min == 0 ? submitted
@@ -166,7 +166,7 @@ void QueuePage::showDoors() {
           ? tr("Score the reference runs and see how far you are from the panel.")
           : tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(queue_.liveCalled > 0
-                          ? tr("Called to the real arm, your sheet is not in: %1. To be called: %2.")
+                          ? tr("Called to the real arm, your sheet is missing: %1. Not called yet: %2.")
                                 .arg(queue_.liveCalled)
                                 .arg(queue_.liveWaiting)
                           : tr("Cases that will be called to the real arm: %1. The sheet follows the call.")

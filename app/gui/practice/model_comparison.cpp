@@ -27,6 +27,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/signed_box.h"
 #include "app/report/pdf_report.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
@@ -149,7 +150,7 @@ QWidget* ModelComparison::createBar() {
   }
   torqueLabel_ = new QLabel(bar);
   torqueLabel_->setContentsMargins(0, 0, kLabelRoom, 0);
-  torque_ = new QDoubleSpinBox(bar);
+  torque_ = new SignedBox(bar);
   torque_->setRange(-100.0, 100.0);
   torque_->setDecimals(5);
   torque_->setSingleStep(0.005);
@@ -343,8 +344,9 @@ void ModelComparison::showFigures(const Side& side) {
     return;
   }
   const ModelResult& model = result_->model(side.id);
-  QString text = tr("for the whole twist, %n frame(s) of %1; set-up apart: %2", nullptr, model.frames)
-                     .arg(spanOf(model.frameMedian_s), spanOf(model.setUp_s));
+  QString text =
+      tr("for the whole twist, %n frame(s), median %1; set-up not included: %2", nullptr, model.frames)
+          .arg(spanOf(model.frameMedian_s), spanOf(model.setUp_s));
   text += QLatin1Char('\n');
   text += model.noEquilibrium.empty() ? tr("In equilibrium %1\u00b0, %2 mm from the reference")
                                             .arg(numberText(degrees(model.settled.angle_rad), 1),

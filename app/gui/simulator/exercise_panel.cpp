@@ -15,6 +15,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
 #include "sim/base/tick_period.h"
@@ -77,7 +78,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
       organ_(makeBox()),
       pattern_(makeBox()),
       formulation_(makeBox()),
-      target_(new QDoubleSpinBox) {
+      target_(new SignedBox) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   auto* grid = new QGridLayout;

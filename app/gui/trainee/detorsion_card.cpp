@@ -119,7 +119,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
   if (const auto back_s = measureOf(story, "detorse.time_to_flow"); back_s && *back_s <= 0.0) {
     out << tr("Blood flow was sufficient from the start.");
   } else if (back_s) {
-    out << tr("Blood flow returned after %1 (%2 of tissue time).")
+    out << tr("Blood flow returned after %1; %2 for the tissue.")
                .arg(clockTenths(*back_s), DetorsionPanel::clockText(*back_s * story.timeScale));
   } else {
     out << tr("Blood flow did not return in this run.");
@@ -149,7 +149,8 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
                 : tr("Turned back by %1 without a rest: let blood flow return in stages.").arg(size));
   }
   if (const auto over_s = measureOf(story, "detorse.overload_time"); over_s && *over_s > 0.0) {
-    out << tr("The tissue was overloaded for %1.").arg(clockTenths(*over_s));
+    out << tr("Jaw pressure or force was more than the ischaemic wall bears for %1.")
+               .arg(clockTenths(*over_s));
   }
   const auto count = [&story](DetorsionMoment what) {
     return std::count_if(story.events.begin(), story.events.end(),

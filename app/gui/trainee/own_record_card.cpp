@@ -109,7 +109,7 @@ void OwnRecordCard::retranslate() {
       tr("You may ask for a copy of everything that is kept about you, or that it be erased. The centre "
          "answers here."));
   copy_->setText(tr("Ask for a &copy\u2026"));
-  erase_->setText(tr("Ask for &erasing\u2026"));
+  erase_->setText(tr("Ask for &erasure\u2026"));
   takeBack_->setText(tr("Withdraw the re&quest"));
   showState();
 }

@@ -119,7 +119,7 @@ const TrialRemarks* RemarksPage::chosen() const {
 
 void RemarksPage::retranslate() {
   heading_->setTexts(tr("What physicians wrote"),
-                     tr("Each remark stands at the second of the run that it concerns."));
+                     tr("Each remark is linked to the moment of the run it is about."));
   empty_->setText(
       tr("No remarks yet. They appear here when the marks of a run have been released, or when a physician "
          "answers a question of yours."));
@@ -142,9 +142,8 @@ void RemarksPage::fillList() {
         trial.moduleTitle.empty() ? toQString(trial.phaseLabel) : toQString(Text(trial.moduleTitle));
     const QString head = title.isEmpty() ? tr("Run") : title;
     const QString line =
-        trial.unread > 0
-            ? tr("%1\n%2, %3 not read").arg(head, shownTime(trial.startedUtc_us)).arg(trial.unread)
-            : tr("%1\n%2").arg(head, shownTime(trial.startedUtc_us));
+        trial.unread > 0 ? tr("%1\n%2, %3 unread").arg(head, shownTime(trial.startedUtc_us)).arg(trial.unread)
+                         : tr("%1\n%2").arg(head, shownTime(trial.startedUtc_us));
     list_->addItem(line);
   }
   const bool any = !all_.empty();

@@ -192,6 +192,9 @@ void DataTable::setRows(std::vector<Row> rows) {
 /// still.
 void DataTable::fitColumns(bool first) {
   QHeaderView* header = view_->horizontalHeader();
+  if (wraps_) {
+    view_->setWordWrap(false);  // while it is found out how wide the names are
+  }
   header->setStretchLastSection(false);  // a last column that fills the list is wider than what is in it
   view_->resizeColumnsToContents();
   wanted_.resize(static_cast<std::size_t>(header->count()), 0);
@@ -201,6 +204,13 @@ void DataTable::fitColumns(bool first) {
   }
   shareWidth();
   letLastFill(*header, model_->columns());
+}
+
+void DataTable::wrapWhatIsCut() {
+  wraps_ = true;
+  QHeaderView* lines = view_->verticalHeader();
+  lines->setMinimumSectionSize(lines->defaultSectionSize());
+  lines->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 int DataTable::wholeWidth() const {
@@ -233,6 +243,9 @@ void DataTable::shareWidth() {
     }
   }
   sharing_ = false;
+  if (wraps_) {
+    view_->setWordWrap(wholeWidth() > width());
+  }
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {

@@ -74,6 +74,8 @@ class DataTable : public QWidget {
   /// Rows as they are shown, with a header line, tab-separated: the selection, or everything.
   [[nodiscard]] QString asText() const;
 
+  /// For a list of few rows with long names: where the list is too narrow they stand in several lines.
+  void wrapWhatIsCut();
   /// Width at which no cell of the columns that are shown is cut.
   [[nodiscard]] int wholeWidth() const;
   [[nodiscard]] QTableView& view() const noexcept { return *view_; }
@@ -118,7 +120,8 @@ class DataTable : public QWidget {
   QAction* sortAction_ = nullptr;
   QAction* columnsAction_ = nullptr;
   std::vector<int> wanted_;  // width of each column that shows all that is in it, px
-  bool sharing_ = false;     // the table sizes its columns, not somebody with the mouse
+  bool wraps_ = false;
+  bool sharing_ = false;  // the table sizes its columns, not somebody with the mouse
   bool restored_ = false;
   bool touched_ = false;  // somebody moved, sized, hid or sorted: only that is worth remembering
 };

@@ -160,7 +160,7 @@ void tellPlaces(const ToolPlaces& places, const Vec3& jawAxis, double pivot_mm,
     remarks.push_back({"D22", false,
                        Text::tr("the jaws are taken to turn about their broad side, %1, %2, %3 in the file",
                                 share(jawAxis.x), share(jawAxis.y), share(jawAxis.z)),
-                       std::nullopt, Text::tr("Give the axis of the hinge where it is another")});
+                       std::nullopt, Text::tr("Enter the axis of the hinge if it differs")});
   }
   if (std::abs(pivot_mm - kFeltJaw_mm) > 0.5) {
     remarks.push_back({"D22", true,

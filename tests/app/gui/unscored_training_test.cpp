@@ -80,7 +80,7 @@ TEST(StationPages, TrainingBeforeAnySheetIsInTellsWhyItStopsAndBeginsOnlyWithANo
   });
 
   ASSERT_EQ(read.size(), 1);
-  EXPECT_TRUE(read[0].contains(QStringLiteral("Only 0 of 10 sheet(s) of this occasion are in")))
+  EXPECT_TRUE(read[0].contains(QStringLiteral("Only 0 of 10 sheet(s) for this occasion are in")))
       << read[0].toStdString();
   EXPECT_TRUE(soon([&] { return station.pageId == PageId::kNextStep; }));
   EXPECT_TRUE(noted().empty());

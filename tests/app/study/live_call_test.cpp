@@ -216,7 +216,7 @@ TEST_F(LiveDay, ACallOfTheWrongPersonIsTakenBackWhileNobodyHasSubmitted) {
   const LiveCallId wrong = callTrainee(office(), request(0));
   const AssignmentId id = sheetOf(1, 0, "pre");
   saveSheet(centre.asRater(chiefs[1]), id, {.overall_steps = 50}, WatchLog());
-  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, wrong, ""); }).find("with a reason"),
+  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, wrong, ""); }).find("needs a reason"),
             std::string::npos);
 
   cancelCall(office(), cohort, wrong, "T-02 stood there");

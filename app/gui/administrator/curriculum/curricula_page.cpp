@@ -85,9 +85,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   halves_->setChildrenCollapsible(false);
   halves_->setHandleWidth(2 * kSpace);
   table_->setMinimumWidth(kListWidth);
-  QHeaderView* lines = table_->view().verticalHeader();
-  lines->setMinimumSectionSize(lines->defaultSectionSize());
-  lines->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->wrapWhatIsCut();
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(halves_, 1);
@@ -139,7 +137,6 @@ void CurriculaPage::shareWidth() {
   const int all = width();
   const int list = std::clamp(table_->wholeWidth(), kListWidth,
                               std::max(kListWidth, std::min(all / 3, all - kEditorWidth)));
-  table_->view().setWordWrap(list < table_->wholeWidth());
   halves_->setSizes({list, all - list});
 }
 
@@ -162,7 +159,6 @@ void CurriculaPage::showContent() {
                              : tr("none yet"),
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
   }
-  table_->view().setWordWrap(false);  // while the list finds out how wide its names are
   table_->setRows(std::move(rows));
   shareWidth();
   showDraft();

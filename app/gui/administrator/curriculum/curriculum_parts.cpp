@@ -19,6 +19,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -31,7 +32,7 @@ constexpr int kFieldWidth = 9 * kSpace;
 }  // namespace
 
 QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
+  QDoubleSpinBox* field = least < 0.0 ? new SignedBox(parent) : new QDoubleSpinBox(parent);
   field->setRange(least, most);
   field->setDecimals(decimals);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);

@@ -119,6 +119,7 @@ QWidget* ExerciseEditor::form() {
   texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"), mastery_->buttons());
   form->addRow(mastery_);
   hints_.add(form, CurriculumField::kMastery);
+  fields->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // rows stay together on a high screen
   return fields;
 }
 

@@ -31,6 +31,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kDialogWidth = 860;
+constexpr int kWidestDialog = 1240;
 constexpr int kFirstRows = 8;
 constexpr int kTableHeight = 130;  // beside the fields of a data set it must fit 768 pixels
 
@@ -65,7 +66,8 @@ ExportDialog::ExportDialog(ShellContext& shell, const ReportRequest& request,
 
 void ExportDialog::build() {
   setWindowTitle(tr("Export for other programs"));
-  setMinimumWidth(kDialogWidth);
+  const int room = parentWidget() != nullptr ? parentWidget()->window()->width() - 12 * kSpace : 0;
+  setMinimumWidth(std::clamp(room, kDialogWidth, kWidestDialog));
   form_->setObjectName(QStringLiteral("format"));
   pseudonymised_->setObjectName(QStringLiteral("pseudonymised"));
   freeText_->setObjectName(QStringLiteral("free-text"));
@@ -98,8 +100,9 @@ void ExportDialog::build() {
   rows_->setAlternatingRowColors(true);
   rows_->setAccessibleName(tr("First rows"));
   asInFile_->setObjectName(QStringLiteral("as-in-file"));
-  asInFile_->setText(
-      tr("Cells exactly as the file will hold them: words in English, numbers with all their digits."));
+  asInFile_->setText(tr(
+      "Below the headings, cells are exactly as the file will hold them: words in English, numbers with all "
+      "their digits."));
 
   auto* form = new QFormLayout;
   form->addRow(tr("&Format"), form_);

@@ -185,7 +185,7 @@ QWidget* CampaignDialog::weightFields() {
 void CampaignDialog::addChecks(QFormLayout* form, QVBoxLayout* left) {
   form->addRow(tr("&Name"), name_);
   checks_->addNeeded(form, name_, tr("Enter a name."));
-  form->addRow(tr("&Models, one a line"), models_);
+  form->addRow(tr("&Models, one per line"), models_);
   checks_->add(form, models_, [this] { return wrongModels(); });
   checks_->add(left, raters_, [this] { return wrongRaters(); });
   left->addWidget(chosen_);

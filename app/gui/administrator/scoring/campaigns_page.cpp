@@ -32,6 +32,7 @@ CampaignsPage::CampaignsPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("campaigns"), this)),
       ratersTitle_(new QLabel(this)),
       raters_(new DataTable(QStringLiteral("campaign-raters"), this)) {
+  table_->wrapWhatIsCut();
   table_->setObjectName(QStringLiteral("campaigns"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);

@@ -131,7 +131,8 @@ void AuditPage::readMore() {
 
 void AuditPage::retranslate() {
   heading_->setTexts(tr("Audit trail"), tr("Who did what, when, where and why. Entries are chained, so none "
-                                           "can be changed or removed unnoticed."));
+                                           "can be changed or removed unnoticed. Numbers that are not "
+                                           "listed are seals, which the record sets by itself."));
   for (QDateEdit* day : {from_, to_}) {
     showAsDate(day);
   }

@@ -218,13 +218,14 @@ void HeadsPage::showStation() {
     key = tr("Heads are signed with the key in %1\nIts public part, to be kept where heads are checked: %2")
               .arg(toQString(heads_.anchor.key), toQString(heads_.publicKey));
     if (heads_.keyBesideRecord) {
-      key += QLatin1Char('\n') + tr("! The key is stored beside the record: anyone who takes the folder can "
-                                    "sign. Move it elsewhere.");
+      key += QLatin1Char('\n') +
+             tr("\u26A0 The key is stored beside the record: anyone who takes the folder can "
+                "sign. Move it elsewhere.");
     }
   } else {
-    key =
-        tr("! This station has no key, so its heads are not signed: anyone with write access to where they "
-           "are kept can replace them.");
+    key = tr(
+        "\u26A0 This station has no key, so its heads are not signed: anyone with write access to where they "
+        "are kept can replace them.");
   }
   keyText_->setText(key);
   setLook(keyText_, "caution", heads_.publicKey.empty() || heads_.keyBesideRecord);
@@ -237,17 +238,17 @@ void HeadsPage::showStation() {
         tr("Each sign-out of an administrator adds a head to %1. Lines now: %2")
             .arg(toQString(heads_.anchor.witness), locale().toString(static_cast<qlonglong>(heads_.kept)));
     if (heads_.witnessOnDisk) {
-      witness +=
-          QLatin1Char('\n') + tr("! It is on the same disk as the record: anyone who takes the disk, or puts "
-                                 "an older one back, has both. Choose a file on another disk.");
+      witness += QLatin1Char('\n') +
+                 tr("\u26A0 It is on the same disk as the record: anyone who takes the disk, or puts "
+                    "an older one back, has both. Choose a file on another disk.");
     }
   } else {
-    witness =
-        tr("! This station keeps no heads. A record that was truncated, rewritten or replaced by an older "
-           "one would go unnoticed.");
+    witness = tr(
+        "\u26A0 This station keeps no heads. A record that was truncated, rewritten or replaced by an older "
+        "one would go unnoticed.");
   }
   if (!heads_.trouble.str().empty()) {
-    witness += QLatin1Char('\n') + QStringLiteral("! ") + toQString(heads_.trouble);
+    witness += QLatin1Char('\n') + QStringLiteral("\u26A0 ") + toQString(heads_.trouble);
   }
   witnessText_->setText(witness);
   setLook(witnessText_, "caution", !kept || heads_.witnessOnDisk || !heads_.trouble.str().empty());
@@ -415,9 +416,9 @@ void HeadsPage::retranslate() {
   print_->setText(tr("&Print\u2026"));
   add_->setText(tr("&Add to the witness file"));
   compare_->setTitle(tr("Compare with saved heads"));
-  compareText_->setText(
-      tr("Paste or type heads, one a line, or read a witness file. Without a public key they must be signed "
-         "with the key of this station, where it has one."));
+  compareText_->setText(tr(
+      "Paste or type heads, one per line, or read a witness file. Without a public key they must be signed "
+      "with the key of this station, where it has one."));
   lines_->setAccessibleName(tr("Saved heads"));
   load_->setText(tr("Read a &file\u2026"));
   nameField(publicLabel_, tr("Public &key"));

@@ -160,7 +160,7 @@ void MaintenancePage::showRecord() {
   simulatedText_->setText(demonstration_.people == 0
                               ? tr("There are no simulated people in this record.")
                               : tr("Simulated people: %1, recordings: %2, marks: %3. They are marked "
-                                   "everywhere and can go at once; real data stay.")
+                                   "everywhere and can be removed in one step; real data stay.")
                                     .arg(countText(demonstration_.people), countText(demonstration_.trials),
                                          countText(demonstration_.marks)));
 }

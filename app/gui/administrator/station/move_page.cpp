@@ -280,7 +280,7 @@ void MovePage::showCopy() {
                      locale().toString(static_cast<qlonglong>(copied_->tables.size())),
                      locale().toString(static_cast<qlonglong>(copied_->auditEntries)))
           : tr("Everything is copied and both sides are compared, row by row. Your record stays as it is. "
-               "Nobody must be working meanwhile: close Torsio at all other stations."));
+               "Nobody may be working meanwhile: close Torsio at all other stations."));
   copy_->setVisible(!copied_);
   switchCard_->setVisible(ready());
   if (!ready()) {

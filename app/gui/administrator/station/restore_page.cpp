@@ -309,7 +309,7 @@ void RestorePage::retranslate() {
   back_->setText(tr("&Back to maintenance"));
   backup_->setTitle(tr("1  The backup"));
   backupText_->setText(
-      tr("It is first read from end to end in a copy; your record is not touched. Nobody must be working: "
+      tr("It is first read from end to end in a copy; your record is not touched. Nobody may be working: "
          "close Torsio at all other stations."));
   nameField(fileLabel_, tr("Backup &file"));
   choose_->setText(tr("C&hoose\u2026"));

@@ -207,7 +207,8 @@ void RetentionQueue::retranslate() {
                       {tr("Due since")},
                       {tr("State")}});
   table_->setEmptyText(
-      tr("No record is due. Rules sets how long a record may be inactive before it is listed here."));
+      tr("No record is due. \u201cRules\u201d sets how long a record may be inactive before it is listed "
+         "here."));
   showRows();
 }
 

@@ -280,11 +280,14 @@ void AllocationPage::showDesign() {
          "moment.");
   if (!designs_.empty()) {
     const AllocationDesignRow& row = designs_.back();
+    constexpr qsizetype kDigits = 32;  // in a line
+    const QString commitment = toQString(row.stored.seedCommitment);
     text = tr("Locked %1 \u00B7 %2 allocated, %3 moved by hand\n%4\nCommitment: %5\nSeed: %6")
                .arg(shownTime(row.stored.lockedUtc_us, locale()))
                .arg(row.records)
                .arg(row.overrides)
-               .arg(methodName(row.design.method), toQString(row.stored.seedCommitment.substr(0, 32)),
+               .arg(methodName(row.design.method),
+                    commitment.left(kDigits) + QLatin1Char('\n') + commitment.mid(kDigits),
                     row.stored.seed.empty()
                         ? tr("sealed")
                         : tr("%1 (salt %2)").arg(toQString(row.stored.seed), toQString(row.stored.salt)));

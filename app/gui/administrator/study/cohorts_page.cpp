@@ -57,6 +57,7 @@ CohortsPage::CohortsPage(ShellContext& shell)
       state_(listButton(members_)) {
   members_->setObjectName(QStringLiteral("members"));
   table_->setObjectName(QStringLiteral("cohorts"));
+  table_->wrapWhatIsCut();
   rename_->setObjectName(QStringLiteral("renameCohort"));
   life_->setObjectName(QStringLiteral("cohortState"));
   archived_->setObjectName(QStringLiteral("archived"));
@@ -325,7 +326,7 @@ void CohortsPage::retranslate() {
   rename_->setText(tr("&Rename\u2026"));
   life_->setText(tr("Clo&se or archive\u2026"));
   archived_->setText(tr("Show arch&ived"));
-  state_->setText(tr("&Withdraw or take back\u2026"));
+  state_->setText(tr("&Withdraw or reinstate\u2026"));
   table_->setColumns({{tr("Name")},
                       {tr("State")},
                       {tr("Curriculum")},
