@@ -21076,7 +21076,7 @@ MSM = 质点弹簧</translation>
         <translation>两次夹持之间又回转了 %1：松开前请先上夹子。</translation>
     </message>
     <message>
-        <source>Jaw pressure or force was more than the ischaemic wall bears for %1.</source>
+        <source>For %1, jaw pressure or force exceeded what the ischaemic wall bears.</source>
         <translation>钳口压力或拉力超过缺血组织承受能力的时间：%1。</translation>
     </message>
     <message>

@@ -149,7 +149,7 @@ QStringList DetorsionCard::verdicts(const DetorsionStory& story) {
                 : tr("Turned back by %1 without a rest: let blood flow return in stages.").arg(size));
   }
   if (const auto over_s = measureOf(story, "detorse.overload_time"); over_s && *over_s > 0.0) {
-    out << tr("Jaw pressure or force was more than the ischaemic wall bears for %1.")
+    out << tr("For %1, jaw pressure or force exceeded what the ischaemic wall bears.")
                .arg(clockTenths(*over_s));
   }
   const auto count = [&story](DetorsionMoment what) {

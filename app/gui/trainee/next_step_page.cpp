@@ -175,8 +175,7 @@ void NextStepPage::fillNotices() {
         tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {
-    add(tr("%n unread remark(s) from physicians", nullptr,
-           static_cast<int>(steps_.unreadRemarks)),
+    add(tr("%n unread remark(s) from physicians", nullptr, static_cast<int>(steps_.unreadRemarks)),
         tr("Read"), PageId::kRemarks, {});
   }
 }
@@ -328,7 +327,6 @@ void NextStepPage::addModule(const ModuleStep& step) {
   row->addLayout(texts, 1);
   auto* facts = plainLabel(frame, "quiet");
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
-  facts->setWordWrap(false);
   facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
   row->addWidget(facts, 0, Qt::AlignTop);
   const ModuleId id = step.module.id;

@@ -20,7 +20,7 @@ TEST(ComparisonBars, OneComparisonHasTheSameDecimalsThroughout) {
   bars.setRows({row});
 
   EXPECT_EQ(bars.accessibleDescription().toStdString(),
-            "Overall: you 1.0; others 4.3, from 3.0 to 5.5; apart by 3.3");
+            "Overall: you 1.0; others 4.3, from 3.0 to 5.5; difference 3.3");
 }
 
 }  // namespace

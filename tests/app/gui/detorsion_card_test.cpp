@@ -43,7 +43,7 @@ TEST(DetorsionCard, SaysLengthsOfTimeInMinutesAndSeconds) {
   const QString text = DetorsionCard::verdicts(story).join(QLatin1Char(' '));
 
   EXPECT_TRUE(text.contains(QStringLiteral("flow returned after 1:05.1"))) << text.toStdString();
-  EXPECT_TRUE(text.contains(QStringLiteral("overloaded for 0:05.1"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("For 0:05.1, jaw pressure"))) << text.toStdString();
 }
 
 /// Ten seconds in which an organ is turned back; its content presses with 12 mmHg.

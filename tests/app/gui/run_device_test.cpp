@@ -175,7 +175,7 @@ TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   station.train(5 * kSecond_us);
   station.press("goOn");
   ASSERT_TRUE(station.run().fetchesDevice());
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("Your training clock stands still")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Your training clock is paused")));
   for (int i = 0; i < 4; ++i) {
     station.clock->advance_us(kSecond_us);
     station.run().tick();

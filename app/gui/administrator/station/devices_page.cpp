@@ -169,7 +169,9 @@ void DevicesPage::retranslate() {
   others_->setText(tr("Other &programs\u2026"));
   force_->setText(tr("&Force test: somebody holds the stylus"));
   table_->setColumns({{tr("Result")}, {tr("Checked")}, {tr("Findings")}, {tr("What to do")}});
-  table_->setEmptyText(tr("Press \u201cCheck the device\u201d."));
+  table_->setEmptyText(
+      tr("Press \u201c"
+         "Check the device\u201d."));
   showContent();
 }
 
