@@ -2738,8 +2738,8 @@
         <translation>力</translation>
     </message>
     <message>
-        <source>Forearm: graded, with little force</source>
-        <translation>前臂：计分，轻柔用力</translation>
+        <source>Forearm: with little force</source>
+        <translation>前臂：轻柔用力</translation>
     </message>
     <message>
         <source>Forearm: pronate to 60 degrees</source>

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QApplication>
+#include <QFrame>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
@@ -23,6 +24,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
       shape_(largeTargets ? RowShape::kLarge : RowShape::kUsual),
       theme_(&theme(ThemeKind::kLight)),
       scroll_(new QScrollArea(this)),
+      edge_(new QFrame(this)),
       commentLabel_(new QLabel(this)),
       comment_(new QPlainTextEdit(this)) {
   auto* column = new QVBoxLayout(this);
@@ -41,6 +43,16 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
+  edge_->setProperty("edge", true);
+  edge_->setFixedHeight(1);
+  QSizePolicy kept = edge_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);  // the rows stand still
+  edge_->setSizePolicy(kept);
+  edge_->setObjectName(QStringLiteral("edge"));
+  edge_->hide();
+  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, edge_,
+          [this](int, int most) { edge_->setVisible(most > 0); });
+  column->addWidget(edge_);
   overallLayout_ = new QVBoxLayout;
   overallLayout_->setContentsMargins(0, 0, 0, 0);
   column->addLayout(overallLayout_);

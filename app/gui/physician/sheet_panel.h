@@ -11,6 +11,7 @@
 #include "app/review/sheet_editor.h"
 #include "assessment/rating/rubric.h"
 
+class QFrame;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -89,6 +90,7 @@ class SheetPanel : public QWidget {
   SheetEditor* editor_ = nullptr;
   const Theme* theme_;
   QScrollArea* scroll_;
+  QFrame* edge_;  ///< between rows that are cut and the overall mark
   QVBoxLayout* rowsLayout_;
   QVBoxLayout* overallLayout_;  ///< below what scrolls: the overall mark is always seen
   QVBoxLayout* commentLayout_;  ///< below that, as wide as the scales

@@ -130,6 +130,7 @@ QToolButton:disabled { color: %disabledText; }
 QStatusBar { background: %window; color: %quietText; border-top: 1px solid %line; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: %quietText; padding: 4px 12px; }
+QFrame[edge="true"] { background: %line; border: none; }
 QFrame#card, QFrame[card="true"] { background: %surface; border: 1px solid %line; border-radius: 8px; }
 QLabel#cardTitle { color: %text; font-weight: 600; }
 QLabel[quiet="true"] { color: %quietText; }

@@ -3,6 +3,7 @@
 #include "app/gui/physician/sheet_editor_panel.h"
 
 #include <QApplication>
+#include <QFrame>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
@@ -109,6 +110,22 @@ TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
     panel.handleKey(Qt::Key_Down, Qt::NoModifier);
     EXPECT_EQ(places(), before) << "row " << i;
   }
+}
+
+TEST(SheetEditorPanel, AnEdgeStandsBetweenRowsThatAreCutAndTheOverallMark) {
+  SheetEditorPanel panel;
+  panel.resize(520, 900);
+  panel.show();
+  panel.beginSheet(threeRows(), {});
+  const auto& edge = child<QFrame>(panel, "edge");
+  const QScrollBar& bar = *panel.findChild<QScrollArea*>()->verticalScrollBar();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar.maximum() == 0 && edge.isHidden(); }));
+
+  panel.resize(520, 320);
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar.maximum() > 0 && edge.isVisible(); }));
+  panel.resize(520, 900);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar.maximum() == 0 && edge.isHidden(); }));
 }
 
 TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
