@@ -17,6 +17,7 @@
 
 #include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -294,6 +295,21 @@ TEST(DataTable, SortsAndChoosesColumnsWithoutTheMouse) {
   acts[1]->trigger();
 
   EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
+}
+
+TEST(SignedBox, ShowsTheMinusOfPrintAndTakesBothSigns) {
+  SignedBox box;
+  box.setRange(-180.0, 180.0);
+  box.setSuffix(QStringLiteral("\u00b0"));
+  box.setValue(-60.0);
+  EXPECT_EQ(box.text(), QStringLiteral("\u221260.00\u00b0"));
+  for (const QString& typed : {QStringLiteral("-12.5"), QStringLiteral("\u221212.5")}) {
+    box.setValue(0.0);
+    box.selectAll();
+    box.findChild<QLineEdit*>()->insert(typed);
+    box.interpretText();
+    EXPECT_EQ(box.value(), -12.5) << typed.toStdString();
+  }
 }
 
 }  // namespace
