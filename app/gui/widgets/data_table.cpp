@@ -15,11 +15,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMetaMethod>
-#include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 
-#include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/row_view.h"
@@ -31,19 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kRowHeight = 32;
-constexpr int kLeastWidth = 12 * kSpace;  // a wider column gives way before a list scrolls sideways
 constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
-
-/// The last column takes the rest of a wide list, but for a number, which would stand far from what it
-/// belongs to.
-void letLastFill(QHeaderView& header, const std::vector<Column>& columns) {
-  int place = header.count() - 1;
-  while (place >= 0 && header.isSectionHidden(header.logicalIndex(place))) {
-    --place;
-  }
-  header.setStretchLastSection(place < 0 ||
-                               !columns[static_cast<std::size_t>(header.logicalIndex(place))].number);
-}
 
 }  // namespace
 
@@ -168,7 +154,7 @@ void DataTable::setColumns(const std::vector<Column>& columns) {
     restore();
   }
   restored_ = true;
-  letLastFill(*view_->horizontalHeader(), columns);
+  letLastFill();
 }
 
 void DataTable::setRows(std::vector<Row> rows) {
@@ -186,86 +172,6 @@ void DataTable::setRows(std::vector<Row> rows) {
     selectAll(chosen);
   }
   showCount();
-}
-
-/// As wide as what is in them; with new rows they only grow, so that a list that reads itself anew stands
-/// still.
-void DataTable::fitColumns(bool first) {
-  QHeaderView* header = view_->horizontalHeader();
-  if (wraps_) {
-    view_->setWordWrap(false);  // while it is found out how wide the names are
-  }
-  header->setStretchLastSection(false);  // a last column that fills the list is wider than what is in it
-  view_->resizeColumnsToContents();
-  wanted_.resize(static_cast<std::size_t>(header->count()), 0);
-  for (int column = 0; column < header->count(); ++column) {
-    int& wanted = wanted_[static_cast<std::size_t>(column)];
-    wanted = first ? header->sectionSize(column) : std::max(wanted, header->sectionSize(column));
-  }
-  shareWidth();
-  letLastFill(*header, model_->columns());
-}
-
-void DataTable::wrapWhatIsCut() {
-  wraps_ = true;
-  QHeaderView* lines = view_->verticalHeader();
-  lines->setMinimumSectionSize(lines->defaultSectionSize());
-  lines->setSectionResizeMode(QHeaderView::ResizeToContents);
-}
-
-int DataTable::wholeWidth() const {
-  const QHeaderView& header = *view_->horizontalHeader();
-  int width = 2 * view_->frameWidth() + view_->verticalScrollBar()->sizeHint().width();
-  for (std::size_t column = 0; column < wanted_.size(); ++column) {
-    width += header.isSectionHidden(static_cast<int>(column)) ? 0 : wanted_[column];
-  }
-  return width;
-}
-
-void DataTable::shareWidth() {
-  QHeaderView* header = view_->horizontalHeader();
-  if (touched_ || wanted_.size() != static_cast<std::size_t>(header->count())) {
-    return;
-  }
-  // A column gives way down to its title, which stays whole.
-  std::vector<ColumnWidth> columns;
-  for (int column = 0; column < header->count(); ++column) {
-    const int least = std::max(kLeastWidth, header->sectionSizeHint(column));
-    columns.push_back(header->isSectionHidden(column)
-                          ? ColumnWidth{0, 0}
-                          : ColumnWidth{wanted_[static_cast<std::size_t>(column)], least});
-  }
-  const std::vector<int> widths = sharedWidths(columns, view_->viewport()->width());
-  sharing_ = true;
-  for (int column = 0; column < header->count(); ++column) {
-    if (!header->isSectionHidden(column)) {
-      header->resizeSection(column, widths[static_cast<std::size_t>(column)]);
-    }
-  }
-  sharing_ = false;
-  if (wraps_) {
-    view_->setWordWrap(wholeWidth() > width());
-  }
-}
-
-void DataTable::setColumnHidden(int column, bool hidden) {
-  QHeaderView* header = view_->horizontalHeader();
-  if (header->isSectionHidden(column) == hidden) {
-    return;
-  }
-  header->setSectionHidden(column, hidden);
-  // While it was hidden nobody gave it a width: at once, not when the list is filled the next time.
-  if (!touched_) {
-    fitColumns(false);
-  } else if (!hidden && header->sectionSize(column) < kLeastWidth) {
-    view_->resizeColumnToContents(column);
-  }
-}
-
-void DataTable::hideAtFirst(int column) {
-  if (!touched_) {
-    setColumnHidden(column, true);
-  }
 }
 
 void DataTable::setEmptyText(const QString& sentence) {

@@ -99,6 +99,7 @@ class DataTable : public QWidget {
   void sortByCurrent();
   void fitColumns(bool first);
   void shareWidth();
+  void letLastFill();
   void showCount();
   void retranslate();
   [[nodiscard]] QString settingsKey() const;
