@@ -21,7 +21,8 @@ constexpr double kViewMillimetres = 1000.0;  // in a metre
 constexpr double kMargin_mm = 6.0;
 constexpr double kFront = 2.6;  // of the hinge's distance: how much of the front is shown
 constexpr double kCaption = 22.0;
-constexpr double kBeside = 4.0;  // pixels above and below what is drawn
+constexpr double kHingeMark_mm = 3.0;  // at least, to each side
+constexpr double kBeside = 4.0;        // pixels above and below what is drawn
 
 bool alongHinge(int row) {
   return row < 2;
@@ -60,12 +61,16 @@ double InstrumentView::shownLength_mm(int row) const {
   return row == 0 ? tool_.length_mm : kFront * tool_.pivot_mm;
 }
 
+double InstrumentView::hingeMark_mm() const {
+  return std::max(kHingeMark_mm, tool_.shaftRadius_mm);
+}
+
 void InstrumentView::measure() {
   const Vec3 pivot{0.0, 0.0, tool_.pivot_mm};
   const double opening_rad = radians(opening_deg_);
-  halfAcross_mm_ = {};
   for (int row = 0; row < kPanes; ++row) {
     double& half = halfAcross_mm_[static_cast<std::size_t>(row)];
+    half = alongHinge(row) ? 0.0 : hingeMark_mm();
     const auto add = [&](const TriangleMesh& mesh, double turn_rad) {
       for (const Vec3& v : mesh.vertices_m) {
         const Vec3 at = pivot + rotateAbout(kViewMillimetres * v - pivot, {1.0, 0.0, 0.0}, turn_rad);
@@ -82,14 +87,6 @@ void InstrumentView::measure() {
       add(tool_.lowerJaw, -opening_rad);
     }
   }
-}
-
-double InstrumentView::halfRoom(int row) const {
-  return 0.5 * pane(row).area.height();
-}
-
-double InstrumentView::halfDrawn(int row) const {
-  return halfAcross_mm_[static_cast<std::size_t>(row)] * pane(row).perMm;
 }
 
 InstrumentView::Pane InstrumentView::pane(int row) const {
@@ -172,7 +169,7 @@ void InstrumentView::paintPane(QPainter& painter, int row) const {
   if (pane.alongHinge) {
     painter.drawEllipse(at(tool_.pivot_mm), 5.0, 5.0);
   } else {
-    const QPointF across(0.0, std::max(3.0, tool_.shaftRadius_mm) * pane.perMm);
+    const QPointF across(0.0, hingeMark_mm() * pane.perMm);
     painter.drawLine(at(tool_.pivot_mm) - across, at(tool_.pivot_mm) + across);
   }
   painter.setBrush(theme_.accent);

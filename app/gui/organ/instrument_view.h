@@ -28,10 +28,6 @@ class InstrumentView : public QWidget {
   /// Where a point of the shaft's axis is drawn, in the row of the whole instrument (0), of its front along
   /// the hinge (1) or from above (2).
   [[nodiscard]] QPointF placeOf(int row, double fromTip_mm) const;
-  /// Room of a row below its caption, in pixels of the widget, and how far from its middle the instrument is
-  /// drawn there, its jaws opened where the row shows that.
-  [[nodiscard]] double halfRoom(int row) const;
-  [[nodiscard]] double halfDrawn(int row) const;
 
  Q_SIGNALS:
   /// The tip is at the other end.
@@ -54,6 +50,8 @@ class InstrumentView : public QWidget {
   static constexpr int kPanes = 3;  // the whole, along the hinge, from above
   [[nodiscard]] Pane pane(int row) const;
   [[nodiscard]] double shownLength_mm(int row) const;
+  /// How far the line of the hinge reaches to each side, from above.
+  [[nodiscard]] double hingeMark_mm() const;
   void measure();
   void paintPane(QPainter& painter, int row) const;
   void paintMesh(QPainter& painter, const Pane& pane, const TriangleMesh& mesh, const QColor& colour,

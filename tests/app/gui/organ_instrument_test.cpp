@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -86,6 +87,17 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   }
 }
 
+/// Whether nothing is drawn in a line of pixels.
+bool isBare(const QImage& picture, int y) {
+  const QColor backdrop = theme(ThemeKind::kLight).backdrop;
+  for (int x = 0; x < picture.width(); ++x) {
+    if (picture.pixelColor(x, y) != backdrop) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // In a wide and low window the rows are far wider than high.
 TEST(OrganInstrument, IsNotCutOffHoweverWideItsViewIs) {
   ToolSurface tool;
@@ -101,10 +113,13 @@ TEST(OrganInstrument, IsNotCutOffHoweverWideItsViewIs) {
     view.setOpening(opening_deg);
     for (const QSize& size : {QSize(320, 300), QSize(1500, 360), QSize(600, 900)}) {
       view.resize(size);
+      const QImage seen = view.grab().toImage();
       for (int row = 0; row < 3; ++row) {
-        EXPECT_GT(view.halfDrawn(row), 1.0);
-        EXPECT_LT(view.halfDrawn(row), view.halfRoom(row))
-            << row << ' ' << opening_deg << ' ' << size.width();
+        const int middle = qRound(view.placeOf(row, 0.0).y());
+        const int edge = (row + 1) * size.height() / 3;
+        EXPECT_FALSE(isBare(seen, middle));
+        EXPECT_TRUE(isBare(seen, edge - 1)) << row << ' ' << opening_deg << ' ' << size.width();
+        EXPECT_TRUE(isBare(seen, 2 * middle - edge + 1)) << row << ' ' << opening_deg << ' ' << size.width();
         EXPECT_GE(view.placeOf(row, 0.0).x(), 0.0);
         EXPECT_LE(view.placeOf(row, row == 0 ? tool.length_mm : tool.pivot_mm).x(), size.width());
       }
