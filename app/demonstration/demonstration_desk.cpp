@@ -20,6 +20,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -81,14 +82,14 @@ class DeskMaker {
 
  private:
   void addRubric() {
-    SheetRepository sheets(connection_);
+    RubricRepository rubrics(connection_);
     RubricRevision rubric = demonstrationRubric();
     rubric.id = ids_.newUuid();
     rubric.rubricId = ids_.newUuid();
     rubric.createdBy = "demonstration";
     rubric.createdUtc_us = options_.utc_us;
-    sheets.addRubric(rubric.rubricId, "Twist on the arm (demonstration)", options_.utc_us, true);
-    sheets.addRevision(rubric);
+    rubrics.addRubric(rubric.rubricId, "Twist on the arm (demonstration)", options_.utc_us, true);
+    rubrics.addRevision(rubric);
     desk_.rubricRevisionId = rubric.id;
     rubric_ = rubric;
   }

@@ -25,6 +25,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -192,7 +193,7 @@ Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& rate
 /// An overall mark and nothing else: that is what the paper's physicians gave on the real arm.
 RubricRevisionId addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
                                   std::int64_t utc_us) {
-  SheetRepository sheets(connection);
+  RubricRepository rubrics(connection);
   RubricRevision rubric;
   rubric.id = ids.newUuid();
   rubric.rubricId = ids.newUuid();
@@ -200,8 +201,8 @@ RubricRevisionId addOverallRubric(Connection& connection, IdSource& ids, const S
   rubric.overall = scale;
   rubric.createdBy = "demonstration";
   rubric.createdUtc_us = utc_us;
-  sheets.addRubric(rubric.rubricId, "Overall mark on the real arm (demonstration)", utc_us, true);
-  sheets.addRevision(rubric);
+  rubrics.addRubric(rubric.rubricId, "Overall mark on the real arm (demonstration)", utc_us, true);
+  rubrics.addRevision(rubric);
   return rubric.id;
 }
 

@@ -31,6 +31,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -78,7 +79,11 @@ CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId, const
 class Tracer {
  public:
   Tracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
-      : sheets_(connection), trials_(connection), rows_(cohortCsvRows(inputs)), program_(inputs.programHash) {
+      : rubrics_(connection),
+        sheets_(connection),
+        trials_(connection),
+        rows_(cohortCsvRows(inputs)),
+        program_(inputs.programHash) {
     const Occasions occasions = occasionsOfCohort(connection, cohortId);
     const std::vector<Text> names = occasionTexts(occasions);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -91,7 +96,7 @@ class Tracer {
         calls_[key] = std::move(call);
       }
     }
-    for (const Rubric& rubric : sheets_.rubrics()) {
+    for (const Rubric& rubric : rubrics_.rubrics()) {
       rubricNames_[rubric.id] = rubric.name;
     }
   }
@@ -228,7 +233,7 @@ class Tracer {
     if (!asked || !sheet) {
       return;
     }
-    const std::optional<RubricRevision> rubric = sheets_.revision(asked->assignment.rubricRevisionId);
+    const std::optional<RubricRevision> rubric = rubrics_.revision(asked->assignment.rubricRevisionId);
     if (!rubric) {
       return;
     }
@@ -254,6 +259,7 @@ class Tracer {
     steps.push_back(std::move(criteria));
   }
 
+  RubricRepository rubrics_;
   SheetRepository sheets_;
   TrialRepository trials_;
   std::vector<Row> rows_;

@@ -22,6 +22,7 @@
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -66,14 +67,15 @@ std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Ce
 class SheetsOfCohort {
  public:
   SheetsOfCohort(Connection& connection, const CohortId& cohortId) : repository_(connection) {
+    const RubricRepository rubrics(connection);
     for (const AssignmentStatus& status : repository_.assignments(cohortId)) {
       const RubricRevisionId& id = status.assignment.rubricRevisionId;
       revisionOf_[status.assignment.id] = id;
       if (!revisions_.contains(id)) {
-        revisions_.emplace(id, repository_.revision(id).value());
+        revisions_.emplace(id, rubrics.revision(id).value());
       }
     }
-    for (const Rubric& rubric : repository_.rubrics()) {
+    for (const Rubric& rubric : rubrics.rubrics()) {
       names_[rubric.id] = rubric.name;
     }
   }

@@ -18,6 +18,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -109,7 +110,7 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
   DeskRepository desk(session.connection());
   OpenedSheet opened;
   opened.shown = blindedCase(session, assignmentId);
-  opened.rubric = sheets.revision(assignment.rubricRevisionId).value();
+  opened.rubric = RubricRepository(session.connection()).revision(assignment.rubricRevisionId).value();
   const std::int64_t length_us = opened.shown.length_us.value_or(0);
   opened.watched = WatchLog(length_us);
   if (const auto sealed = sheets.submitted(assignmentId)) {

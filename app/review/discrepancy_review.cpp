@@ -15,6 +15,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -112,14 +113,14 @@ void requireReason(const std::string& reason, const std::string& label) {
 std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   DeskRepository desk(session.connection());
-  SheetRepository sheets(session.connection());
+  const RubricRepository rubrics(session.connection());
   DiscrepancyRepository decisions(session.connection());
   const double threshold = threshold_points(session.connection());
   const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
   for (const Assignment& assignment : desk.committed(rater)) {
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
-    const RubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
+    const RubricRevision rubric = rubrics.revision(assignment.rubricRevisionId).value();
     DiscrepancyCase line;
     const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
       auto compared = compare(marks, rater, row, scale, threshold);

@@ -10,7 +10,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -40,7 +40,7 @@ ReferenceRun runNumber(Connection& connection, std::size_t number) {
 
 /// The scale of the panel's mark. Throws unless the choice makes a reference run.
 ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
-  const auto rubric = SheetRepository(connection).revision(choice.rubricRevisionId);
+  const auto rubric = RubricRepository(connection).revision(choice.rubricRevisionId);
   if (!rubric) {
     throw Error(ErrorCode::kBadData, Text::tr("there is no such rubric"), choice.rubricRevisionId,
                 Text::tr("Choose one from the list"));
@@ -94,12 +94,12 @@ std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
 RaterCalibration raterCalibration(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
   DeskRepository desk(session.connection());
-  SheetRepository sheets(session.connection());
+  const RubricRepository rubrics(session.connection());
   const std::vector<CalibrationScore> tries =
       RemarkRepository(session.connection()).calibrationScores(session.actor().personId);
   RaterCalibration out;
   for (const ReferenceRun& run : desk.referenceRuns()) {
-    const RubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
+    const RubricRevision rubric = rubrics.revision(run.rubricRevisionId).value();
     if (out.runs.empty()) {
       out.rubric = rubric;
     }
@@ -130,7 +130,7 @@ BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number) {
 void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t score_steps) {
   session.require(Operation::kMarkSubmit);
   const ReferenceRun run = runNumber(session.connection(), number);
-  const RubricRevision rubric = SheetRepository(session.connection()).revision(run.rubricRevisionId).value();
+  const RubricRevision rubric = RubricRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
     throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
                 Text::tr("reference %1", number), Text::tr("Correct the mark"));
@@ -179,7 +179,7 @@ std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
 std::vector<ReferenceRow> referenceRows(SessionContext& session) {
   session.require(Operation::kStudySetup);
   DeskRepository desk(session.connection());
-  SheetRepository sheets(session.connection());
+  const RubricRepository rubrics(session.connection());
   TrialRepository trials(session.connection());
   std::map<std::string, std::string> reasons;
   for (const ReferenceWithdrawal& withdrawal : desk.referenceWithdrawals()) {
@@ -189,7 +189,7 @@ std::vector<ReferenceRow> referenceRows(SessionContext& session) {
   std::vector<ReferenceRow> withdrawn;
   for (const ReferenceRun& run : desk.allReferenceRuns()) {
     const TrialHeader header = trials.find(run.trialId).value();
-    const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
+    const ScoreScale scale = rubrics.revision(run.rubricRevisionId).value().overall;
     const auto reason = reasons.find(run.trialId);
     const bool given = reason == reasons.end();
     (given ? rows : withdrawn)

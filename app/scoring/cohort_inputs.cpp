@@ -22,6 +22,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -178,9 +179,9 @@ ReportedSheet reported(const RubricRevision& revision, const std::string& name) 
 /// The sheets behind the newest marks, and what they say of each criterion.
 void addCriteria(Connection& connection, const CohortId& cohortId, const TrainingResult& training,
                  const std::vector<StudyGroup>& groups, CohortInputs& inputs) {
-  SheetRepository sheets(connection);
+  const RubricRepository rubrics(connection);
   std::map<RubricId, std::string> names;
-  for (const Rubric& rubric : sheets.rubrics()) {
+  for (const Rubric& rubric : rubrics.rubrics()) {
     names[rubric.id] = rubric.name;
   }
   std::map<RubricRevisionId, std::size_t> sheetOf;
@@ -188,7 +189,7 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Trainin
   const auto sheetFor = [&](const RubricRevisionId& id) {
     const auto [known, added] = sheetOf.try_emplace(id, inputs.sheets.size());
     if (added) {
-      const RubricRevision revision = sheets.revision(id).value();
+      const RubricRevision revision = rubrics.revision(id).value();
       for (std::size_t i = 0; i < revision.rows.size(); ++i) {
         criterionOf[{known->second, revision.rows[i].code}] = {i, revision.rows[i].scale};
       }

@@ -18,6 +18,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/paper_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -123,7 +124,7 @@ PaperForm paperForm(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = openLiveSheet(connection, assignmentId);
   PaperForm form{.caseLabel = assignment.caseLabel,
                  .raterCode = raterCodes(connection).at(assignment.raterId),
-                 .rubric = SheetRepository(connection).revision(assignment.rubricRevisionId).value()};
+                 .rubric = RubricRepository(connection).revision(assignment.rubricRevisionId).value()};
   const std::vector<PaperEntry> entries = PaperRepository(connection).of(assignmentId);
   for (const PaperEntry& entry : entries) {
     if (entry.enteredBy == session.actor().userId) {
@@ -140,7 +141,7 @@ PaperOutcome enterPaperSheet(SessionContext& session, const AssignmentId& assign
   Transaction transaction(connection);
   const Assignment assignment = openLiveSheet(connection, assignmentId);
   SheetRepository sheets(connection);
-  const RubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
+  const RubricRevision rubric = RubricRepository(connection).revision(assignment.rubricRevisionId).value();
   const Text where = Text::tr("case %1", assignment.caseLabel);
   if (const std::vector<std::string> faults = faultyRows(rubric, sheet); !faults.empty()) {
     refuse(Text::tr("no mark of the scale and no reason: %1", namesOf(rubric, faults)), where,
@@ -195,7 +196,10 @@ std::vector<PaperSheet> paperSheets(SessionContext& session, const CohortId& coh
     }
     auto rubric = rubrics.find(one.rubricRevisionId);
     if (rubric == rubrics.end()) {
-      rubric = rubrics.emplace(one.rubricRevisionId, repository.revision(one.rubricRevisionId).value()).first;
+      rubric = rubrics
+                   .emplace(one.rubricRevisionId,
+                            RubricRepository(connection).revision(one.rubricRevisionId).value())
+                   .first;
     }
     sheets.push_back({one.caseLabel, codes.at(one.raterId), rubric->second});
   }

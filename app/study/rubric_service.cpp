@@ -11,7 +11,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/base/ids.h"
@@ -74,7 +74,7 @@ RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId
   revision.note = note;
   revision.createdBy = session.actor().userId;
   revision.createdUtc_us = session.now_us();
-  SheetRepository(session.connection()).addRevision(revision);
+  RubricRepository(session.connection()).addRevision(revision);
   session.note({.action = number == 1 ? AuditAction::kRubricAdd : AuditAction::kRubricRevise,
                 .objectKind = AuditObject::kRubricRevision,
                 .objectId = revision.id,
@@ -261,7 +261,7 @@ std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets)
 
 std::vector<RubricRow> rubrics(SessionContext& session) {
   session.require(Operation::kPersonViewCoded);
-  SheetRepository repository(session.connection());
+  const RubricRepository repository(session.connection());
   std::vector<RubricRow> rows;
   for (const Rubric& rubric : repository.rubrics()) {
     RubricRow row{rubric.id, rubric.name, {}};
@@ -282,7 +282,7 @@ RubricRevisionId addRubric(SessionContext& session, const std::string& name, con
   checkRubric(first);
   Transaction transaction(session.connection());
   const RubricId rubricId = session.ids().newUuid();
-  SheetRepository(session.connection()).addRubric(rubricId, name, session.now_us(), demonstration);
+  RubricRepository(session.connection()).addRubric(rubricId, name, session.now_us(), demonstration);
   const RubricRevisionId id = storeRevision(session, rubricId, first, 1, first.note);
   transaction.commit();
   return id;
@@ -293,7 +293,7 @@ RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId,
   session.require(Operation::kCurriculumEdit);
   checkRubric(next);
   Transaction transaction(session.connection());
-  const std::size_t before = SheetRepository(session.connection()).revisionIds(rubricId).size();
+  const std::size_t before = RubricRepository(session.connection()).revisionIds(rubricId).size();
   if (before == 0) {
     refuseParameter(Text::tr("there is no such rubric"), rubricId, Text::tr("Choose one from the list"));
   }

@@ -19,6 +19,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -83,7 +84,7 @@ void checkPlan(SessionContext& session, const ScoringPlan& plan) {
       refuseParameter(Text::tr("there is no such occasion"), point, Text::tr("Choose one from the list"));
     }
   }
-  if (!SheetRepository(session.connection()).revision(plan.rubricRevisionId)) {
+  if (!RubricRepository(session.connection()).revision(plan.rubricRevisionId)) {
     refuseParameter(Text::tr("there is no such rubric"), plan.rubricRevisionId,
                     Text::tr("Choose one from the list"));
   }

@@ -19,6 +19,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "db/repository/trial/remark_repository.h"
@@ -199,7 +200,7 @@ ScoreGapRow rowOf(const std::string& code, const std::string& label, const Score
 /// The sheet that raters were given for this trial; without one: the overall mark of paper section 6.
 RubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
   if (!asked.empty()) {
-    const auto revision = SheetRepository(connection).revision(asked.front().assignment.rubricRevisionId);
+    const auto revision = RubricRepository(connection).revision(asked.front().assignment.rubricRevisionId);
     if (revision) {
       return *revision;
     }

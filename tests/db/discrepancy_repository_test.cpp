@@ -8,6 +8,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/freeze_repository.h"
 #include "tests/db/sample_record.h"
@@ -20,10 +21,11 @@ class DiscrepancyRepositoryTest : public DatabaseTest {
  protected:
   static std::string assignmentIn(Connection& connection, SampleRecord& sample) {
     SheetRepository sheets(connection);
-    sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
+    RubricRepository rubrics(connection);
+    rubrics.addRubric("rubric", "Twist", kSampleTime_us, true);
     RubricRevision revision{.id = "revision", .rubricId = "rubric"};
     revision.overall = {10, 100, 10};
-    sheets.addRevision(revision);
+    rubrics.addRevision(revision);
     Assignment assignment{.id = sample.ids.newUuid()};
     assignment.raterId = sample.chiefs[0].person.id;
     assignment.enrolmentId = sample.enrolments[0].id;

@@ -18,6 +18,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -255,11 +256,12 @@ void addTrialAndMark(Connection& connection, const FullRecord& record, const std
   TrialRepository(connection, {.station = "room", .enrolmentId = prefix + " enrolment"}).import(trial);
 
   SheetRepository sheets(connection);
-  sheets.addRubric(prefix + " rubric", prefix + " sheet", kSampleTime_us, demonstration);
+  RubricRepository rubrics(connection);
+  rubrics.addRubric(prefix + " rubric", prefix + " sheet", kSampleTime_us, demonstration);
   RubricRevision revision{.id = prefix + " revision", .rubricId = prefix + " rubric"};
   revision.overall = {10, 100, 10};
   revision.rows = {{"time", "time", {10, 100, 10}, {{10, "slow"}}}};
-  sheets.addRevision(revision);
+  rubrics.addRevision(revision);
   for (const char* point : {"pre", "mid"}) {
     Assignment assignment{.id = prefix + " " + point};
     assignment.raterId = record.raterId;

@@ -17,6 +17,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -111,11 +112,12 @@ class PersonDataTest : public DatabaseTest {
     void addDraft(Connection& connection, std::size_t i, const std::string& text) {
       SheetRepository sheets(connection);
       if (i == 0) {
-        sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
+        RubricRepository rubrics(connection);
+        rubrics.addRubric("rubric", "Twist", kSampleTime_us, true);
         RubricRevision revision{.id = "revision", .rubricId = "rubric"};
         revision.overall = {10, 100, 10};
         revision.rows = {{"time", "time", {10, 100, 10}, {}}};
-        sheets.addRevision(revision);
+        rubrics.addRevision(revision);
       }
       Assignment assignment{.id = sample.ids.newUuid()};
       assignment.raterId = sample.chiefs[1].person.id;

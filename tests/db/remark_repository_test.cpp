@@ -7,7 +7,7 @@
 #include "assessment/rating/self_score.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
@@ -172,12 +172,12 @@ TEST_F(RemarkRepositoryTest, AnEditIsARowBesideTheOldWordsAndIsUnreadAgain) {
 TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
   Connection connection = openWithSchema();
   Desk desk(connection);
-  SheetRepository sheets(connection);
-  sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
+  RubricRepository rubrics(connection);
+  rubrics.addRubric("rubric", "Twist", kSampleTime_us, true);
   RubricRevision revision{.id = "revision", .rubricId = "rubric"};
   revision.overall = {10, 100, 10};
   revision.rows = {{"time", "time", {10, 100, 10}, {}}, {"force", "force", {10, 100, 10}, {}}};
-  sheets.addRevision(revision);
+  rubrics.addRevision(revision);
   SelfScore first{.id = desk.sample.ids.newUuid(), .trialId = desk.trialId, .traineeId = desk.trainee};
   first.rubricRevisionId = "revision";
   first.score_steps = 70;

@@ -9,6 +9,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
 #include "tests/db/sample_record.h"
@@ -23,15 +24,16 @@ class SheetRepositoryTest : public DatabaseTest {
   struct Desk {
     explicit Desk(Connection& connection, int trainees = 1)
         : sample(connection, trainees), sheets(connection) {
+      RubricRepository rubrics(connection);
       const RubricId rubricId = sample.ids.newUuid();
-      sheets.addRubric(rubricId, "Twist", kSampleTime_us, true);
+      rubrics.addRubric(rubricId, "Twist", kSampleTime_us, true);
       rubric = {.id = sample.ids.newUuid(), .rubricId = rubricId};
       rubric.overall = {10, 100, 10};
       rubric.rows = {{"time", "training time", {10, 100, 10}, {{10, "very slow"}, {100, "as an expert"}}},
                      {"accuracy", "operational accuracy", {0, 5, 1}, {}}};
       rubric.createdBy = "admin";
       rubric.createdUtc_us = kSampleTime_us;
-      sheets.addRevision(rubric);
+      rubrics.addRevision(rubric);
       for (std::size_t rater = 0; rater < 2; ++rater) {
         for (std::size_t trainee = 0; trainee < sample.enrolments.size(); ++trainee) {
           Assignment assignment;
@@ -69,7 +71,7 @@ TEST_F(SheetRepositoryTest, ReturnsARubricRevisionWithItsAnchors) {
   Connection connection = openWithSchema();
   const Desk desk(connection);
 
-  const RubricRevision stored = SheetRepository(connection).revision(desk.rubric.id).value();
+  const RubricRevision stored = RubricRepository(connection).revision(desk.rubric.id).value();
 
   ASSERT_EQ(stored.rows.size(), 2U);
   EXPECT_EQ(stored.rows[0].code, "time");

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "assessment/rating/assignment.h"
-#include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_state.h"
 #include "assessment/scoring/instrument.h"
@@ -17,20 +16,11 @@
 
 namespace torsio {
 
-/// Rubrics, who is asked to judge what, the sheets while they are written, and their sealing. One call, one
+/// Who is asked to judge what, the sheets while they are written, and their sealing. One call, one
 /// transaction.
 class SheetRepository {
  public:
   explicit SheetRepository(Connection& connection) : connection_(connection) {}
-
-  void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
-                 bool demonstration);
-  /// By name.
-  [[nodiscard]] std::vector<Rubric> rubrics() const;
-  void addRevision(const RubricRevision& revision);
-  [[nodiscard]] std::optional<RubricRevision> revision(const RubricRevisionId& revisionId) const;
-  /// Ids of a rubric's revisions, oldest first.
-  [[nodiscard]] std::vector<RubricRevisionId> revisionIds(const RubricId& rubricId) const;
 
   void assign(std::span<const Assignment> assignments);
   /// Of a cohort, withdrawn ones too, by occasion, trainee, rater.

@@ -22,6 +22,7 @@
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -141,7 +142,7 @@ struct ScoredCase {
   }
   void submit(const RaterId& raterId) {
     SheetRepository sheets(centre.connection());
-    const RubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
     for (const Assignment& one : sheets.assignmentsOf(raterId)) {
       Sheet sheet{.overall_steps = 70};
       for (const RubricLine& row : revision.rows) {

@@ -44,6 +44,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/demonstration_marks.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/file_io.h"
 #include "sim/base/ids.h"
@@ -124,7 +125,8 @@ void submitSimulatedMarks(StudyCentre& centre, const CohortId& cohortId) {
     Sheet sheet;
     sheet.overall_steps =
         marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.occasionCode)});
-    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    const RubricRevision rubric =
+        RubricRepository(centre.connection()).revision(one.rubricRevisionId).value();
     for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }

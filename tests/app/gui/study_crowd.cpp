@@ -18,6 +18,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
@@ -76,7 +77,8 @@ void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Cro
     Sheet sheet;
     sheet.overall_steps = marks.at(
         {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.occasionCode)});
-    const RubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    const RubricRevision rubric =
+        RubricRepository(office.centre.connection()).revision(one.rubricRevisionId).value();
     for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }

@@ -15,6 +15,7 @@
 #include "assessment/rating/rubric.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "tests/app/gui/trainee_station.h"
@@ -30,8 +31,9 @@ void askTenForTheFirstSheet(torsio::testing::TrainingCentre& centre) {
   centre.connection().execute(insertInto("curriculum_occasion", "version_id, occasion, after_exposure_us"),
                               {centre.cohort().curriculumVersionId, "pre", 0});
   SheetRepository repository(centre.connection());
-  repository.addRubric("rubric", "Twist", 1, false);
-  repository.addRevision({.id = "revision", .rubricId = "rubric", .number = 1, .overall = {0, 100, 10}});
+  RubricRepository rubrics(centre.connection());
+  rubrics.addRubric("rubric", "Twist", 1, false);
+  rubrics.addRevision({.id = "revision", .rubricId = "rubric", .number = 1, .overall = {0, 100, 10}});
   for (std::size_t i = 0; i < chiefs.size(); ++i) {
     const std::string number = std::to_string(i + 11);
     chiefs[i].person = {.id = "chief-" + number, .code = "R-" + number, .createdUtc_us = 1};

@@ -34,6 +34,7 @@
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
@@ -129,7 +130,7 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
                                              .rubricRevisionId = rubric,
                                              .seed = 3});
   SheetRepository sheets(study.centre.connection());
-  const RubricRevision used = sheets.revision(rubric).value();
+  const RubricRevision used = RubricRepository(study.centre.connection()).revision(rubric).value();
   const AssignmentStatus asked = sheets.assignments(study.request.cohortId).at(0);
   Sheet sheet{.overall_steps = 75};
   for (const RubricLine& row : used.rows) {
@@ -186,7 +187,7 @@ TEST(ReportInputs, HoldTheSheetsBehindTheMarksAndANumberLeadsBackToThem) {
                                              .rubricRevisionId = rubric,
                                              .seed = 3});
   SheetRepository sheets(study.centre.connection());
-  const RubricRevision used = sheets.revision(rubric).value();
+  const RubricRevision used = RubricRepository(study.centre.connection()).revision(rubric).value();
   for (const AssignmentStatus& asked : sheets.assignments(study.request.cohortId)) {
     Sheet sheet{.overall_steps = 70};
     for (const RubricLine& row : used.rows) {

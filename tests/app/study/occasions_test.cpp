@@ -21,6 +21,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/study/curriculum.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
@@ -88,7 +89,7 @@ struct StudyOfFour {
   /// Fills in and submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
   void submitAll(const std::string& occasionCode = {}) {
     SheetRepository sheets(centre.connection());
-    const RubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
     const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       if (!occasionCode.empty() && status.assignment.occasionCode != occasionCode) {

@@ -20,6 +20,7 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"
@@ -168,7 +169,8 @@ void ReviewCentre::callAll() {
 void ReviewCentre::addAssignments(const Setup& setup) {
   SheetRepository sheets(*connection_);
   const std::string rubric = ids_->newUuid();
-  sheets.addRubric(rubric, "Twist", kReviewTime_us, false);
+  RubricRepository rubrics(*connection_);
+  rubrics.addRubric(rubric, "Twist", kReviewTime_us, false);
   RubricRevision revision{.id = ids_->newUuid(), .rubricId = rubric};
   revision.overall = {10, 100, 10};
   revision.rows = {
@@ -176,7 +178,7 @@ void ReviewCentre::addAssignments(const Setup& setup) {
       {"accuracy", "Operational accuracy", {10, 100, 10}, {{10, "misses"}, {100, "holds the angle"}}}};
   revision.createdBy = "office";
   revision.createdUtc_us = kReviewTime_us;
-  sheets.addRevision(revision);
+  rubrics.addRevision(revision);
   rubricRevisionId_ = revision.id;
   std::vector<Assignment> assignments;
   const std::size_t trainees = enrolmentIds_.size();

@@ -12,6 +12,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "sim/base/ids.h"
@@ -71,7 +72,7 @@ struct SixTrainees {
   /// Fills in and submits every open sheet as the raters would.
   void submitAll(const std::string& occasionCode) {
     SheetRepository sheets(centre.connection());
-    const RubricRevision revision = sheets.revision(rubric).value();
+    const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       if (status.assignment.occasionCode != occasionCode || status.state != SheetState::kOpen) {
         continue;

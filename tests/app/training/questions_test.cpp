@@ -11,6 +11,7 @@
 #include "assessment/rating/assignment.h"
 #include "assessment/rating/rubric.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/ids.h"
@@ -44,13 +45,14 @@ class QuestionsTest : public ::testing::Test {
 
   void giveToRaters(const TrialId& trialId) {
     SheetRepository sheets(centre_.connection());
-    sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
+    RubricRepository rubrics(centre_.connection());
+    rubrics.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
     RubricRevision revision;
     revision.id = "revision";
     revision.rubricId = "rubric";
     revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
     revision.createdBy = "office";
-    sheets.addRevision(revision);
+    rubrics.addRevision(revision);
     const Assignment assignment{.id = "assignment",
                                 .raterId = chief_,
                                 .enrolmentId = centre_.enrolment(),

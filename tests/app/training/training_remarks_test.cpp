@@ -12,6 +12,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -37,7 +38,8 @@ class RemarksTest : public ::testing::Test {
 
   void SetUp() override {
     SheetRepository sheets(centre_.connection());
-    sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
+    RubricRepository rubrics(centre_.connection());
+    rubrics.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
     RubricRevision revision;
     revision.id = "revision";
     revision.rubricId = "rubric";
@@ -45,7 +47,7 @@ class RemarksTest : public ::testing::Test {
     revision.rows.push_back(
         {.code = "proficiency", .label = "Proficiency", .scale = {.lo = 1, .hi = 10, .stepsPerPoint = 1}});
     revision.createdBy = "office";
-    sheets.addRevision(revision);
+    rubrics.addRevision(revision);
     const Assignment assignment{.id = "assignment",
                                 .raterId = chief_,
                                 .enrolmentId = centre_.enrolment(),

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/rating/rubric.h"
+#include "db/connection/connection.h"
+#include "sim/base/ids.h"
+
+namespace torsio {
+
+/// Rubrics and their revisions, which are never changed. One call, one transaction.
+class RubricRepository {
+ public:
+  explicit RubricRepository(Connection& connection) : connection_(connection) {}
+
+  void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
+                 bool demonstration);
+  /// By name.
+  [[nodiscard]] std::vector<Rubric> rubrics() const;
+  void addRevision(const RubricRevision& revision);
+  [[nodiscard]] std::optional<RubricRevision> revision(const RubricRevisionId& revisionId) const;
+  /// Ids of a rubric's revisions, oldest first.
+  [[nodiscard]] std::vector<RubricRevisionId> revisionIds(const RubricId& rubricId) const;
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio
