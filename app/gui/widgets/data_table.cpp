@@ -49,6 +49,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
       tools_(new QWidget(this)),
       totals_(new QLabel(this)) {
   view_->setItemDelegate(new PaddedCells(view_));
+  view_->setHorizontalHeader(new ColumnTitles(view_));
   proxy_->setSourceModel(model_);
   view_->setModel(proxy_);
   view_->setSortingEnabled(true);

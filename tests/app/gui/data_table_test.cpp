@@ -138,6 +138,39 @@ TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
   EXPECT_TRUE(words.view().horizontalHeader()->stretchLastSection());
 }
 
+TEST(DataTable, ANumberKeepsOffTheTextThatFollowsInRowsAndTitles) {
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  DataTable table{QString()};
+  table.resize(300, 200);
+  table.setColumns({{"Mark", true}, {"Code"}});
+  table.setRows({{"a", {{"88", 88}, {"H"}}}});
+  table.show();
+  QApplication::processEvents();
+  QTableView& view = table.view();
+  view.clearSelection();
+  view.clearFocus();
+  const int edge = view.columnViewportPosition(1);
+  const auto lastInk = [edge](QWidget& part, int from, int until) {
+    const QImage seen = part.grab().toImage();
+    for (int x = edge - 1; x > 0; --x) {
+      for (int y = from; y < until; ++y) {
+        if (qGray(seen.pixel(x, y)) < 160) {
+          return edge - x;
+        }
+      }
+    }
+    return 0;
+  };
+  QWidget& titles = *view.horizontalHeader()->viewport();
+
+  EXPECT_GE(lastInk(*view.viewport(), 4, view.rowHeight(0) - 4), 2 * kSpace);
+  EXPECT_GE(lastInk(titles, 4, titles.height() - 4), 2 * kSpace);
+  EXPECT_NEAR(lastInk(*view.viewport(), 4, view.rowHeight(0) - 4), lastInk(titles, 4, titles.height() - 4),
+              3);
+  EXPECT_GE(view.horizontalHeader()->sectionSize(0),
+            QFontMetrics(titles.font()).horizontalAdvance("Mark") + 3 * kSpace);
+}
+
 TEST(DataTable, RowsGoOnInTheirColoursWhereTheColumnsEnd) {
   Shown shown;
   shown.table.resize(1200, 300);
