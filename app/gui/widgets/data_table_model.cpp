@@ -138,6 +138,18 @@ QSize ColumnTitles::sectionSizeFromContents(int column) const {
   return QHeaderView::sectionSizeFromContents(column) + QSize(afterNumber(column), 0);
 }
 
+int ColumnTitles::unsortedWidth(int column) const {
+  QStyleOptionHeader title;
+  initStyleOption(&title);
+  title.section = column;
+  title.text = model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  QFont bold = font();
+  bold.setBold(true);
+  title.fontMetrics = QFontMetrics(bold);
+  return style()->sizeFromContents(QStyle::CT_HeaderSection, &title, QSize(), this).width() +
+         afterNumber(column);
+}
+
 void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const {
   QStyleOptionViewItem cell = option;

@@ -56,6 +56,8 @@ class SortedRows final : public QSortFilterProxyModel {
 class ColumnTitles final : public QHeaderView {
  public:
   explicit ColumnTitles(QWidget* parent);
+  /// Of a title that is whole as long as the list is not sorted by it, px.
+  [[nodiscard]] int unsortedWidth(int column) const;
 
  protected:
   void paintSection(QPainter* painter, const QRect& rect, int column) const override;
