@@ -106,6 +106,7 @@ QPalette paletteOf(const Theme& t) {
 QString styleSheetOf(const Theme& t) {
   QString sheet = QStringLiteral(R"(
 QMainWindow, QDialog { background: %window; }
+QDialog[placed="true"] { border: 1px solid %border; }
 QMenuBar { background: %window; color: %text; padding: 2px 8px; border-bottom: 1px solid %line; }
 QMenuBar::item { padding: 6px 10px; border-radius: 4px; background: transparent; }
 QMenuBar::item:selected { background: %raised; }
