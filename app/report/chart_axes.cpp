@@ -29,6 +29,11 @@ void appendTo(QCategoryAxis& axis, QString name, double at) {
   axis.append(name, at);
 }
 
+/// The name of a mark on the left: a mark ends where its name begins, unless something keeps them apart.
+QString besideMark(const QString& name) {
+  return name + QChar(QChar::Nbsp);
+}
+
 /// From one mark to the next: a whole number, of few enough marks.
 double wholeStep(double span) {
   constexpr double kMostTicks = 8.0;
@@ -167,7 +172,8 @@ AxisRange ChartAxes::valueRange() const {
 }
 
 /// An axis of numbers formats them as C does; one of categories takes them as the style writes them.
-QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const Text& title) const {
+QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const Text& title,
+                                   Qt::Alignment side) const {
   auto* axis = styled(new QCategoryAxis, title);
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   axis->setRange(range.min(), range.max());
@@ -176,7 +182,8 @@ QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const 
     axis->setStartValue(marks.front());
   }
   for (const double value : marks) {
-    appendTo(*axis, chartNumber(value, decimals, style_), value);
+    const QString number = chartNumber(value, decimals, style_);
+    appendTo(*axis, side == Qt::AlignLeft ? besideMark(number) : number, value);
   }
   return axis;
 }
@@ -212,7 +219,7 @@ QCategoryAxis* ChartAxes::addValues(Qt::Alignment side) {
                                  whole || span >= 8.0 ? 0
                                  : span >= 0.8        ? 1
                                                       : 2,
-                                 upright ? Text() : figure_.yLabel);
+                                 upright ? Text() : figure_.yLabel, side);
   if (upright) {
     addUprightTitle(figure_.yLabel);
   }
@@ -264,7 +271,7 @@ QCategoryAxis* ChartAxes::addNumbers() {
     countAlong(values, range);
   }
   const bool whole = figure_.kind != FigureKind::kScatter || values.max() - values.min() >= 4.0;
-  QCategoryAxis* axis = numbered(values, whole ? 0 : 1, figure_.xLabel);
+  QCategoryAxis* axis = numbered(values, whole ? 0 : 1, figure_.xLabel, Qt::AlignBottom);
   leaveRoomForLast(*axis);
   chart_.addAxis(axis, Qt::AlignBottom);
   across_ = {axis->min(), axis->max()};
@@ -276,7 +283,7 @@ QCategoryAxis* ChartAxes::addRows() {
   auto* axis = styled(new QCategoryAxis, figure_.xLabel);
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
-    appendTo(*axis, say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+    appendTo(*axis, besideMark(say_(figure_.categories[i]).toHtmlEscaped()), static_cast<double>(i + 1));
   }
   axis->setRange(0.4, rows + 0.6);
   axis->setReverse(true);  // first row on top

@@ -54,7 +54,8 @@ class ChartAxes {
  private:
   template <typename Axis>
   Axis* styled(Axis* axis, const Text& title) const;
-  [[nodiscard]] QCategoryAxis* numbered(const QValueAxis& range, int decimals, const Text& title) const;
+  [[nodiscard]] QCategoryAxis* numbered(const QValueAxis& range, int decimals, const Text& title,
+                                        Qt::Alignment side) const;
   void leaveRoomForLast(QCategoryAxis& axis) const;
   void addUprightTitle(const Text& words) const;
   [[nodiscard]] AxisRange valueRange() const;

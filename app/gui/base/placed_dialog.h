@@ -38,6 +38,7 @@ class InTheMiddle final : public QObject {
 /// a parent. GUI thread.
 inline void placeDialog(QDialog& dialog) {
   dialog.setWindowFlags(Qt::Widget);
+  dialog.setProperty("placed", true);  // has an edge in the style sheet: no window draws one around it
   dialog.setAutoFillBackground(true);
   dialog.resize(dialog.sizeHint());
   new InTheMiddle(dialog);  // the dialog owns it

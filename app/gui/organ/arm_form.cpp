@@ -32,6 +32,9 @@ ArmForm::ArmForm(QWidget* parent) : QWidget(parent) {
   row->setSpacing(2 * kSpace);
   auto* hand = new QFormLayout;
   auto* fingers = new QFormLayout;
+  for (QFormLayout* form : {hand, fingers}) {
+    form->setVerticalSpacing(kSpace);
+  }
   row->addLayout(hand, 1);
   row->addLayout(fingers, 1);
   addLength(*hand, "wristWidth", kWristWidth);

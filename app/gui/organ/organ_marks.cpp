@@ -81,6 +81,9 @@ void OrganMarks::drawName(QPainter& painter, const QPointF& at, const QString& n
 }
 
 void OrganMarks::paintEvent(QPaintEvent*) {
+  if (!view_.draws()) {
+    return;  // only the words that say so are seen
+  }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QFont font = painter.font();

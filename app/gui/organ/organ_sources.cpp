@@ -20,12 +20,21 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kCardWidth = 620;
+constexpr int kWholePage = 1000;  // against the room beside it, until the page is as wide as it gets
 constexpr int kMostSeries = 100'000;
 
 }  // namespace
 
 QWidget* OrganWizard::createSourcePage() {
-  auto* page = new QWidget(pages_);
+  auto* ground = new QWidget(pages_);
+  auto* middle = new QHBoxLayout(ground);
+  middle->setContentsMargins(0, 0, 0, 0);
+  middle->setSpacing(0);
+  auto* page = new QWidget(ground);
+  page->setMaximumWidth(2 * kCardWidth + 2 * kSpace);  // its cards stay side by side on a wide screen
+  middle->addStretch(1);
+  middle->addWidget(page, kWholePage);
+  middle->addStretch(1);
   auto* row = new QHBoxLayout(page);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2 * kSpace);
@@ -63,7 +72,7 @@ QWidget* OrganWizard::createSourcePage() {
   right->addWidget(createInstrumentCard(page));
   right->addStretch(1);
   row->addLayout(right, 1);
-  return page;
+  return ground;
 }
 
 QWidget* OrganWizard::createInstrumentCard(QWidget* page) {

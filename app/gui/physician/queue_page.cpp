@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/physician/queue_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -180,7 +181,13 @@ void QueuePage::showDoors() {
                                         {&discrepancies_, queue_.disagreements > 0},
                                         {&evaluation_, queue_.models > 0}};
   int place = 0;
+  int widest = 0;
   for (const auto& [door, waits] : all) {
+    door->button->setMinimumWidth(0);
+    widest = std::max(widest, door->button->sizeHint().width());
+  }
+  for (const auto& [door, waits] : all) {
+    door->button->setMinimumWidth(widest);  // below each other in one column
     doorPlaces_->removeWidget(door->row);
     door->row->setVisible(waits);
     if (!waits) {

@@ -63,7 +63,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
   row->setSpacing(2 * kSpace);
   row->addWidget(replay_, 3);
   auto* right = new QVBoxLayout;
-  sheet_->setFixedHeight(9 * fontMetrics().height());  // one row, with a reason below it
+  sheet_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // one row: the rubric takes the room
   right->addWidget(sheet_);
   right->addWidget(compare_);
   resultCard_->content()->addWidget(result_);

@@ -193,6 +193,18 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
   return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }
 
+/// On a tall screen the curves take part in its height.
+void ReplayPanel::fitTraces() {
+  constexpr int kShare = 4;  // of the panel: a quarter
+  const int share = height() / kShare;
+  traces_->setMinimumHeight(share > traces_->sizeHint().height() ? share : 0);
+}
+
+void ReplayPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitTraces();
+}
+
 void ReplayPanel::showSentence(const QString& text) {
   sentence_->setText(text);
   sentence_->setVisible(!text.isEmpty());
@@ -202,6 +214,7 @@ void ReplayPanel::show(std::shared_ptr<LoadedRecording> recording) {
   timer_.stop();
   recording_ = std::move(recording);
   traces_->setData(recording_ != nullptr ? &recording_->traces : nullptr);
+  fitTraces();
   const bool picture = recording_ != nullptr && recording_->scene != nullptr;
   view_->setVisible(picture);
   if (picture) {

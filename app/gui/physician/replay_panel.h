@@ -85,8 +85,12 @@ class ReplayPanel : public QWidget {
   void played(qint64 from_us, qint64 to_us, double speed);
   void moved(qint64 position_us);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void createTransport();
+  void fitTraces();
   void showTask();
   [[nodiscard]] static QString taskText(const BlindedTask& task);
   void showState();

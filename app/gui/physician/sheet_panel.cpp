@@ -213,6 +213,7 @@ void SheetPanel::build() {
     add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
   }
   rowsLayout_->addStretch(1);
+  scroll_->setVisible(!editor_->rubric().rows.empty());
   // Nothing scrolls sideways: a score that cannot be seen could not be given.
   scroll_->setMinimumWidth(rowsLayout_->minimumSize().width() +
                            scroll_->verticalScrollBar()->sizeHint().width());

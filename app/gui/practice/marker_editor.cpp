@@ -27,8 +27,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kEditorWidth = 340;
-constexpr int kHintLines = 5;
+constexpr int kEditorWidth = 440;  // the longest name of a marker that is shipped is read whole
 
 QLabel* field(QGridLayout* grid, int row, QWidget* widget) {
   auto* label = new QLabel;
@@ -87,7 +86,6 @@ QWidget* MarkerEditor::createPanel() {
   card_ = new Card(QString(), this);
   card_->setFixedWidth(kEditorWidth);
   hint_ = sentence(card_);
-  hint_->setMinimumHeight(kHintLines * hint_->fontMetrics().lineSpacing());  // in any language
   hint_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   list_ = new QListWidget(card_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

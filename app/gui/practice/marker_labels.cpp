@@ -62,7 +62,7 @@ bool MarkerLabels::isHidden(const OrganMarker& marker) const {
 }
 
 void MarkerLabels::paintEvent(QPaintEvent*) {
-  if (scene_ == nullptr) {
+  if (scene_ == nullptr || !view_.draws()) {
     return;
   }
   QPainter painter(this);

@@ -88,9 +88,9 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   looks->setSpacing(2 * kSpace);
   looks->addWidget(inThree_, 2);
   looks->addWidget(trace_, 3);
-  page.column->addLayout(looks, 1);
+  page.column->addLayout(looks, 2);
   untwisting_ = new DetorsionCard(this);
-  page.column->addWidget(untwisting_, 1);
+  page.column->addWidget(untwisting_, 3);  // four curves below each other
   ask_ = new AskCard(context, this);
   page.column->addWidget(ask_);
   page.column->addStretch(0);

@@ -30,6 +30,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kStepsWidest = 1080;
+constexpr int kFactsWidth = 32 * kSpace;  // of what is said beside a module: beyond, in several lines
 constexpr QSize kBestPicture{240, 150};
 
 const RunPhase* presentPhase(const RunPlan& plan) {
@@ -328,6 +329,8 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* facts = plainLabel(frame, "quiet");
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
   facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
+  facts->setMinimumWidth(
+      std::min(kFactsWidth, facts->fontMetrics().horizontalAdvance(facts->text()) + kSpace));
   row->addWidget(facts, 0, Qt::AlignTop);
   const ModuleId id = step.module.id;
   if (step.last) {

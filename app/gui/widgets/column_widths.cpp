@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/column_widths.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kMostGrowth = 2;
+
+}  // namespace
 
 std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_px) {
   std::vector<int> widths;
@@ -11,6 +19,13 @@ std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_
   for (const ColumnWidth& column : columns) {
     widths.push_back(column.wanted_px);
     over += column.wanted_px;
+  }
+  if (over < 0) {
+    const std::int64_t whole = over + list_px;
+    const std::int64_t room = std::min<std::int64_t>(list_px, kMostGrowth * whole);
+    for (int& width : widths) {
+      width = whole > 0 ? static_cast<int>(width * room / whole) : width;
+    }
   }
   for (; over > 0; --over) {
     std::size_t widest = widths.size();

@@ -29,6 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kRowHeight = 32;
+constexpr int kToolHeight = 36;  // of a button: lists side by side begin at one height, with tools or without
 constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
 
 }  // namespace
@@ -49,6 +50,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
       tools_(new QWidget(this)),
       totals_(new QLabel(this)) {
   view_->setItemDelegate(new PaddedCells(view_));
+  view_->setHorizontalHeader(new ColumnTitles(view_));
   proxy_->setSourceModel(model_);
   view_->setModel(proxy_);
   view_->setSortingEnabled(true);
@@ -78,6 +80,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   empty_->hide();
 
   auto* bar = new QHBoxLayout;
+  bar->addStrut(kToolHeight);
   bar->addWidget(filter_, 2);
   bar->addWidget(count_);
   bar->addStretch(1);
@@ -115,6 +118,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   });
   connect(header, &QHeaderView::sortIndicatorChanged, this, [this](int sorted) {
     if (sorted >= 0) {
+      makeRoomForArrow(sorted);
       touched_ = true;
     }
   });

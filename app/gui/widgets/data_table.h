@@ -93,6 +93,9 @@ class DataTable : public QWidget {
 
  private:
   class Model;
+  /// Widths that fill the list, px; a crowded one keeps no room beside its titles for the arrow of a sorting.
+  [[nodiscard]] std::vector<int> widthsOf(bool crowded) const;
+  void makeRoomForArrow(int column);
   void createActions();
   void copy() const;
   void showColumnMenu(const QPoint& at);
@@ -120,7 +123,8 @@ class DataTable : public QWidget {
   QAction* copyAction_ = nullptr;
   QAction* sortAction_ = nullptr;
   QAction* columnsAction_ = nullptr;
-  std::vector<int> wanted_;  // width of each column that shows all that is in it, px
+  std::vector<int> cells_;   // width of each column that shows all its cells, px
+  std::vector<int> wanted_;  // and its title with the arrow of a sorting
   bool wraps_ = false;
   bool sharing_ = false;  // the table sizes its columns, not somebody with the mouse
   bool restored_ = false;

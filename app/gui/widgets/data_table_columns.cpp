@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of DataTable: how wide its columns are, and which are shown.
 #include <algorithm>
+#include <numeric>
 
 #include <QHeaderView>
 #include <QScrollBar>
@@ -27,11 +28,15 @@ void DataTable::fitColumns(bool first) {
     view_->setWordWrap(false);  // while it is found out how wide the names are
   }
   header->setStretchLastSection(false);  // a last column that fills the list is wider than what is in it
-  view_->resizeColumnsToContents();
   wanted_.resize(static_cast<std::size_t>(header->count()), 0);
+  cells_.resize(wanted_.size(), 0);
   for (int column = 0; column < header->count(); ++column) {
-    int& wanted = wanted_[static_cast<std::size_t>(column)];
-    wanted = first ? header->sectionSize(column) : std::max(wanted, header->sectionSize(column));
+    const auto at = static_cast<std::size_t>(column);
+    const bool hidden = header->isSectionHidden(column);
+    const int cells = hidden ? 0 : static_cast<QAbstractItemView*>(view_)->sizeHintForColumn(column);
+    const int all = hidden ? 0 : std::max(cells, header->sectionSizeHint(column));
+    cells_[at] = first ? cells : std::max(cells_[at], cells);
+    wanted_[at] = first ? all : std::max(wanted_[at], all);
   }
   shareWidth();
   letLastFill();
@@ -66,20 +71,49 @@ int DataTable::wholeWidth() const {
   return width;
 }
 
+/// A column gives way down to its title, which stays whole.
+std::vector<int> DataTable::widthsOf(bool crowded) const {
+  const auto& titles = static_cast<const ColumnTitles&>(*view_->horizontalHeader());
+  std::vector<ColumnWidth> columns;
+  for (int column = 0; column < titles.count(); ++column) {
+    const int title = crowded && titles.sortIndicatorSection() != column ? titles.unsortedWidth(column)
+                                                                         : titles.sectionSizeHint(column);
+    columns.push_back(titles.isSectionHidden(column)
+                          ? ColumnWidth{0, 0}
+                          : ColumnWidth{std::max(title, cells_[static_cast<std::size_t>(column)]),
+                                        std::max(kLeastWidth, title)});
+  }
+  return sharedWidths(columns, view_->viewport()->width());
+}
+
+/// In a crowded list; the widest of the others gives it.
+void DataTable::makeRoomForArrow(int column) {
+  QHeaderView* header = view_->horizontalHeader();
+  const int lacks = header->sectionSizeHint(column) - header->sectionSize(column);
+  if (touched_ || lacks <= 0 || header->isSectionHidden(column)) {
+    return;
+  }
+  int widest = -1;
+  for (int other = 0; other < header->count(); ++other) {
+    if (other != column && (widest < 0 || header->sectionSize(other) > header->sectionSize(widest))) {
+      widest = other;
+    }
+  }
+  sharing_ = true;
+  if (widest >= 0 && header->sectionSize(widest) - lacks >= kLeastWidth) {
+    header->resizeSection(widest, header->sectionSize(widest) - lacks);
+  }
+  header->resizeSection(column, header->sectionSize(column) + lacks);
+  sharing_ = false;
+}
+
 void DataTable::shareWidth() {
   QHeaderView* header = view_->horizontalHeader();
   if (touched_ || wanted_.size() != static_cast<std::size_t>(header->count())) {
     return;
   }
-  // A column gives way down to its title, which stays whole.
-  std::vector<ColumnWidth> columns;
-  for (int column = 0; column < header->count(); ++column) {
-    const int least = std::max(kLeastWidth, header->sectionSizeHint(column));
-    columns.push_back(header->isSectionHidden(column)
-                          ? ColumnWidth{0, 0}
-                          : ColumnWidth{wanted_[static_cast<std::size_t>(column)], least});
-  }
-  const std::vector<int> widths = sharedWidths(columns, view_->viewport()->width());
+  const bool crowded = std::accumulate(wanted_.begin(), wanted_.end(), 0) > view_->viewport()->width();
+  const std::vector<int> widths = widthsOf(crowded);
   sharing_ = true;
   for (int column = 0; column < header->count(); ++column) {
     if (!header->isSectionHidden(column)) {

@@ -23,6 +23,16 @@ QLocale collation() {
   return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
 }
 
+/// Beyond the distance of every text from the edge of its column, px: a number ends where the next begins.
+int afterNumber(Qt::Alignment alignment) {
+  return alignment.testFlag(Qt::AlignRight) ? kSpace : 0;
+}
+
+/// Where the text of a cell stands.
+QRect textPlace(const QStyleOptionViewItem& cell) {
+  return cell.rect.adjusted(kSpace, 0, -kSpace - afterNumber(cell.displayAlignment), 0);
+}
+
 }  // namespace
 
 DataTable::Model::Model(DataTable* table) : QAbstractTableModel(table), table_(table) {}
@@ -111,6 +121,35 @@ bool SortedRows::lessThan(const QModelIndex& left, const QModelIndex& right) con
   return a.toDouble() < b.toDouble();
 }
 
+ColumnTitles::ColumnTitles(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
+  setSectionsClickable(true);
+}
+
+int ColumnTitles::afterNumber(int column) const {
+  return torsio::gui::afterNumber(
+      Qt::Alignment(model()->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt()));
+}
+
+void ColumnTitles::paintSection(QPainter* painter, const QRect& rect, int column) const {
+  QHeaderView::paintSection(painter, rect.adjusted(0, 0, -afterNumber(column), 0), column);
+}
+
+QSize ColumnTitles::sectionSizeFromContents(int column) const {
+  return QHeaderView::sectionSizeFromContents(column) + QSize(afterNumber(column), 0);
+}
+
+int ColumnTitles::unsortedWidth(int column) const {
+  QStyleOptionHeader title;
+  initStyleOption(&title);
+  title.section = column;
+  title.text = model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  QFont bold = font();
+  bold.setBold(true);
+  title.fontMetrics = QFontMetrics(bold);
+  return style()->sizeFromContents(QStyle::CT_HeaderSection, &title, QSize(), this).width() +
+         afterNumber(column);
+}
+
 void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const {
   QStyleOptionViewItem cell = option;
@@ -128,7 +167,7 @@ void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setPen(cell.palette.color(
       enabled ? QPalette::Active : QPalette::Disabled,
       cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
-  const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
+  const QRect place = textPlace(cell);
   if (cell.features.testFlag(QStyleOptionViewItem::WrapText)) {
     painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextWordWrap), text);
   } else {
@@ -140,18 +179,22 @@ void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
 
 QSize PaddedCells::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyleOptionViewItem inside = option;
+  initStyleOption(&inside, index);
+  const int after = afterNumber(inside.displayAlignment);
   if (inside.features.testFlag(QStyleOptionViewItem::WrapText)) {
     const int spare = QApplication::style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &option) + 1;
-    inside.rect.adjust(kSpace - spare, 0, spare - kSpace, 0);  // the style keeps a margin of its own
+    inside.rect.adjust(kSpace - spare, 0, spare - kSpace - after, 0);  // the style keeps a margin of its own
   }
-  return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kSpace, 0);
+  return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kSpace + after, 0);
 }
 
 bool PaddedCells::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
                             const QModelIndex& index) {
   const QString text = index.data().toString();
-  const bool cut = !option.features.testFlag(QStyleOptionViewItem::WrapText) &&
-                   option.fontMetrics.horizontalAdvance(text) > option.rect.width() - 2 * kSpace;
+  QStyleOptionViewItem cell = option;
+  initStyleOption(&cell, index);
+  const bool cut = !cell.features.testFlag(QStyleOptionViewItem::WrapText) &&
+                   cell.fontMetrics.horizontalAdvance(text) > textPlace(cell).width();
   if (event->type() == QEvent::ToolTip && cut && !index.data(Qt::ToolTipRole).isValid()) {
     QToolTip::showText(event->globalPos(), text, view);
     return true;

@@ -5,6 +5,7 @@
 
 #include <QAbstractTableModel>
 #include <QCollator>
+#include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 
@@ -49,6 +50,21 @@ class SortedRows final : public QSortFilterProxyModel {
 
  private:
   QCollator collator_;
+};
+
+/// Titles of columns; that of a number keeps as far from what follows as the numbers below it.
+class ColumnTitles final : public QHeaderView {
+ public:
+  explicit ColumnTitles(QWidget* parent);
+  /// Of a title that is whole as long as the list is not sorted by it, px.
+  [[nodiscard]] int unsortedWidth(int column) const;
+
+ protected:
+  void paintSection(QPainter* painter, const QRect& rect, int column) const override;
+  [[nodiscard]] QSize sectionSizeFromContents(int column) const override;
+
+ private:
+  [[nodiscard]] int afterNumber(int column) const;
 };
 
 /// Draws cells as far from their edges as the headers: a number never touches the text beside it. A text that

@@ -106,6 +106,7 @@ QPalette paletteOf(const Theme& t) {
 QString styleSheetOf(const Theme& t) {
   QString sheet = QStringLiteral(R"(
 QMainWindow, QDialog { background: %window; }
+QDialog[placed="true"] { border: 1px solid %border; }
 QMenuBar { background: %window; color: %text; padding: 2px 8px; border-bottom: 1px solid %line; }
 QMenuBar::item { padding: 6px 10px; border-radius: 4px; background: transparent; }
 QMenuBar::item:selected { background: %raised; }
@@ -171,6 +172,23 @@ QRadioButton::indicator:checked { background: %onAccent; border: 5px solid %acce
 QCheckBox::indicator:disabled, QRadioButton::indicator:disabled, QListView::indicator:disabled { background: %raised;
   border-color: %line; }
 QCheckBox:focus, QRadioButton:focus { color: %accent; }
+QSlider:horizontal { min-height: 24px; }
+QSlider:vertical { min-width: 24px; }
+QSlider::groove { background: %track; border-radius: 2px; }
+QSlider::groove:horizontal { height: 4px; }
+QSlider::groove:vertical { width: 4px; }
+QSlider::sub-page:horizontal, QSlider::add-page:vertical { background: %accent; border-radius: 2px; }
+QSlider::handle { width: 20px; height: 20px; border: none; background: %disc, stop: 0 %accent, stop: 0.76 %accent,
+  stop: 0.82 transparent); }
+QSlider::handle:horizontal { margin: -8px 0; }
+QSlider::handle:vertical { margin: 0 -8px; }
+QSlider::handle:hover, QSlider::handle:pressed { background: %disc, stop: 0 %accent, stop: 0.92 %accent,
+  stop: 0.98 transparent); }
+QSlider::handle:focus { background: %disc, stop: 0 %accent, stop: 0.54 %accent, stop: 0.6 %surface, stop: 0.7 %surface,
+  stop: 0.76 %text, stop: 0.92 %text, stop: 0.98 transparent); }
+QSlider::handle:disabled { background: %disc, stop: 0 %raised, stop: 0.58 %raised, stop: 0.64 %border, stop: 0.76 %border,
+  stop: 0.82 transparent); }
+QSlider::sub-page:horizontal:disabled, QSlider::add-page:vertical:disabled { background: %border; }
 QProgressBar { background: %track; color: %text; border: none; border-radius: 4px; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { background: %accent; border-radius: 4px; }
 QTabWidget::pane { border: none; border-top: 1px solid %line; }
@@ -248,6 +266,8 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
     sheet.replace(QLatin1String(name),
                   QStringLiteral(":/torsio/icons/%1-%2.svg").arg(QLatin1String(drawing), kind));
   }
+  sheet.replace(QLatin1String("%disc"),
+                QStringLiteral("qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5"));
   const std::pair<const char*, QColor> colours[] = {
       {"%window", t.window},       {"%surface", t.surface},
       {"%raised", t.raised},       {"%line", t.line},

@@ -2,6 +2,8 @@
 // A case at the review desk: its recording, its sheet, and the keys of both.
 #include "app/gui/physician/case_page.h"
 
+#include <algorithm>
+
 #include <QAccessible>
 #include <QApplication>
 #include <QLabel>
@@ -16,6 +18,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/sheet_panel.h"
+#include "app/gui/physician/trace_view.h"
 #include "app/gui/widgets/child.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
@@ -338,6 +341,23 @@ TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
   };
 
   EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
+}
+
+TEST(CasePage, TheCurvesTakePartInTheHeightOfATallScreenAlone) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.show();
+  auto& replay = *page.findChild<ReplayPanel*>();
+  auto& curves = *page.findChild<TraceView*>();
+  for (const QSize& size : {QSize(3600, 2000), QSize(1160, 700)}) {
+    page.resize(size);
+    QApplication::processEvents();
+
+    EXPECT_GE(curves.height(), std::min(replay.height() / 4, curves.sizeHint().height())) << size.height();
+    EXPECT_GE(4 * curves.height() + 4, size.height() > 1000 ? replay.height() : 0) << size.height();
+    EXPECT_LT(2 * curves.height(), replay.height()) << size.height();
+  }
 }
 
 TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {

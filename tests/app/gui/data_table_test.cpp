@@ -6,9 +6,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImage>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSettings>
 #include <QTableView>
@@ -37,7 +39,9 @@ struct Shown {
 
 TEST(ColumnWidths, TheWidestGiveWayDownToTheirTitles) {
   using Widths = std::vector<int>;
-  EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}}, 200), (Widths{100, 60})) << "there is room";
+  EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}}, 160), (Widths{100, 60})) << "there is room";
+  EXPECT_EQ(sharedWidths({{100, 40}, {0, 0}, {60, 40}}, 200), (Widths{125, 0, 75})) << "all take of it";
+  EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}}, 3000), (Widths{200, 120})) << "a row is read along";
   EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}, {0, 0}}, 130), (Widths{70, 60, 0})) << "the widest first";
   EXPECT_EQ(sharedWidths({{100, 90}, {60, 20}}, 130), (Widths{90, 40})) << "its title stays whole";
   EXPECT_EQ(sharedWidths({{100, 90}, {60, 50}}, 30), (Widths{90, 50})) << "then the list is scrolled";
@@ -138,6 +142,39 @@ TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
   EXPECT_TRUE(words.view().horizontalHeader()->stretchLastSection());
 }
 
+TEST(DataTable, ANumberKeepsOffTheTextThatFollowsInRowsAndTitles) {
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  DataTable table{QString()};
+  table.resize(300, 200);
+  table.setColumns({{"Mark", true}, {"Code"}});
+  table.setRows({{"a", {{"88", 88}, {"H"}}}});
+  table.show();
+  QApplication::processEvents();
+  QTableView& view = table.view();
+  view.clearSelection();
+  view.clearFocus();
+  const int edge = view.columnViewportPosition(1);
+  const auto lastInk = [edge](QWidget& part, int from, int until) {
+    const QImage seen = part.grab().toImage();
+    for (int x = edge - 1; x > 0; --x) {
+      for (int y = from; y < until; ++y) {
+        if (qGray(seen.pixel(x, y)) < 160) {
+          return edge - x;
+        }
+      }
+    }
+    return 0;
+  };
+  QWidget& titles = *view.horizontalHeader()->viewport();
+
+  EXPECT_GE(lastInk(*view.viewport(), 4, view.rowHeight(0) - 4), 2 * kSpace);
+  EXPECT_GE(lastInk(titles, 4, titles.height() - 4), 2 * kSpace);
+  EXPECT_NEAR(lastInk(*view.viewport(), 4, view.rowHeight(0) - 4), lastInk(titles, 4, titles.height() - 4),
+              3);
+  EXPECT_GE(view.horizontalHeader()->sectionSize(0),
+            QFontMetrics(titles.font()).horizontalAdvance("Mark") + 3 * kSpace);
+}
+
 TEST(DataTable, RowsGoOnInTheirColoursWhereTheColumnsEnd) {
   Shown shown;
   shown.table.resize(1200, 300);
@@ -210,6 +247,34 @@ TEST(DataTable, NarrowsTheWidestColumnBeforeItScrollsSideways) {
   EXPECT_EQ(table.view().horizontalScrollBar()->maximum(), 0);
   EXPECT_GE(header.sectionSize(0), table.fontMetrics().horizontalAdvance("Code"));
   EXPECT_GT(header.sectionSize(1), header.sectionSize(0));
+}
+
+// As the two lists of the allocation page stand on the smallest screen, one with a tool and one without.
+TEST(DataTable, AnEmptyListOfTitlesThatFitIsNotScrolledAndBeginsWhereItsNeighbourDoes) {
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  QWidget window;
+  auto* row = new QHBoxLayout(&window);
+  std::vector<DataTable*> tables;
+  for (int i = 0; i < 2; ++i) {
+    tables.push_back(new DataTable(QString(), &window));
+    row->addWidget(tables.back(), 1);
+    tables.back()->setColumns({{"Detail"},
+                               {"Value"},
+                               {"Trainees", true},
+                               {"Expected"},
+                               {"Usual difference", true},
+                               {"Worst", true}});
+    tables.back()->setRows({});
+  }
+  tables[1]->addTool(new QPushButton(QStringLiteral("Move by hand"), &window));
+  window.resize(1150, 300);
+  window.show();
+  QApplication::processEvents();
+
+  EXPECT_EQ(tables[0]->view().horizontalScrollBar()->maximum(), 0);
+  EXPECT_EQ(tables[0]->view().mapTo(&window, QPoint()).y(), tables[1]->view().mapTo(&window, QPoint()).y());
+  EXPECT_EQ(tables[0]->filter().mapTo(&window, QPoint()).y(),
+            tables[1]->filter().mapTo(&window, QPoint()).y());
 }
 
 TEST(DataTable, FiltersWhileTyping) {

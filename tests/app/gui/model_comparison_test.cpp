@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 
+#include <QApplication>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -17,6 +19,7 @@
 #include "app/gui/practice/compare_page.h"
 #include "app/gui/practice/marker_editor.h"
 #include "app/gui/practice/marker_labels.h"
+#include "app/gui/scene/scene_view.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
@@ -133,6 +136,26 @@ TEST(MarkerEditor, MovesTheChosenMarkerToWhereTheOrganWasClicked) {
   EXPECT_EQ(editor.markers()[8].name, before[8].name);
   EXPECT_EQ(norm(editor.markers()[1].position_m - before[1].position_m), 0.0);
   EXPECT_FALSE(editor.placeAt({1.0, 1.0})) << "beside the organ";
+}
+
+TEST(MarkerEditor, ShowsLongNamesWholeAndNoMarkersWhereNothingIsDrawn) {
+  testing::AdministratorDesk office;
+  auto page = openForearm(office);
+  page->resize(1160, 700);
+  static_cast<QWidget&>(*page).show();
+  page->showMarkers();
+  QApplication::processEvents();
+  MarkerEditor& editor = page->markers();
+  auto& name = *editor.findChild<QLineEdit*>();
+  const QString longest = QStringLiteral("foot towards the descending colon, mesenteric border");
+
+  EXPECT_GE(name.width() - 2 * kSpace, name.fontMetrics().horizontalAdvance(longest));
+
+  auto& view = *editor.findChild<SceneView*>();
+  ASSERT_FALSE(view.draws());
+  const QImage withLabels = view.grab().toImage();
+  editor.findChild<MarkerLabels*>()->hide();
+  EXPECT_EQ(view.grab().toImage(), withLabels);
 }
 
 TEST(MarkerEditor, PlacesByRidgeAndSectionWithoutTheMouse) {

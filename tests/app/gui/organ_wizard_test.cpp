@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <QCheckBox>
@@ -72,6 +73,26 @@ TEST(OrganWizard, JudgesAMeshShowsItsAxisAndKeepsItAsAnOrganFile) {
   request.assets = desk.wizard.assets();
   request.organFile = opened.first().first().toString().toStdString();
   EXPECT_EQ(loadScene(request).organHash, contentHash(trial.import.organ.mesh));
+}
+
+TEST(OrganWizard, ItsSourcesStandSideBySideInTheMiddleOfAWideScreen) {
+  testing::OrganDesk desk;
+  desk.wizard.show();
+  for (const int width : {1160, 3600}) {
+    desk.wizard.resize(width, 900);
+    QApplication::processEvents();
+    const auto edges = [&desk](const QString& button) {
+      const QWidget& card = *testing::wizardButton(desk.wizard, button).parentWidget();
+      return std::pair(card.mapTo(&desk.wizard, QPoint()).x(),
+                       card.mapTo(&desk.wizard, QPoint(card.width(), 0)).x());
+    };
+
+    const auto [left, leftEnd] = edges(QStringLiteral("Choose a mesh\u2026"));
+    const auto [right, rightEnd] = edges(QStringLiteral("Draw the arm"));
+
+    EXPECT_NEAR(right - leftEnd, 2 * kSpace, 1) << width;
+    EXPECT_NEAR(left, width - rightEnd, 3 * kSpace) << width;
+  }
 }
 
 TEST(OrganWizard, TurnsAPackOnItsStalkOnTrial) {

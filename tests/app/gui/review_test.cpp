@@ -20,6 +20,7 @@
 #include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/physician/severity_page.h"
+#include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/review/discrepancy_review.h"
@@ -186,6 +187,8 @@ TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
   EXPECT_GE(scale.width(), kButtons * kLeast_px);
   EXPECT_GE(scale.height(), kLeast_px);
   EXPECT_EQ(scale.visibleRegion().boundingRect(), scale.rect());
+  const auto& sheet = *page.findChild<SheetPanel*>();
+  EXPECT_LT(sheet.height(), 3 * scale.height()) << "one row leaves the room to the rubric";
 }
 
 TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {

@@ -108,6 +108,26 @@ TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesBesideIt) {
   EXPECT_DOUBLE_EQ(heldAfter(9.5, target, ExercisePhase::kReleased), 0.0);
 }
 
+TEST(StationPages, WhatTheLastRunBroughtIsSaidInOneLineBesideItsModule) {
+  TrainingCentre centre(TrainingCentre::Setup{});
+  centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.open(PageId::kNextStep);
+  station.page->resize(1160, 700);
+  station.page->show();
+  QCoreApplication::processEvents();
+
+  int told = 0;
+  for (const QLabel* label : station.page->findChildren<QLabel*>()) {
+    if (label->text().startsWith(QStringLiteral("Last time:"))) {
+      ++told;
+      EXPECT_LT(label->height(), 2 * label->fontMetrics().height()) << label->text().toStdString();
+      EXPECT_GE(label->width(), label->fontMetrics().horizontalAdvance(label->text()));
+    }
+  }
+  EXPECT_EQ(told, 1);
+}
+
 TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us}};

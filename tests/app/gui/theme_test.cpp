@@ -21,7 +21,11 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSlider>
 #include <QSpinBox>
+#include <QStyle>
+#include <QStyleOptionSlider>
+#include <QTest>
 #include <QTimeEdit>
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
@@ -242,6 +246,68 @@ TEST_P(ThemeContrast, EntriesOfAListKeepOffItsEdges) {
   EXPECT_GE(firstInk(1, t.surface), kSpace);
   EXPECT_LE(firstInk(1, t.surface), 2 * kSpace);
   EXPECT_EQ(seen.pixelColor(2, list.visualItemRect(list.item(0)).center().y()), t.accent);
+}
+
+struct SliderLook {
+  QColor disc;    // at the middle of the handle
+  QColor filled;  // the groove before it
+  QColor empty;   // and after it
+  QImage handle;
+};
+
+SliderLook lookOf(QSlider& slider) {
+  QStyleOptionSlider option;
+  option.initFrom(&slider);
+  option.orientation = slider.orientation();
+  option.minimum = slider.minimum();
+  option.maximum = slider.maximum();
+  option.sliderPosition = option.sliderValue = slider.value();
+  option.upsideDown = slider.orientation() == Qt::Vertical;
+  option.subControls = QStyle::SC_All;
+  const QRect handle =
+      slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider);
+  const QImage seen = slider.grab().toImage();
+  const bool level = slider.orientation() == Qt::Horizontal;
+  const QPoint middle = handle.center();
+  const QPoint along = level ? QPoint(handle.width(), 0) : QPoint(0, -handle.height());
+  return {seen.pixelColor(middle), seen.pixelColor(middle - along), seen.pixelColor(middle + along),
+          seen.copy(handle)};
+}
+
+TEST_P(ThemeContrast, ASliderShowsWhereItStandsAndWhetherTheKeysAreInIt) {
+  const Theme& t = theme(GetParam());
+  applyTheme(*qApp, t);
+  for (const Qt::Orientation orientation : {Qt::Horizontal, Qt::Vertical}) {
+    QWidget window;
+    QSlider slider(orientation, &window);
+    slider.setGeometry(orientation == Qt::Horizontal ? QRect(0, 0, 200, 24) : QRect(0, 0, 24, 200));
+    slider.setValue(50);
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    slider.clearFocus();
+
+    const SliderLook rest = lookOf(slider);
+    slider.setFocus();
+    ASSERT_TRUE(slider.hasFocus());
+    const SliderLook focused = lookOf(slider);
+    slider.setEnabled(false);
+    const SliderLook off = lookOf(slider);
+
+    EXPECT_GE(contrast(rest.disc, rest.empty), kMark) << orientation;
+    EXPECT_GE(contrast(rest.disc, t.window), kMark) << orientation;
+    EXPECT_GE(contrast(rest.disc, t.surface), kMark) << orientation;
+    EXPECT_GE(contrast(rest.filled, rest.empty), kMark) << orientation;
+    EXPECT_EQ(focused.handle.size(), rest.handle.size()) << "it moves when the keys come";
+    int ring = 0;
+    for (int x = 0; x < focused.handle.width(); ++x) {
+      const int y = focused.handle.height() / 2;
+      ring += focused.handle.pixelColor(x, y) == t.text && rest.handle.pixelColor(x, y) != t.text ? 1 : 0;
+    }
+    EXPECT_GE(ring, 2) << orientation << ": both sides of the ring";
+    EXPECT_NE(off.disc, rest.disc) << orientation;
+    EXPECT_NE(off.filled, rest.filled) << orientation;
+  }
 }
 
 TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {

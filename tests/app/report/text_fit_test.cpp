@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include <QBarSeries>
 #include <QBarSet>
@@ -12,7 +13,9 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QGraphicsScene>
+#include <QImage>
 #include <QLegendMarker>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QScatterSeries>
 #include <gtest/gtest.h>
@@ -99,6 +102,15 @@ QCategoryAxis* valuesOf(const QChart& chart) {
   return nullptr;
 }
 
+/// What the marks of an axis say, without the air beside them.
+QStringList marksOf(QCategoryAxis& axis) {
+  QStringList marks;
+  for (const QString& label : axis.categoriesLabels()) {
+    marks << label.trimmed();
+  }
+  return marks;
+}
+
 TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
   ReportFigure figure;
   figure.kind = FigureKind::kGroupedBars;
@@ -114,11 +126,11 @@ TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
 
   QCategoryAxis* axis = valuesOf(*counts);
   ASSERT_NE(axis, nullptr);
-  EXPECT_EQ(axis->categoriesLabels().join(u' '), QStringLiteral("0 1 2 3"));
+  EXPECT_EQ(marksOf(*axis).join(u' '), QStringLiteral("0 1 2 3"));
   EXPECT_EQ(axis->min(), 0.0);
   EXPECT_EQ(axis->max(), 3.0);
   ASSERT_NE(valuesOf(*means), nullptr);
-  EXPECT_TRUE(valuesOf(*means)->categoriesLabels().contains(QStringLiteral("1.0")));
+  EXPECT_TRUE(marksOf(*valuesOf(*means)).contains(QStringLiteral("1.0")));
 }
 
 TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
@@ -138,12 +150,12 @@ TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
   const std::unique_ptr<QChart> shown = buildChart(figure, screen);
 
   ASSERT_NE(valuesOf(*shown), nullptr);
-  const QStringList marks = valuesOf(*shown)->categoriesLabels();
+  const QStringList marks = marksOf(*valuesOf(*shown));
   EXPECT_TRUE(marks.contains(QStringLiteral("\u22122.0"))) << marks.join(u' ').toStdString();
   EXPECT_TRUE(marks.contains(QStringLiteral("2.0"))) << marks.join(u' ').toStdString();
   EXPECT_FALSE(marks.join(u' ').contains(u'-')) << marks.join(u' ').toStdString();
-  EXPECT_TRUE(valuesOf(*printed)->categoriesLabels().contains(QStringLiteral("\u22122.0")));
-  EXPECT_EQ(valuesOf(*shown)->endValue(marks.back()), valuesOf(*shown)->max());
+  EXPECT_TRUE(marksOf(*valuesOf(*printed)).contains(QStringLiteral("\u22122.0")));
+  EXPECT_EQ(valuesOf(*shown)->endValue(valuesOf(*shown)->categoriesLabels().back()), valuesOf(*shown)->max());
 }
 
 /// A pattern as coarse as that of bars across a 4K screen leaves the fields of the legend empty.
@@ -200,6 +212,58 @@ TEST(ChartAxes, TheLastNumberBelowIsWholeWithinTheChart) {
       QFontMetricsF(axis->labelsFont()).horizontalAdvance(axis->categoriesLabels().back()) / 2.0;
   EXPECT_LE(chart->plotArea().right() + half, 800.0);
   EXPECT_GT(chart->plotArea().right(), 700.0);
+}
+
+/// The picture of a chart as it is seen and printed, and where its plot is in it.
+std::pair<QImage, QRectF> drawn(const ReportFigure& figure) {
+  QGraphicsScene scene;
+  QChart* chart = buildChart(figure).release();
+  scene.addItem(chart);
+  chart->resize(800, 450);
+  QCoreApplication::processEvents();
+  QImage picture(800, 450, QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  QPainter painter(&picture);
+  scene.render(&painter, QRectF(0, 0, 800, 450), QRectF(0, 0, 800, 450));
+  return {picture, chart->plotArea()};
+}
+
+TEST(ChartAxes, NoMarkTouchesWhatIsWrittenBesideIt) {
+  ReportFigure figure;
+  FigureSeries differences;
+  differences.name = std::string("differences");
+  differences.y = {-1.4, 2.0};
+  differences.low = {-1.7, 1.7};
+  differences.high = {-1.2, 2.2};
+  figure.series = {differences};
+  figure.categories = {std::string("first"), std::string("second")};
+  for (const FigureKind kind : {FigureKind::kForest, FigureKind::kGroupedBars}) {
+    figure.kind = kind;
+
+    const auto [picture, plot] = drawn(figure);
+
+    const auto inked = [&picture = picture, &plot = plot](int x) {
+      for (int y = static_cast<int>(plot.top()); y < static_cast<int>(plot.bottom()); ++y) {
+        if (qGray(picture.pixel(x, y)) < 160) {
+          return true;
+        }
+      }
+      return false;
+    };
+    const int axis = static_cast<int>(plot.left());
+    int x = axis - 2;
+    while (x > 0 && inked(x)) {
+      --x;
+    }
+    EXPECT_LE(axis - x, 8) << static_cast<int>(kind) << ": a mark, not a name";
+    int air = 0;
+    while (x > 0 && !inked(x)) {
+      --x;
+      ++air;
+    }
+    EXPECT_GE(air, 2) << static_cast<int>(kind);
+    EXPECT_LE(air, 6) << static_cast<int>(kind) << ": still a pair";
+  }
 }
 
 TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
