@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instrument, the glove and the port. Plastic and rubber: two lamps, a room of two colours, a gloss. Steel:
-// what it mirrors, a bright ceiling and lamp over a dark floor, drawn out across its scratches, which run
-// along the shaft.
+// The instrument, glove and gown, the port, the drape over an arm. Cloth: two lamps and a room of two colours.
+// Plastic and rubber: the same and a gloss. Steel: what it mirrors, a bright ceiling and lamp over a dark
+// floor, drawn out across its scratches, which run along the shaft.
 VARYING vec3 outward;
 VARYING vec3 toEye;
 VARYING vec4 tint;
@@ -61,13 +61,18 @@ void MAIN()
     } else {
         float lamp = max(dot(normal, lampDirection), 0.0), lens = max(dot(normal, lensDirection), 0.0);
         float up = 0.5 + 0.5 * normal.y;
+        if (made > 0.1) {                                             // the weave, where pixels show it
+            float thread = 0.5 * scratch(2.5 * place.z, 1.0) + 0.5 * scratch(2.5 * (place.x + place.y), 3.0);
+            base *= 1.0 + 0.10 * thread * (1.0 - smoothstep(0.15, 0.6, length(fwidth(place))));
+        }
         sum = base * (mix(vec3(0.20, 0.20, 0.21), vec3(0.42, 0.44, 0.46), up) + vec3(0.74, 0.71, 0.68) * lamp +
                       vec3(0.34, 0.33, 0.32) * lens);
         float mirror = max(dot(normal, normalize(lampDirection + viewer)), 0.0);
         float m2 = mirror * mirror, m4 = m2 * m2, m16 = m4 * m4 * m4 * m4;
         float mirrored = max(dot(normal, normalize(lensDirection + viewer)), 0.0);
         float l2 = mirrored * mirrored, l4 = l2 * l2, l16 = l4 * l4 * l4 * l4;
-        sum += 0.16 * m16 * m16 + 0.05 * m16 + 0.07 * l16 * l16 + (0.02 + 0.30 * up) * 0.5 * fresnel;
+        float gloss = made > 0.1 ? 0.0 : 1.0;                         // cloth has none
+        sum += gloss * (0.16 * m16 * m16 + 0.05 * m16 + 0.07 * l16 * l16 + (0.02 + 0.30 * up) * 0.5 * fresnel);
     }
     vec3 shown = made < -0.5 ? shade : sqrt(min(sum, vec3(1.0)));
     FRAGCOLOR = vec4(shown, 1.0) * tint.a;

@@ -161,11 +161,26 @@ void drawPelvis(QPainter& painter, const Theme& theme) {
   drawBody(painter, bladder, toneOf(theme, 40));
 }
 
+/// The bowel before and behind a loop.
+void drawLimbsOfLoop(QPainter& painter, const Theme& theme) {
+  const Tone tone = toneOf(theme, 350);
+  for (const QPointF& foot : {kLoopFirstFoot, kLoopSecondFoot}) {
+    const double out = foot.x() > 0.0 ? 1.0 : -1.0;
+    QPainterPath limb(foot);
+    limb.cubicTo(foot + QPointF(0.16 * out, -0.26), foot + QPointF(0.14 * out, -0.62),
+                 foot + QPointF(-0.14 * out, -0.74));
+    limb.cubicTo(foot + QPointF(-0.40 * out, -0.86), foot + QPointF(-0.62 * out, -0.72),
+                 foot + QPointF(-0.60 * out, -1.05));
+    drawTube(painter, limb, 0.29, tone);
+  }
+}
+
 }  // namespace
 
 void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
   switch (kind) {
     case Surroundings::kDrape:
+    case Surroundings::kArm:
       return;
     case Surroundings::kStomach:
     case Surroundings::kTurnedAntrum:
@@ -180,6 +195,7 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
       drawPelvis(painter, theme);
       return;
     case Surroundings::kIntestine:
+    case Surroundings::kBowelLoop:
       break;
   }
   QPainterPath colon(QPointF(-1.50, -1.6));
@@ -188,6 +204,9 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
   colon.cubicTo(1.68, 0.7, 1.70, -0.4, 1.50, -1.6);
   drawBowel(painter, -1.6, 1.6, 1.00, -1.60, toneOf(theme, 350));
   drawColon(painter, colon, 0.40, toneOf(theme, 20));
+  if (kind == Surroundings::kBowelLoop) {
+    drawLimbsOfLoop(painter, theme);
+  }
 }
 
 }  // namespace torsio::gui

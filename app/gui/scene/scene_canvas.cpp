@@ -16,6 +16,7 @@
 #include <QQuickWindow>
 #include <QUrl>
 
+#include "app/gui/scene/drapery.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
@@ -148,6 +149,7 @@ void SceneCanvas::readParts() {
   parts_.markers = root_->property("markers").value<MarkerGeometry*>();
   parts_.surroundings = root_->property("surroundings").value<SurroundingsTexture*>();
   parts_.shadow = root_->property("shadow").value<ShadowTexture*>();
+  parts_.mesentery = root_->property("mesentery").value<MesenteryGeometry*>();
   parts_.organEdge = root_->property("organEdge").value<OutlineGeometry*>();
   parts_.solidEdge = root_->property("solidEdge").value<OutlineGeometry*>();
 }
@@ -216,6 +218,7 @@ void SceneCanvas::registerTypes() {
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
     qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
     qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
+    qmlRegisterType<MesenteryGeometry>("Torsio.Scene", 1, 0, "MesenteryGeometry");
     qmlRegisterType<OutlineGeometry>("Torsio.Scene", 1, 0, "OutlineGeometry");
     return true;
   }();
@@ -273,6 +276,7 @@ void SceneCanvas::setInstrument(const InstrumentParts& parts) {
   set("handVisible", hasHand_ && !throughPort(surroundings_));
   if (hasHand_) {
     root_->property("hand").value<InstrumentGeometry*>()->setMesh(parts.hand);
+    root_->property("sleeve").value<InstrumentGeometry*>()->setMesh(gownSleeve(parts.hand));
   }
 }
 
@@ -327,10 +331,11 @@ void SceneCanvas::setLook(const TissueLook& look) {
   set("relief", QVector3D(look.relief_mm[0], look.relief_mm[1], look.relief_mm[2]));
 }
 
-void SceneCanvas::setSurroundings(Surroundings kind, const QVector3D& centre_mm, float radius_mm,
-                                  float back_mm, const Theme& theme) {
+void SceneCanvas::setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
+                                  float radius_mm, float back_mm, const Theme& theme) {
   constexpr float kBehind = 0.12F;  // radii: nothing that is twisted reaches it
   const float ground_mm = back_mm - kBehind * radius_mm;
+  ground_mm_ = ground_mm;
   surroundings_ = kind;
   centre_mm_ = centre_mm;
   radius_mm_ = radius_mm;
@@ -339,8 +344,28 @@ void SceneCanvas::setSurroundings(Surroundings kind, const QVector3D& centre_mm,
   set("surroundingsSize", 2.0F * kSurroundingsReach * radius_mm);
   set("shadowShare", kSurroundingsReach / kShadowReach);
   set("handVisible", hasHand_ && !throughPort(kind));
+  const bool draped = kind == Surroundings::kArm;
+  set("drapeVisible", draped);
+  if (draped && root_ != nullptr) {
+    root_->property("drape").value<InstrumentGeometry*>()->setMesh(drapeOverArm(organ, ground_mm));
+    edgeSolids();
+  }
   if (parts_.surroundings != nullptr) {
     parts_.surroundings->setPicture(paintSurroundings(kind, theme));
+    root_->property("mesenteryPaint").value<SurroundingsTexture*>()->setPicture(paintMesentery(theme));
+  }
+}
+
+void SceneCanvas::hangMesentery(const std::vector<MesenteryHold>& holds, const OrganSurface& rest) {
+  const bool shown = surroundings_ == Surroundings::kBowelLoop && !holds.empty();
+  set("mesenteryVisible", shown);
+  if (parts_.mesentery == nullptr) {
+    return;
+  }
+  if (shown) {
+    parts_.mesentery->hang(holds, mesenteryRoot(holds, rest, radius_mm_, ground_mm_), rest);
+  } else {
+    parts_.mesentery->hang({}, {}, rest);
   }
 }
 
@@ -355,6 +380,8 @@ void SceneCanvas::setTheme(const Theme& theme) {
     quick_->setClearColor(theme.backdrop);  // beside the painted square
   }
   set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
+  set("gownColour", theme.kind == ThemeKind::kDark ? QColor(0x33, 0x5A, 0x66) : QColor(0x86, 0xAE, 0xB8));
+  set("clothColour", clothColour(theme));
   set("latticeColour", theme.lattice);
   set("wireColour", theme.wire);
   set("graspColour", theme.grasp);

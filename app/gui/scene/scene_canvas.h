@@ -11,6 +11,7 @@
 #include <QVariant>
 #include <QVector3D>
 
+#include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/outline.h"
 #include "app/gui/scene/quality_control.h"
@@ -63,6 +64,7 @@ class SceneCanvas : public QObject {
     MarkerGeometry* markers = nullptr;
     SurroundingsTexture* surroundings = nullptr;
     ShadowTexture* shadow = nullptr;
+    MesenteryGeometry* mesentery = nullptr;
     OutlineGeometry* organEdge = nullptr;
     OutlineGeometry* solidEdge = nullptr;
   };
@@ -89,8 +91,11 @@ class SceneCanvas : public QObject {
   void setForce(const Vec3& at_m, const Vec3& force_N, float radius_mm);
   void setLook(const TissueLook& look);
   /// What lies behind an organ at rest that reaches back to `back_mm`.
-  void setSurroundings(Surroundings kind, const QVector3D& centre_mm, float radius_mm, float back_mm,
-                       const Theme& theme);
+  void setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
+                       float radius_mm, float back_mm, const Theme& theme);
+  /// The mesentery of a loop of bowel at rest; none where the surroundings have none. After
+  /// setSurroundings().
+  void hangMesentery(const std::vector<MesenteryHold>& holds, const OrganSurface& rest);
   /// The shadow of the organ as it lies now.
   void castShadow(const OrganSurface& organ);
   /// The soft edge of the organ as its vertices were last updated.
@@ -133,6 +138,7 @@ class SceneCanvas : public QObject {
   Surroundings surroundings_ = Surroundings::kDrape;
   QVector3D centre_mm_;
   float radius_mm_ = 0.0F;
+  float ground_mm_ = 0.0F;
   OrganShadow shadow_;
   RenderQuality quality_ = RenderQuality::kAutomatic;
   QualityControl control_;

@@ -134,6 +134,7 @@ void SceneView::setScene(const ViewScene& view) {
   organRadius_ = 0.5F * (high - low).length();
   organBack_ = low.z();
   showSurroundings();
+  canvas_->hangMesentery(view_.mesentery, view_.surface);
   if (canvas_->drawn()) {
     const SceneCanvas::Parts& parts = canvas_->parts();
     if (view_.skin) {
@@ -162,7 +163,8 @@ void SceneView::setScene(const ViewScene& view) {
 
 void SceneView::showSurroundings() {
   if (!view_.surface.vertices().empty()) {
-    canvas_->setSurroundings(view_.surroundings, organCentre_, organRadius_, organBack_, theme(themeKind_));
+    canvas_->setSurroundings(view_.surroundings, view_.surface, organCentre_, organRadius_, organBack_,
+                             theme(themeKind_));
     canvas_->castShadow(view_.surface);
   }
 }
@@ -241,6 +243,7 @@ void SceneView::showSkin() {
   const SceneCanvas::Parts& parts = canvas_->parts();
   parts.organ->updateVertices(view_.surface);
   canvas_->edgeOrgan(view_.surface);
+  parts.mesentery->follow(view_.surface);
   parts.grasp->follow(view_.surface);
   if (wireframe_) {
     parts.wire->updateVertices(view_.surface);

@@ -12,6 +12,8 @@ Item {
     property alias ghost: ghostGeometry
     property alias surroundings: surroundingsData
     property alias shadow: shadowData
+    property alias mesentery: mesenteryGeometry
+    property alias mesenteryPaint: mesenteryData
     property alias markers: markerGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
@@ -20,6 +22,8 @@ Item {
     property alias upperJaw: upperJawGeometry
     property alias lowerJaw: lowerJawGeometry
     property alias hand: handGeometry
+    property alias sleeve: sleeveGeometry
+    property alias drape: drapeGeometry
     property alias portBody: portBodyGeometry
     property alias portSeal: portSealGeometry
     property alias arrowStem: arrowStemGeometry
@@ -27,9 +31,9 @@ Item {
     property alias arrowFoot: arrowFootGeometry
     property alias organEdge: organEdgeGeometry
     property alias solidEdge: solidEdgeGeometry
-    // Each with its colour and kind of surface: 0 plastic, 1 steel, -1 of one colour whatever the light.
-    readonly property var solids: [shaftModel, upperJawModel, lowerJawModel, handModel, portBodyModel,
-                                   portSealModel, arrowStemModel, arrowHeadModel, arrowFootModel]
+    // Each with its colour and kind of surface: 0 plastic, 0.25 cloth, 1 steel, -1 of one colour whatever the light.
+    readonly property var solids: [shaftModel, upperJawModel, lowerJawModel, handModel, sleeveModel,
+                                   drapeModel, portBodyModel, portSealModel, arrowStemModel, arrowHeadModel, arrowFootModel]
 
     property vector3d cameraPosition
     property quaternion cameraRotation
@@ -47,9 +51,13 @@ Item {
 
     property vector3d surroundingsPosition
     property bool surroundingsVisible: true
+    property bool drapeVisible: false     // over the upper arm
+    property bool mesenteryVisible: false
     property real surroundingsSize: 100   // mm: side of the square
     property real shadowShare: 1          // of the square by the side of the shadow on it
     property color gloveColour: "#8fb3cf"
+    property color gownColour: "#7fa9b5"
+    property color clothColour: "#aecfcc"
     property color portColour: "#b9c6cd"
     property color steelColour: "#9aa0a6"
 
@@ -166,6 +174,14 @@ Item {
             tilingModeVertical: Texture.ClampToEdge
         }
         Texture {
+            id: mesenteryTexture
+            textureData: SurroundingsTexture { id: mesenteryData }
+            generateMipmaps: true
+            mipFilter: Texture.Linear
+            tilingModeHorizontal: Texture.ClampToEdge
+            tilingModeVertical: Texture.ClampToEdge
+        }
+        Texture {
             id: skinTexture
             textureData: SkinTexture { id: skinData }
             generateMipmaps: true
@@ -264,6 +280,52 @@ Item {
                 property TextureInput ground: TextureInput { texture: groundTexture }
                 property TextureInput shadow: TextureInput { texture: shadowTexture }
             }
+        }
+
+        // Over the square and behind all else: the mesentery of a loop of bowel, for the eye only.
+        Model {
+            objectName: "mesentery"
+            visible: root.mesenteryVisible && root.surroundingsVisible
+            geometry: MesenteryGeometry { id: mesenteryGeometry }
+            depthBias: 90000
+            castsShadows: false
+            receivesShadows: false
+            materials: CustomMaterial {
+                shadingMode: CustomMaterial.Unshaded
+                sourceBlend: CustomMaterial.One
+                destinationBlend: CustomMaterial.OneMinusSrcAlpha
+                cullMode: Material.NoCulling
+                depthDrawMode: Material.NeverDepthDraw
+                vertexShader: "qrc:/torsio/shaders/mesentery.vert"
+                fragmentShader: "qrc:/torsio/shaders/mesentery.frag"
+                property TextureInput fan: TextureInput { texture: mesenteryTexture }
+            }
+        }
+
+        Solid {
+            id: plainCloth
+            colour: root.clothColour
+            surface: 0.25
+            lampDirection: root.lampDirection
+            lensDirection: root.lensDirection
+            shaftDirection: root.shaftDirection
+        }
+        PrincipledMaterial {
+            id: cloth
+            baseColor: root.clothColour
+            roughness: 0.95
+            specularAmount: 0.1
+        }
+        // The drape goes on over the upper arm.
+        Model {
+            id: drapeModel
+            objectName: "drape"
+            readonly property color colour: root.clothColour
+            readonly property real surface: 0.25
+            visible: root.drapeVisible && root.surroundingsVisible
+            geometry: InstrumentGeometry { id: drapeGeometry }
+            castsShadows: root.fine
+            materials: root.fine ? cloth : plainCloth
         }
 
         Model {
@@ -464,6 +526,30 @@ Item {
                 geometry: InstrumentGeometry { id: handGeometry }
                 castsShadows: root.fine
                 materials: root.fine ? glove : plainGlove
+            }
+            // The sleeve of the gown, from the cuff on out of the picture.
+            PrincipledMaterial {
+                id: gown
+                baseColor: root.gownColour
+                roughness: 0.95
+                specularAmount: 0.1
+            }
+            Solid {
+                id: plainGown
+                colour: root.gownColour
+                surface: 0.25
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
+            Model {
+                id: sleeveModel
+                readonly property color colour: root.gownColour
+                readonly property real surface: 0.25
+                visible: root.handVisible
+                geometry: InstrumentGeometry { id: sleeveGeometry }
+                castsShadows: root.fine
+                materials: root.fine ? gown : plainGown
             }
 
             // The port in the wall of the abdomen: sleeve and funnel, and the seal round the shaft.

@@ -30,10 +30,6 @@ double eased(double low, double high, double value) {
 }
 
 /// Cloth is green-blue, tissue out of the light is pale or dark with the theme, never as red as the organ.
-QColor clothOf(const Theme& theme) {
-  return theme.kind == ThemeKind::kDark ? QColor(0x1E, 0x3E, 0x41) : QColor(0xAE, 0xCF, 0xCC);
-}
-
 QColor towelOf(const Theme& theme) {
   return theme.kind == ThemeKind::kDark ? QColor(0x2A, 0x4A, 0x50) : QColor(0xC2, 0xDC, 0xDB);
 }
@@ -75,7 +71,13 @@ QRgb shown(const QColor& colour, double light) {
   return qRgb(channel(colour.red()), channel(colour.green()), channel(colour.blue()));
 }
 
-QRgb drapeAt(double u, double v, const Theme& theme) {
+/// How much of the light the draped upper arm takes from the table beside it.
+double shadeOfUpperArm(double u, double v) {
+  const double beside = (u - 0.13) / 0.26;
+  return 0.34 * std::exp(-beside * beside) * eased(0.62, 1.05, -v);
+}
+
+QRgb drapeAt(double u, double v, const Theme& theme, bool arm) {
   // Beyond the table it hangs down into the dark of the room.
   const double edge = kTable + 0.03 * static_cast<double>(tissueNoise({1.3 * v, 2.0, u > 0.0 ? 1.0 : 5.0}));
   const double over = std::abs(u) - edge;
@@ -87,7 +89,8 @@ QRgb drapeAt(double u, double v, const Theme& theme) {
   const double towel = 1.0 - eased(-0.004, 0.010, outside);
   light *= 1.0 - 0.16 * (1.0 - towel) * std::exp(-std::max(outside, 0.0) / 0.035);
   light -= 0.05 * towel * std::exp(-0.5 * std::pow((outside + 0.045) / 0.006, 2.0));
-  const QColor cloth = clothOf(theme);
+  light *= arm ? 1.0 - shadeOfUpperArm(u, v) : 1.0;
+  const QColor cloth = clothColour(theme);
   const QColor towelling = towelOf(theme);
   const auto mixed = [towel](int a, int b) { return static_cast<int>(a + towel * (b - a)); };
   return shown(QColor(mixed(cloth.red(), towelling.red()), mixed(cloth.green(), towelling.green()),
@@ -98,7 +101,8 @@ QRgb drapeAt(double u, double v, const Theme& theme) {
 QRgb cavityAt(double u, double v, const Theme& theme) {
   const double ring = std::hypot(u / kRingRight, v / kRingUp);
   if (ring > 1.0) {
-    return shown(clothOf(theme), clothLight(u, v) * lampLight(u, v) * (0.80 + 0.10 * eased(1.0, 1.2, ring)));
+    return shown(clothColour(theme),
+                 clothLight(u, v) * lampLight(u, v) * (0.80 + 0.10 * eased(1.0, 1.2, ring)));
   }
   // Two lattices that lie askew: a single one shows as squares.
   const double uneven = 0.020 * static_cast<double>(tissueNoise({2.1 * u + 0.9 * v, 2.2 * v - u, 0.0})) +
@@ -115,8 +119,8 @@ QImage paintGround(Surroundings kind, const Theme& theme) {
   for (int y = 0; y < kGround_px; ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < kGround_px; ++x) {
-      line[x] =
-          throughPort(kind) ? cavityAt(place(x), -place(y), theme) : drapeAt(place(x), -place(y), theme);
+      line[x] = throughPort(kind) ? cavityAt(place(x), -place(y), theme)
+                                  : drapeAt(place(x), -place(y), theme, kind == Surroundings::kArm);
     }
   }
   return image.scaled(kSide_px, kSide_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -148,14 +152,21 @@ Surroundings surroundingsOf(std::string_view sceneId, bool former) {
   if (sceneId == "sigmoid") {
     return Surroundings::kPelvis;
   }
-  if (sceneId == "intestine" || sceneId == "small-bowel-loop" || sceneId == "midgut") {
+  if (sceneId == "intestine" || sceneId == "small-bowel-loop") {
+    return Surroundings::kBowelLoop;
+  }
+  if (sceneId == "midgut") {
     return Surroundings::kIntestine;
   }
-  return Surroundings::kDrape;
+  return sceneId == "forearm" ? Surroundings::kArm : Surroundings::kDrape;
+}
+
+QColor clothColour(const Theme& theme) {
+  return theme.kind == ThemeKind::kDark ? QColor(0x1E, 0x3E, 0x41) : QColor(0xAE, 0xCF, 0xCC);
 }
 
 bool throughPort(Surroundings kind) noexcept {
-  return kind != Surroundings::kDrape;
+  return kind != Surroundings::kDrape && kind != Surroundings::kArm;
 }
 
 QImage paintSurroundings(Surroundings kind, const Theme& theme) {
@@ -180,7 +191,7 @@ void SurroundingsTexture::setPicture(const QImage& picture) {
   const QImage turned = picture.convertToFormat(QImage::Format_RGBA8888).mirrored();
   setSize(turned.size());
   setFormat(RGBA8);
-  setHasTransparency(false);
+  setHasTransparency(picture.hasAlphaChannel());
   setTextureData(QByteArray(reinterpret_cast<const char*>(turned.constBits()), turned.sizeInBytes()));
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <QColor>
 #include <QImage>
 #include <QtQuick3D/QQuick3DTextureData>
 
@@ -14,18 +15,23 @@ struct Theme;
 /// What lies behind an organ in the operating room.
 enum class Surroundings : std::uint8_t {
   kDrape,             ///< a limb or a testis on a draped table
+  kArm,               ///< the same; the upper arm lies under the drape
   kStomach,           ///< the opened abdomen about a stomach with oesophagus and bulb: where both go on, and
                       ///< liver, spleen and colon in outline
   kTurnedAntrum,      ///< the same without the way from the bulb into the duodenum
   kBareStomach,       ///< the opened abdomen about a stomach without them: they are drawn up to it
   kBareTurnedAntrum,  ///< the same without the way from pylorus to duodenum
   kIntestine,         ///< the opened abdomen: loops of bowel in outline
-  kPelvis,  ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
+  kBowelLoop,  ///< the same about a loop of small bowel, which goes on at its feet and has its mesentery
+  kPelvis,     ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
 };
 
 /// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape. `former`: the former
 /// state of the scene (SceneRequest::former).
 [[nodiscard]] Surroundings surroundingsOf(std::string_view sceneId, bool former = false);
+
+/// Of the drapes.
+[[nodiscard]] QColor clothColour(const Theme& theme);
 
 /// Half of the side of the painted square, in radii of the organ.
 inline constexpr float kSurroundingsReach = 3.2F;

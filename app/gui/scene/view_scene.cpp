@@ -18,6 +18,9 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
   view.blood = BloodMap(scene);
+  if (view.surroundings == Surroundings::kBowelLoop) {
+    view.mesentery = mesenteryHolds(*scene);
+  }
   view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
   if (scene->hollow) {
     view.deform = [drawn = std::make_shared<HollowView>(scene)](

@@ -10,6 +10,7 @@
 
 #include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/markers.h"
+#include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/surroundings.h"
@@ -28,9 +29,10 @@ struct ViewScene {
   LatticeLines lines;
   TissueLook look;
   Surroundings surroundings = Surroundings::kDrape;
-  ShearMap shear;                   ///< empty: no map can be shown
-  BloodMap blood;                   ///< empty: the tissue keeps its colour
-  std::vector<SkinAnchor> markers;  ///< empty: the organ has none
+  ShearMap shear;                        ///< empty: no map can be shown
+  BloodMap blood;                        ///< empty: the tissue keeps its colour
+  std::vector<MesenteryHold> mesentery;  ///< of Surroundings::kBowelLoop; empty: none is drawn
+  std::vector<SkinAnchor> markers;       ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
   /// Where a model beside the servo answers: the number of its newest shape, 0 before the first, and the

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a trainee's own run draws of the instrument in the tissue: dents, the arrow of the force, jaws that
-// close, the hand that leads; and how one scene takes the place of another. On a virtual display; the scene
-// graph itself is asked.
+// close, the hand that leads; what lies round it; and how one scene takes the place of another. On a virtual
+// display; the scene graph itself is asked.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
 #include <vector>
 
 #include <QApplication>
@@ -145,6 +150,109 @@ TEST(SceneOfTheNextCase, TakesThePlaceOfTheLastInAWindowThatWasResized) {
   view.show();
   view.setScene(makeViewScene(organ));
   EXPECT_TRUE(soon([&] { return !waiting->isVisible(); }));
+}
+
+/// A scene with nothing round it but what is asked for.
+struct SceneShown {
+  explicit SceneShown(const std::string& id) {
+    SceneRequest request;
+    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    request.id = id;
+    scene = std::make_shared<const Scene>(loadScene(request));
+    view.resize(600, 480);
+    view.setTheme(theme(ThemeKind::kLight));
+    view.setQuality(RenderQuality::kFast);
+    view.show();
+    view.setToolVisible(false);
+    view.setScene(makeViewScene(scene));
+    EXPECT_TRUE(soon([&] { return view.framesDrawn() > 0; }));
+  }
+  QQuickItem& root() { return *view.findChild<QQuickWidget*>()->rootObject(); }
+
+  /// Which pixels a part of the scene changes.
+  std::vector<bool> changedBy(const char* part) {
+    const QImage with = view.picture();
+    root().setProperty(part, false);
+    const QImage without = view.picture();
+    root().setProperty(part, true);
+    std::vector<bool> changed;
+    for (int y = 0; y < with.height(); ++y) {
+      for (int x = 0; x < with.width(); ++x) {
+        changed.push_back(with.pixel(x, y) != without.pixel(x, y));
+      }
+    }
+    return changed;
+  }
+
+  std::shared_ptr<const Scene> scene;
+  SceneView view;
+};
+
+// Red tissue on a backdrop of one colour: neither surroundings nor mesentery are drawn then.
+std::vector<bool> organOf(SceneShown& shown) {
+  shown.root().setProperty("surroundingsVisible", false);
+  const QImage bare = shown.view.picture();
+  shown.root().setProperty("surroundingsVisible", true);
+  const QRgb backdrop = bare.pixel(0, 0);
+  std::vector<bool> organ;
+  for (int y = 0; y < bare.height(); ++y) {
+    for (int x = 0; x < bare.width(); ++x) {
+      organ.push_back(bare.pixel(x, y) != backdrop);
+    }
+  }
+  return organ;
+}
+
+TEST(Mesentery, IsSeenBelowALoopOfBowelAndHidesNothingOfIt) {
+  if (!SceneView::platformCanRender()) {
+    GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
+  }
+  for (const char* id : {"small-bowel-loop", "intestine"}) {
+    SceneShown shown(id);
+    ASSERT_TRUE(shown.root().property("mesenteryVisible").toBool());
+    for (const double angle_rad : {0.0, -std::numbers::pi}) {
+      shown.view.setOrgan(shown.scene->stateAt(angle_rad));
+      // The last from below: there the mesentery lies before the loop.
+      for (const auto& [turn_deg, above_deg] :
+           {std::array{0.0F, 0.0F}, {55.0F, 20.0F}, {-70.0F, 20.0F}, {0.0F, -55.0F}}) {
+        shown.view.camera().lookFrom(turn_deg, above_deg);
+        shown.view.frameOrgan();
+        const std::vector<bool> organ = organOf(shown);
+
+        const std::vector<bool> changed = shown.changedBy("mesenteryVisible");
+
+        int seen = 0;
+        int hidden = 0;
+        int tissue = 0;
+        for (std::size_t i = 0; i < organ.size(); ++i) {
+          tissue += organ[i] ? 1 : 0;
+          seen += changed[i] ? 1 : 0;
+          hidden += changed[i] && organ[i] ? 1 : 0;
+        }
+        EXPECT_GT(tissue, 5000);
+        EXPECT_GT(seen, 2000) << id << " from " << turn_deg;
+        // The soft edge of the organ, one pixel wide, lets through what lies behind it.
+        EXPECT_LT(hidden, tissue / 25) << id << " from " << turn_deg;
+      }
+    }
+  }
+}
+
+TEST(Mesentery, AndTheClothGoWithTheirSceneAndWithTheSurroundings) {
+  if (!SceneView::platformCanRender()) {
+    GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
+  }
+  SceneShown shown("forearm");
+  EXPECT_TRUE(shown.root().property("drapeVisible").toBool());
+  EXPECT_FALSE(shown.root().property("mesenteryVisible").toBool());
+  const std::vector<bool> draped = shown.changedBy("drapeVisible");
+  EXPECT_GT(std::count(draped.begin(), draped.end(), true), 1000);
+  shown.view.setSurroundingsVisible(false);  // an organ that is inspected
+  const std::vector<bool> bare = shown.changedBy("drapeVisible");
+  EXPECT_EQ(std::count(bare.begin(), bare.end(), true), 0);
+
+  shown.view.setScene(makeViewScene(std::make_shared<const Scene>(barScene())));
+  EXPECT_FALSE(shown.root().property("drapeVisible").toBool());
 }
 
 }  // namespace

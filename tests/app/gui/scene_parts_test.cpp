@@ -50,7 +50,7 @@ TEST(ViewFrame, ShowsThePatientUprightAndFacingTheViewer) {
 }
 
 TEST(Surroundings, AreThoseOfTheOrganAndNeverLookLikeTissueItself) {
-  EXPECT_EQ(surroundingsOf("forearm"), Surroundings::kDrape);
+  EXPECT_EQ(surroundingsOf("forearm"), Surroundings::kArm);
   EXPECT_EQ(surroundingsOf("testis"), Surroundings::kDrape);
   EXPECT_EQ(surroundingsOf("a mesh of one's own"), Surroundings::kDrape);
   EXPECT_EQ(surroundingsOf("stomach"), Surroundings::kStomach);
@@ -60,13 +60,14 @@ TEST(Surroundings, AreThoseOfTheOrganAndNeverLookLikeTissueItself) {
   EXPECT_EQ(surroundingsOf("gastric-mesentero-axial", true), Surroundings::kBareTurnedAntrum);
   EXPECT_EQ(surroundingsOf("sigmoid"), Surroundings::kPelvis);
   EXPECT_EQ(surroundingsOf("midgut"), Surroundings::kIntestine);
+  EXPECT_EQ(surroundingsOf("small-bowel-loop"), Surroundings::kBowelLoop);
 
   for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
     std::vector<QImage> pictures;
     for (const Surroundings around :
-         {Surroundings::kDrape, Surroundings::kStomach, Surroundings::kTurnedAntrum,
+         {Surroundings::kDrape, Surroundings::kArm, Surroundings::kStomach, Surroundings::kTurnedAntrum,
           Surroundings::kBareStomach, Surroundings::kBareTurnedAntrum, Surroundings::kIntestine,
-          Surroundings::kPelvis}) {
+          Surroundings::kBowelLoop, Surroundings::kPelvis}) {
       const QImage picture = paintSurroundings(around, theme(kind));
       int reddish = 0;
       for (int y = 0; y < picture.height(); y += 4) {
@@ -100,41 +101,60 @@ std::array<double, 3> momentOf(std::span<const std::uint8_t> shade) {
   return {sum[0] / sum[2], sum[1] / sum[2], sum[2]};
 }
 
-TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "stomach";
-  const Scene scene = loadScene(request);
-  QVector3D low = toView(scene.mesh.vertices_m.front());
-  QVector3D high = low;
-  for (const Vec3& v : scene.mesh.vertices_m) {
-    const QVector3D p = toView(v);
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
+/// A scene from the front, as it is shown first, on a thousand pixels.
+class FromTheFront {
+ public:
+  explicit FromTheFront(const char* id) {
+    SceneRequest request;
+    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    request.id = id;
+    const Scene scene = loadScene(request);
+    low_ = toView(scene.mesh.vertices_m.front());
+    QVector3D high = low_;
+    for (const Vec3& v : scene.mesh.vertices_m) {
+      const QVector3D p = toView(v);
+      for (int k = 0; k < 3; ++k) {
+        low_[k] = std::min(low_[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
     }
+    centre_ = 0.5F * (low_ + high);
+    radius_ = 0.5F * (high - low_).length();
+    camera_.frame(centre_, radius_, kSize);
   }
-  const QVector3D centre = 0.5F * (low + high);
-  const float radius = 0.5F * (high - low).length();
-  const QSizeF size(1000.0, 1000.0);
-  OrbitCamera camera;
-  camera.frame(centre, radius, size);
-  const auto painted = [&](const QPointF& place) {  // on the square behind the organ
-    return camera.pixel({centre.x() + radius * static_cast<float>(place.x()),
-                         centre.y() + radius * static_cast<float>(place.y()), low.z() - 0.12F * radius},
-                        size);
-  };
-  const auto away = [](const QPointF& a, const QPointF& b) {
+  /// Pixels between a place on the square behind the organ, in radii, and a place of the organ.
+  [[nodiscard]] double between(const QPointF& painted, const Vec3& organ_m) const {
+    const QVector3D behind(centre_.x() + radius_ * static_cast<float>(painted.x()),
+                           centre_.y() + radius_ * static_cast<float>(painted.y()),
+                           low_.z() - 0.12F * radius_);
+    const QPointF a = camera_.pixel(behind, kSize);
+    const QPointF b = camera_.pixel(toView(organ_m), kSize);
     return std::hypot(a.x() - b.x(), a.y() - b.y());
-  };
+  }
 
-  // Ends of the stub and of the bulb's centreline, of assets/organs/README.md and tools/organs.
-  const QPointF stub = camera.pixel(toView({0.002, 0.019, 0.072}), size);
-  const QPointF bulb = camera.pixel(toView({-0.0585, 0.016, -0.0545}), size);
+ private:
+  const QSizeF kSize{1000.0, 1000.0};
+  QVector3D low_;
+  QVector3D centre_;
+  float radius_ = 0.0F;
+  OrbitCamera camera_;
+};
+
+// Ends of centrelines, of assets/organs/README.md, tools/organs and assets/scenes.
+TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
+  const FromTheFront stomach("stomach");
 
   constexpr double kHalfAStub = 18.0;  // pixels: it is 36 wide there
-  EXPECT_LT(away(painted(kStubEnd), stub), kHalfAStub);
-  EXPECT_LT(away(painted(kBulbEnd), bulb), kHalfAStub);
+  EXPECT_LT(stomach.between(kStubEnd, {0.002, 0.019, 0.072}), kHalfAStub);
+  EXPECT_LT(stomach.between(kBulbEnd, {-0.0585, 0.016, -0.0545}), kHalfAStub);
+}
+
+TEST(Surroundings, GoOnWhereTheFeetOfALoopOfBowelEnd) {
+  const FromTheFront loop("small-bowel-loop");
+
+  constexpr double kHalfABowel = 50.0;  // pixels: it is 110 wide there
+  EXPECT_LT(loop.between(kLoopFirstFoot, {0.086, -0.004, -0.003}), kHalfABowel);
+  EXPECT_LT(loop.between(kLoopSecondFoot, {-0.086, 0.0, -0.003}), kHalfABowel);
 }
 
 TEST(OrganShadow, FallsToTheLowerRightIsSoftAndFollowsTheOrgan) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/gui/scene/organ_surface.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+
+namespace torsio::gui {
+
+/// Cloth where a body would look cut off; for the eye only, nothing touches it. Closed surfaces, metres.
+
+/// The drape over the upper arm: from a hem round the arm just above its lower end down to the ground and out
+/// of the picture. `arm`: at rest, hand up. View frame, but in metres.
+[[nodiscard]] TriangleMesh drapeOverArm(const OrganSurface& arm, float ground_mm);
+
+/// The sleeve of the gown over the end of a glove's cuff, on along the shaft and out of the picture. Frame of
+/// the instrument.
+[[nodiscard]] TriangleMesh gownSleeve(const TriangleMesh& glove);
+
+}  // namespace torsio::gui

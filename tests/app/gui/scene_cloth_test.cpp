@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keeps bodies from looking cut off: cloth over the ends of arm and glove, the mesentery of a loop. No
+// renderer.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/scene/drapery.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/markers.h"
+#include "app/gui/scene/mesentery.h"
+#include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/surroundings.h"
+#include "app/gui/scene/view_frame.h"
+#include "app/gui/widgets/theme.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+/// Sides of triangles that do not lie beside exactly one other: borders that would be seen.
+int openSides(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++sides[std::minmax(t[k], t[(k + 1) % 3])];
+    }
+  }
+  return static_cast<int>(
+      std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second != 2; }));
+}
+
+/// Whether a closed mesh has a point inside it: an odd number of triangles lies on one side of it.
+bool encloses(const TriangleMesh& mesh, const Vec3& point_m) {
+  const Vec3 way = Vec3{0.8123, 0.4711, 0.3432};
+  int crossed = 0;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices_m[t[0]];
+    const Vec3 ab = mesh.vertices_m[t[1]] - a;
+    const Vec3 ac = mesh.vertices_m[t[2]] - a;
+    const Vec3 across = cross(way, ac);
+    const double scale = dot(ab, across);
+    if (scale == 0.0) {
+      continue;
+    }
+    const Vec3 from = point_m - a;
+    const double u = dot(from, across) / scale;
+    const Vec3 other = cross(from, ab);
+    const double v = dot(way, other) / scale;
+    crossed += u >= 0.0 && v >= 0.0 && u + v <= 1.0 && dot(ac, other) / scale > 0.0 ? 1 : 0;
+  }
+  return crossed % 2 == 1;
+}
+
+struct Arm {
+  Arm() {
+    SceneRequest request;
+    request.assets = kAssets;
+    request.id = "forearm";
+    const Scene scene = loadScene(request);
+    surface = OrganSurface(scene.mesh);
+    for (const SurfaceVertex& v : surface.vertices()) {
+      low_mm = std::min(low_mm, v.position[1]);
+      back_mm = std::min(back_mm, v.position[2]);
+    }
+  }
+  OrganSurface surface;
+  float low_mm = 1e9F;
+  float back_mm = 1e9F;
+};
+
+TEST(Drapery, HidesTheEndOfTheArmFromEverySideAndLittleElse) {
+  const Arm arm;
+  const float ground_mm = arm.back_mm - 28.0F;
+
+  const TriangleMesh drape = drapeOverArm(arm.surface, ground_mm);
+
+  EXPECT_EQ(surroundingsOf("forearm"), Surroundings::kArm);
+  EXPECT_FALSE(throughPort(Surroundings::kArm));
+  EXPECT_EQ(openSides(drape), 0);
+  EXPECT_GT(signedVolume_m3(drape), 0.0);
+  constexpr float kRim_mm = 8.0F;   // the cut and its rounded rim
+  constexpr float kHem_mm = 30.0F;  // of 443 mm
+  int hidden = 0;
+  for (const SurfaceVertex& v : arm.surface.vertices()) {
+    const float above_mm = v.position[1] - arm.low_mm;
+    const Vec3 place_m = 1e-3 * Vec3{static_cast<double>(v.position[0]), static_cast<double>(v.position[1]),
+                                     static_cast<double>(v.position[2])};
+    if (above_mm < kRim_mm) {
+      EXPECT_TRUE(encloses(drape, place_m)) << above_mm;
+      ++hidden;
+    } else if (above_mm > kHem_mm) {
+      EXPECT_FALSE(encloses(drape, place_m)) << above_mm;
+    }
+  }
+  EXPECT_GT(hidden, 20);
+  double lowest_m = 0.0;
+  for (const Vec3& v : drape.vertices_m) {
+    EXPECT_GE(v.z, 1e-3 * static_cast<double>(ground_mm) - 1e-6);  // on the table, not through it
+    lowest_m = std::min(lowest_m, v.y);
+  }
+  EXPECT_LT(lowest_m, -0.5);  // out of the picture
+}
+
+TEST(Drapery, TheGownGoesOnFromTheGlovesCuffOutOfThePicture) {
+  const InstrumentParts grasper = loadInstrument(kAssets, "grasper");
+  ASSERT_FALSE(grasper.hand.triangles.empty());
+
+  const TriangleMesh sleeve = gownSleeve(grasper.hand);
+
+  EXPECT_EQ(openSides(sleeve), 0);
+  EXPECT_GT(signedVolume_m3(sleeve), 0.0);
+  double end_m = 0.0;
+  for (const Vec3& v : grasper.hand.vertices_m) {
+    end_m = std::max(end_m, v.z);
+  }
+  constexpr double kRim_m = 0.010;
+  constexpr double kHand_m = 0.050;
+  for (const Vec3& v : grasper.hand.vertices_m) {
+    if (v.z > end_m - kRim_m) {
+      EXPECT_TRUE(encloses(sleeve, v)) << v.z;
+    } else if (v.z < end_m - kHand_m) {
+      EXPECT_FALSE(encloses(sleeve, v)) << v.z;
+    }
+  }
+  double reach_m = 0.0;
+  for (const Vec3& v : sleeve.vertices_m) {
+    reach_m = std::max(reach_m, v.z);
+  }
+  EXPECT_GT(reach_m - end_m, 0.5);
+}
+
+TEST(Mesentery, HangsFromTheMiddleOfTheLoopDownToARootBehindIt) {
+  SceneRequest request;
+  request.assets = kAssets;
+  request.id = "small-bowel-loop";
+  const Scene scene = loadScene(request);
+  const OrganSurface surface(scene.mesh);
+  const std::vector<MesenteryHold> holds = mesenteryHolds(scene);
+  ASSERT_GT(holds.size(), 10U);
+  constexpr float kRadius_mm = 100.0F;
+  constexpr float kGround_mm = -40.0F;
+
+  const MesenteryRoot root = mesenteryRoot(holds, surface, kRadius_mm, kGround_mm);
+
+  const auto middle = [&](const MesenteryHold& hold) {
+    QVector3D sum;
+    for (const SkinAnchor& anchor : hold) {
+      sum += markerPlace(anchor, surface) / static_cast<float>(hold.size());
+    }
+    return sum;
+  };
+  const QVector3D first = middle(holds.front());
+  const QVector3D last = middle(holds.back());
+  std::size_t inside = 0;  // where the loop hides the edge of the fan
+  for (const MesenteryHold& hold : holds) {
+    const Vec3 place_m = fromView(middle(hold));
+    inside += encloses(scene.mesh, place_m) ? 1 : 0;
+  }
+  EXPECT_GE(inside, holds.size() - 2);  // its two ends lie on the feet
+  EXPECT_LT(root.from.y(), std::min(first.y(), last.y()));
+  EXPECT_NEAR(root.from.z(), kGround_mm, 0.05F * kRadius_mm);
+  EXPECT_GT(root.from.z(), kGround_mm);
+  EXPECT_GT((root.from - root.to).x() * (first - last).x(), 0.0F);  // it does not cross itself
+  EXPECT_LT(std::abs((root.from - root.to).x()), 0.5F * std::abs((first - last).x()));
+}
+
+TEST(Mesentery, IsThinAndNeverLooksLikeTheTissueThatIsTreated) {
+  for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
+    const QImage fan = paintMesentery(theme(kind));
+    EXPECT_EQ(fan, paintMesentery(theme(kind)));
+    for (int y = 0; y < fan.height(); y += 3) {
+      for (int x = 0; x < fan.width(); x += 3) {
+        const QColor c = fan.pixelColor(x, y);
+        EXPECT_LE((c.red() - c.blue()) * c.alpha() / 255, 25);
+        EXPECT_LT(c.alpha(), 235);
+      }
+    }
+    for (int y = 0; y < fan.height(); ++y) {  // no border shows at the sides and at the root
+      EXPECT_LT(fan.pixelColor(0, y).alpha(), 40);
+      EXPECT_LT(fan.pixelColor(fan.width() - 1, y).alpha(), 40);
+    }
+    EXPECT_LT(fan.pixelColor(fan.width() / 2, fan.height() - 1).alpha(), 40);
+  }
+}
+
+}  // namespace
+}  // namespace torsio::gui
