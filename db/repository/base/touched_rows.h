@@ -40,7 +40,7 @@ struct TouchedRow {
   const SealRule* rule = nullptr;
   std::vector<Value> key;
   std::vector<GivenValues> given{};  ///< in their order
-  bool whole = false;          ///< added: what was not given is null
+  bool whole = false;                ///< added: what was not given is null
   bool gone = false;
   std::string before{};  ///< RowSeal::before
 };

@@ -35,7 +35,7 @@ std::vector<RubricLine> rowsOf(Connection& connection, const RubricRevisionId& r
 }  // namespace
 
 void RubricRepository::addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
-                                bool demonstration) {
+                                 bool demonstration) {
   connection_.execute(insertInto("rubric", "id, name, created_utc_us, demonstration"),
                       {id, name, createdUtc_us, demonstration});
 }
