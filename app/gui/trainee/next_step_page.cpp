@@ -329,7 +329,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* facts = plainLabel(frame, "quiet");
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
   facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
-  if (const int line = facts->fontMetrics().horizontalAdvance(facts->text()) + 1; line <= kFactsWidth) {
+  if (const int line = facts->fontMetrics().horizontalAdvance(facts->text()) + kSpace; line <= kFactsWidth) {
     facts->setMinimumWidth(line);
   }
   row->addWidget(facts, 0, Qt::AlignTop);
