@@ -5,22 +5,37 @@
 
 #include <QDialog>
 #include <QEvent>
+#include <QFrame>
+#include <QPointer>
 #include <QWidget>
 
 namespace torsio::gui {
 
-/// Keeps a widget in the middle of its parent, however large that becomes.
+/// Keeps a widget in the middle of its parent, however large that becomes, with an edge around it: no window
+/// draws one.
 class InTheMiddle final : public QObject {
  public:
-  explicit InTheMiddle(QWidget& kept) : QObject(&kept), kept_(kept) {
+  explicit InTheMiddle(QWidget& kept) : QObject(&kept), kept_(kept), edge_(new QFrame(kept.parentWidget())) {
+    edge_->setProperty("around", true);  // of the style sheet
+    edge_->setAttribute(Qt::WA_TransparentForMouseEvents);
     kept.parentWidget()->installEventFilter(this);
+    kept.installEventFilter(this);
     place();
   }
+  ~InTheMiddle() override { delete edge_; }
+  InTheMiddle(const InTheMiddle&) = delete;
+  InTheMiddle& operator=(const InTheMiddle&) = delete;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
+    if (edge_ == nullptr) {
+      return false;  // the parent goes
+    }
     if (event->type() == QEvent::Resize) {
       place();
+    }
+    if (watched == &kept_ && (event->type() == QEvent::Show || event->type() == QEvent::Hide)) {
+      edge_->setVisible(event->type() == QEvent::Show);
     }
     return QObject::eventFilter(watched, event);
   }
@@ -29,16 +44,18 @@ class InTheMiddle final : public QObject {
   void place() {
     const QSize free = kept_.parentWidget()->size() - kept_.size();
     kept_.move(std::max(0, free.width() / 2), std::max(0, free.height() / 2));
+    edge_->setGeometry(kept_.geometry().adjusted(-1, -1, 1, 1));
+    edge_->stackUnder(&kept_);
   }
 
   QWidget& kept_;
+  QPointer<QFrame> edge_;
 };
 
 /// Shows a dialog as a part of its parent, in the middle: pictures of the window have it then. The dialog has
 /// a parent. GUI thread.
 inline void placeDialog(QDialog& dialog) {
   dialog.setWindowFlags(Qt::Widget);
-  dialog.setProperty("placed", true);  // has an edge in the style sheet: no window draws one around it
   dialog.setAutoFillBackground(true);
   dialog.resize(dialog.sizeHint());
   new InTheMiddle(dialog);  // the dialog owns it

@@ -30,7 +30,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kStepsWidest = 1080;
-constexpr int kFactsWidth = 32 * kSpace;  // of what is said beside a module: beyond, in several lines
+constexpr int kFactsWidth = 32 * kSpace;  // of one line beside a module; what is longer takes several
 constexpr QSize kBestPicture{240, 150};
 
 const RunPhase* presentPhase(const RunPlan& plan) {
@@ -329,8 +329,9 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* facts = plainLabel(frame, "quiet");
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
   facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
-  facts->setMinimumWidth(
-      std::min(kFactsWidth, facts->fontMetrics().horizontalAdvance(facts->text()) + kSpace));
+  if (const int line = facts->fontMetrics().horizontalAdvance(facts->text()) + kSpace; line <= kFactsWidth) {
+    facts->setMinimumWidth(line);
+  }
   row->addWidget(facts, 0, Qt::AlignTop);
   const ModuleId id = step.module.id;
   if (step.last) {

@@ -9,7 +9,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kMostGrowth = 2;
+constexpr std::int64_t kMostGrowth = 3;
 
 }  // namespace
 

@@ -12,7 +12,7 @@ struct ColumnWidth {
 
 /// Where the columns are wider than the list, the widest give way, pixel by pixel and the first of several,
 /// so that nothing is scrolled sideways while it can be read. Where the list is wider they all grow alike, to
-/// twice their width at most: a row is read along. Returns px, one a column.
+/// three times their width at most: a row is read along. Returns px, one a column.
 [[nodiscard]] std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_px);
 
 }  // namespace torsio::gui

@@ -106,7 +106,6 @@ QPalette paletteOf(const Theme& t) {
 QString styleSheetOf(const Theme& t) {
   QString sheet = QStringLiteral(R"(
 QMainWindow, QDialog { background: %window; }
-QDialog[placed="true"] { border: 1px solid %border; }
 QMenuBar { background: %window; color: %text; padding: 2px 8px; border-bottom: 1px solid %line; }
 QMenuBar::item { padding: 6px 10px; border-radius: 4px; background: transparent; }
 QMenuBar::item:selected { background: %raised; }
@@ -131,6 +130,7 @@ QToolButton:disabled { color: %disabledText; }
 QStatusBar { background: %window; color: %quietText; border-top: 1px solid %line; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: %quietText; padding: 4px 12px; }
+QFrame[around="true"] { background: %border; border: none; }
 QFrame[edge="true"] { background: %line; border: none; }
 QFrame#card, QFrame[card="true"] { background: %surface; border: 1px solid %line; border-radius: 8px; }
 QLabel#cardTitle { color: %text; font-weight: 600; }

@@ -95,6 +95,8 @@ void ExportDialog::build() {
   reason_->setPlaceholderText(tr("For whom and what for; kept in the audit trail"));
   rows_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   rows_->setMinimumHeight(kTableHeight);
+  rows_->setHorizontalHeader(new ColumnTitles(rows_));
+  rows_->horizontalHeader()->setSectionsClickable(false);
   rows_->verticalHeader()->hide();
   rows_->setShowGrid(false);
   rows_->setItemDelegate(new PaddedCells(rows_));
