@@ -554,6 +554,41 @@ TEST(StationPages, TheDebriefShowsEverySentenceWhole) {
   }
 }
 
+/// What a page shows, in what it is scrolled in.
+QScrollArea& scrolledOf(QWidget& page) {
+  auto* area = page.findChild<QScrollArea*>();
+  EXPECT_NE(area, nullptr);
+  return *area;
+}
+
+// In a window of 1000 x 600 nothing of it lies beyond the right edge; in a wide one both looks at the run
+// stand side by side.
+TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
+  TrainingCentre centre;
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  const TrialId run = centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.desk().lastScene = borrowed(torsio::testing::trainingBar());
+  station.open(PageId::kDebrief, toQString(run));
+  station.page->resize(1176, 652);
+  station.page->show();
+  const auto& replay = child<QWidget>(*station.page, "replay");
+  const auto& plot = child<QWidget>(*station.page, "plot");
+  ASSERT_TRUE(soon([&] { return replay.isVisible() && plot.isVisible(); }));
+  const auto topOf = [&](const QWidget& part) { return part.mapTo(station.page.get(), QPoint()).y(); };
+  const auto below = [&] { return topOf(plot) > topOf(replay) + replay.height(); };
+  EXPECT_FALSE(below());
+
+  for (const QSize& size : {QSize(810, 500), QSize(700, 500), QSize(1176, 652), QSize(1700, 900)}) {
+    station.page->resize(size);
+    const QScrollArea& area = scrolledOf(*station.page);
+
+    EXPECT_TRUE(soon([&] { return area.widget()->width() <= area.viewport()->width(); }))
+        << size.width() << ": " << area.widget()->width() - area.viewport()->width() << " too wide";
+    EXPECT_TRUE(soon([&] { return below() == (size.width() < 900); })) << size.width();
+  }
+}
+
 TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
   const auto marksOf = [](const char* metric, double most) {
     Trend trend;
