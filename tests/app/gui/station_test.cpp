@@ -17,6 +17,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
 #include <gtest/gtest.h>
@@ -296,6 +297,41 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_TRUE(steps.allPhasesDone);
   EXPECT_EQ(attemptsOf(centre.session(), centre.person()).size(), 2U);  // the rest cut the recording in two
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+// The second click of a hasty hand neither ends the rest nor the run.
+TEST(StationPages, ADoubleClickOnRestBeginsOneRest) {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.restAllowance_us = 30 * kSecond_us;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  station.desk().moduleId = centre.module("first");
+  station.desk().readiness = deviceWith(Light::kGreen);
+  station.open(PageId::kRun);
+  station.page->resize(1176, 652);
+  station.page->show();
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.train(5 * kSecond_us);
+  auto* rest = station.find<QPushButton>("rest");
+  QPoint at;
+  ASSERT_TRUE(soon([&] {
+    at = rest->mapTo(station.page.get(), rest->rect().center());
+    return rest->isEnabled() && station.page->childAt(at) == rest;
+  }));
+
+  for (int click = 0; click < 2; ++click) {  // each on what stands there by then
+    QWidget* under = station.page->childAt(at);
+    ASSERT_NE(under, nullptr);
+    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFrom(station.page.get(), at));
+    QApplication::processEvents();
+    EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting) << click;
+  }
+
+  EXPECT_EQ(station.pageId, PageId::kRun);
+  station.press("goOn");
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kRunning);
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
