@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -85,11 +86,11 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   plot_ = new DebriefPlot(trace_);
   plot_->setObjectName(QStringLiteral("plot"));
   trace_->content()->addWidget(plot_, 1);
-  auto* looks = new QHBoxLayout;
-  looks->setSpacing(2 * kSpace);
-  looks->addWidget(inThree_, 2);
-  looks->addWidget(trace_, 3);
-  page.column->addLayout(looks, 2);
+  looks_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  looks_->setSpacing(2 * kSpace);
+  looks_->addWidget(inThree_, 2);
+  looks_->addWidget(trace_, 3);
+  page.column->addLayout(looks_, 2);
   untwisting_ = new DetorsionCard(this);
   page.column->addWidget(untwisting_, 3);  // four curves below each other
   ask_ = new AskCard(context, this);
@@ -291,6 +292,19 @@ void DebriefPage::fillTexts(bool any) {
                    : tr("After your first run you see here what was good and what to work on."));
 }
 
+void DebriefPage::arrangeLooks() {
+  const int scrollBar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int room = width() - 2 * kPageMargin - scrollBar;
+  const int wanted =
+      inThree_->minimumSizeHint().width() + looks_->spacing() + trace_->minimumSizeHint().width();
+  looks_->setDirection(wanted > room ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void DebriefPage::resizeEvent(QResizeEvent* event) {
+  Page::resizeEvent(event);
+  arrangeLooks();
+}
+
 /// What stands below the checks: how the numbers above are to be read.
 void DebriefPage::fillNotes() {
   const auto add = [this](const char* name, const QString& text) {
@@ -329,6 +343,7 @@ void DebriefPage::fillNotes() {
 void DebriefPage::fill() {
   const bool any = !debrief_.trialId.empty();
   fillTexts(any);
+  arrangeLooks();
   for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_}) {
     widget->setVisible(any);
   }

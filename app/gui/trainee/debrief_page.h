@@ -5,6 +5,7 @@
 #include "app/training/debrief.h"
 #include "sim/base/ids.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QPushButton;
@@ -36,6 +37,9 @@ class DebriefPage : public Page {
   void applyTheme(const Theme& theme) override;
   [[nodiscard]] const Debrief& debrief() const noexcept { return debrief_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   StationDesk& desk_;
 
@@ -47,6 +51,8 @@ class DebriefPage : public Page {
   void connectParts();
   void fill();
   void fillNotes();
+  /// The run in three dimensions beside its trace, or above it where the page is too narrow for both.
+  void arrangeLooks();
   void fillTexts(bool any);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
   void seek(double at_s);
@@ -68,7 +74,8 @@ class DebriefPage : public Page {
   QVBoxLayout* weaknesses_;
   Card* trace_;
   DetorsionCard* untwisting_;
-  Card* inThree_;  // the run in three dimensions
+  QBoxLayout* looks_;  // at the run
+  Card* inThree_;      // the run in three dimensions
   DebriefReplay* replay_;
   DebriefPlot* plot_;
   AskCard* ask_;

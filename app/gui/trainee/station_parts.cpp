@@ -19,13 +19,12 @@ PageColumn pageColumn(QWidget* page, int widest) {
   outer->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFocusPolicy(Qt::NoFocus);
   outer->addWidget(scroll);
   auto* ground = new QWidget;
   scroll->setWidget(ground);
   auto* row = new QHBoxLayout(ground);
-  row->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 3 * kSpace);
+  row->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
   auto* body = new QWidget(ground);
   if (widest > 0) {
     body->setMaximumWidth(widest);

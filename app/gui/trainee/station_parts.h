@@ -4,6 +4,8 @@
 #include <QColor>
 #include <QString>
 
+#include "app/gui/widgets/theme.h"
+
 class QLabel;
 class QLayout;
 class QScrollArea;
@@ -13,9 +15,11 @@ class QWidget;
 namespace torsio::gui {
 
 class PageHeading;
-struct Theme;
 
-/// A page that scrolls when it is taller than the window: heading above, everything else in the column that
+/// Round the contents of a page.
+inline constexpr int kPageMargin = 3 * kSpace;
+
+/// A page that scrolls when it is larger than the window: heading above, everything else in the column that
 /// is returned. Margins are those of all pages.
 struct PageColumn {
   PageHeading* heading = nullptr;

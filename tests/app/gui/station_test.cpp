@@ -320,6 +320,41 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
+// The second click of a hasty hand neither ends the rest nor the run.
+TEST(StationPages, ADoubleClickOnRestBeginsOneRest) {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.restAllowance_us = 30 * kSecond_us;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  station.desk().moduleId = centre.module("first");
+  station.desk().readiness = deviceWith(Light::kGreen);
+  station.open(PageId::kRun);
+  station.page->resize(1176, 652);
+  station.page->show();
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.train(5 * kSecond_us);
+  auto* rest = station.find<QPushButton>("rest");
+  QPoint at;
+  ASSERT_TRUE(soon([&] {
+    at = rest->mapTo(station.page.get(), rest->rect().center());
+    return rest->isEnabled() && station.page->childAt(at) == rest;
+  }));
+
+  for (int click = 0; click < 2; ++click) {  // each on what stands there by then
+    QWidget* under = station.page->childAt(at);
+    ASSERT_NE(under, nullptr);
+    QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFrom(station.page.get(), at));
+    QApplication::processEvents();
+    EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting) << click;
+  }
+
+  EXPECT_EQ(station.pageId, PageId::kRun);
+  station.press("goOn");
+  EXPECT_EQ(station.run().runSession()->run().state(), RunState::kRunning);
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
 TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
@@ -583,6 +618,41 @@ TEST(StationPages, TheDebriefShowsEverySentenceWhole) {
       }
     }
     EXPECT_GT(sentences, 5);
+  }
+}
+
+/// What a page shows, in what it is scrolled in.
+QScrollArea& scrolledOf(QWidget& page) {
+  auto* area = page.findChild<QScrollArea*>();
+  EXPECT_NE(area, nullptr);
+  return *area;
+}
+
+// In a window of 1000 x 600 nothing of it lies beyond the right edge; in a wide one both looks at the run
+// stand side by side.
+TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
+  TrainingCentre centre;
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  const TrialId run = centre.attempt("first", "practice", 1.0);
+  Station station(centre);
+  station.desk().lastScene = borrowed(torsio::testing::trainingBar());
+  station.open(PageId::kDebrief, toQString(run));
+  station.page->resize(1176, 652);
+  station.page->show();
+  const auto& replay = child<QWidget>(*station.page, "replay");
+  const auto& plot = child<QWidget>(*station.page, "plot");
+  ASSERT_TRUE(soon([&] { return replay.isVisible() && plot.isVisible(); }));
+  const auto topOf = [&](const QWidget& part) { return part.mapTo(station.page.get(), QPoint()).y(); };
+  const auto below = [&] { return topOf(plot) > topOf(replay) + replay.height(); };
+  EXPECT_FALSE(below());
+
+  for (const QSize& size : {QSize(810, 500), QSize(700, 500), QSize(1176, 652), QSize(1700, 900)}) {
+    station.page->resize(size);
+    const QScrollArea& area = scrolledOf(*station.page);
+
+    EXPECT_TRUE(soon([&] { return area.widget()->width() <= area.viewport()->width(); }))
+        << size.width() << ": " << area.widget()->width() - area.viewport()->width() << " too wide";
+    EXPECT_TRUE(soon([&] { return below() == (size.width() < 900); })) << size.width();
   }
 }
 
