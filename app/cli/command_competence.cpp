@@ -103,7 +103,7 @@ void enrolDesign(const CompetenceArguments& arguments) {
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
   CompetenceDesign& design = arguments->design;
-  command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is able")
+  command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is competent")
       ->capture_default_str();
   command.add_option("--inadequate", design.inadequate, "Failure rate of one who is not")
       ->capture_default_str();
@@ -128,7 +128,7 @@ void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& argu
 void addCompetence(CLI::App& program) {
   auto arguments = std::make_shared<CompetenceArguments>();
   CLI::App* competence = program.add_subcommand(
-      "competence", "By what trainees are held to be able, and how often that is wrong");
+      "competence", "By what trainees count as competent, and how often that is wrong");
   competence->require_subcommand(1);
 
   CLI::App* command = competence->add_subcommand("plan", "Chooses the limit and prints both error rates");

@@ -8,6 +8,7 @@
 
 #include "assessment/report/number_format.h"
 #include "sim/base/angle.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio {
 
@@ -56,7 +57,7 @@ Facts machineLines(const ComparisonResult& result) {
           {Text::tr("Lattice"),
            std::to_string(result.ridges) + " ridges, " + std::to_string(result.sections) + " sections"},
           {Text::tr("Mesh"), std::to_string(result.vertices) + " vertices"},
-          {Text::tr("Torque at the free end"), formatFixed(result.torque_Nm, 5) + " N m"},
+          {Text::tr("Torque at the free end"), formatFixed(result.torque_Nm, kModelTorqueDecimals) + " N m"},
           {Text::tr("Shear modulus"), formatFixed(result.shearModulus_Pa, 0) + " Pa"},
           {Text::tr("Poisson's ratio of the elements"), formatFixed(result.options.poissonRatio, 3)}};
 }

@@ -68,7 +68,7 @@ std::map<std::string, EnrolmentId> storeCohort(Connection& connection, IdSource&
   const CohortId cohortId = ids.newUuid();
   const StudyGroup group{ids.newUuid(), cohortId, 1, kGroupCode, kGroupLabel};
   studies.addCohort({cohortId, std::string(Text::tr("Volvulus and torsion (demonstration)").english()),
-                     "Simulated trainees who undo organs that come twisted", utc_us + 1, true},
+                     "Simulated trainees who untwist organs that come twisted", utc_us + 1, true},
                     {&group, 1});
   CurriculumRepository(connection).assign(cohortId, versionId);
   std::map<std::string, TraineeId> people;
@@ -137,9 +137,9 @@ std::vector<DemonstrationUntwisting> storeDemonstrationUntwisting(Connection& co
 
 Text demonstrationUntwistingRule() {
   return Text::tr(
-      "Four trainees also undo organs that come twisted, as a cohort of their own that follows the "
+      "Four trainees also untwist organs that come twisted, as a cohort of their own that follows the "
       "curriculum "
-      "\"Volvulus and torsion: undo it\". Two of these hands stop a turn too early and one closes the jaw "
+      "\"Volvulus and torsion: untwist it\". Two of these hands stop a turn too early and one closes the jaw "
       "too "
       "tightly, by design.");
 }

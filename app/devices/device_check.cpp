@@ -12,6 +12,7 @@
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
+#include "sim/base/load_decimals.h"
 #include "sim/base/text_list.h"
 #include "sim/servo/servo_thread.h"
 
@@ -121,8 +122,8 @@ class Check {
     }
     add(FindingGrade::kGood, Text::tr("Limits"),
         Text::tr("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
-                 formatFixed(result_.capabilities.maxForce_N, 2),
-                 formatFixed(result_.capabilities.continuousForce_N, 2)));
+                 formatFixed(result_.capabilities.maxForce_N, kForceDecimals),
+                 formatFixed(result_.capabilities.continuousForce_N, kForceDecimals)));
   }
   [[nodiscard]] bool rendersForce() const { return result_.capabilities.rendersForce; }
   bool startServo() {
@@ -357,8 +358,8 @@ class Check {
     if (!waitUntilUndocked()) {
       return;
     }
-    say(Text::tr("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
-                 formatFixed(kSelfTestTime_s, 0)));
+    say(Text::tr("Hold the stylus: it will push upwards with %1 N for %2 s",
+                 formatFixed(kSelfTestForce_N, kForceDecimals), formatFixed(kSelfTestTime_s, 0)));
     device_->enableForce(true);
     const DeviceSnapshot before = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
@@ -396,7 +397,7 @@ class Check {
     } else {
       add(FindingGrade::kGood, Text::tr("Force"),
           Text::tr("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
-                   formatFixed(kSelfTestForce_N, 1)));
+                   formatFixed(kSelfTestForce_N, kForceDecimals)));
     }
   }
 

@@ -235,24 +235,27 @@ class Sorter {
   }
 
   void fillCompetence(ExportSet& set) const {
-    set.competence = {
-        "competence",
-        Text::tr("Competence"),
-        Text::tr("Verdict of the registered competence design, with both error rates"),
-        {participant(),
-         groupColumn(),
-         {"exercise", Text::tr("Exercise")},
-         {"level", Text::tr("Level reached")},
-         number("attempts", Text::tr("Attempts")),
-         number("failed", Text::tr("Failed attempts")),
-         {"able", Text::tr("Able"), ColumnKind::kNumber, {}, {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}}},
-         number("able_at_attempt", Text::tr("Able at attempt")),
-         number("false_pass", Text::tr("Probability of a false pass")),
-         number("false_fail", Text::tr("Probability of a false fail")),
-         number("false_alarm", Text::tr("Probability of a false alarm")),
-         number("within_attempts", Text::tr("Attempts within which both hold")),
-         number("design_version", Text::tr("Version of the design"))},
-        {}};
+    set.competence = {"competence",
+                      Text::tr("Competence"),
+                      Text::tr("Verdict of the registered competence design, with both error rates"),
+                      {participant(),
+                       groupColumn(),
+                       {"exercise", Text::tr("Exercise")},
+                       {"level", Text::tr("Level reached")},
+                       number("attempts", Text::tr("Attempts")),
+                       number("failed", Text::tr("Failed attempts")),
+                       {"able",
+                        Text::tr("Competent"),
+                        ColumnKind::kNumber,
+                        {},
+                        {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}}},
+                       number("able_at_attempt", Text::tr("Competent at attempt")),
+                       number("false_pass", Text::tr("Probability of a false pass")),
+                       number("false_fail", Text::tr("Probability of a false fail")),
+                       number("false_alarm", Text::tr("Probability of a false alarm")),
+                       number("within_attempts", Text::tr("Attempts within which both hold")),
+                       number("design_version", Text::tr("Version of the design"))},
+                      {}};
     for (const Row& row : rows_) {
       if (row.section != "competence") {
         continue;

@@ -5,18 +5,19 @@
 #include <optional>
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QGraphicsScene>
 #include <QGraphicsWidget>
 #include <QPainter>
 #include <QPdfWriter>
 
 #include "app/report/chart_builder.h"
+#include "app/report/joined_sentences.h"
 #include "app/report/page_flow.h"
 #include "app/report/pdf_file.h"
 #include "app/report/pdf_outline.h"
 #include "app/report/pdf_tags.h"
 #include "assessment/report/figure_table.h"
+#include "assessment/report/number_format.h"
 #include "assessment/report/provenance_line.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -162,7 +163,7 @@ class Composer {
       QString line = say_(Text::tr("The %1 values drawn are too many to print here.",
                                    twin.rows.size() * (twin.columns.size() - 1)));
       if (!figure.valuesStand.empty()) {
-        line += QLatin1Char(' ') + say_(figure.valuesStand);
+        line = joinedSentences({line, say_(figure.valuesStand)});
       }
       flow_.text(line, kNote_pt, false, kQuietInk);
     }
@@ -263,8 +264,7 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
     writer.setTitle(wording(model.title));
     writer.setCreator(QStringLiteral("Torsio ") + version);
-    const QString created = QDateTime::fromMSecsSinceEpoch(model.createdUtc_us / 1000, Qt::UTC)
-                                .toString(QStringLiteral("yyyy-MM-dd HH:mm 'UTC'"));
+    const QString created = wording(formatUtc(model.createdUtc_us));
     PageFlow::Style style;
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);

@@ -8,6 +8,7 @@
 #include <QTranslator>
 
 #include "app/report/printed_minus.h"
+#include "app/report/printed_value.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 
@@ -23,16 +24,27 @@ namespace {
 constexpr const char* kEnglish = "en";
 constexpr const char* kContext = "Text";
 
+QLocale localeOf(const std::string& language) {
+  return language == kEnglish ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+                              : QLocale(QString::fromStdString(language));
+}
+
+/// Whether an argument is what an English pattern counts: its place stands before a plural.
+bool counts(const std::string& pattern, std::size_t argument) {
+  return pattern.find("%" + std::to_string(argument + 1) + " {") != std::string::npos;
+}
+
 }  // namespace
 
-QString worded(const Text& text, const std::function<QString(const std::string&)>& translate, Signs signs) {
+QString worded(const Text& text, const std::function<QString(const std::string&)>& translate,
+               const QLocale& locale, Signs signs) {
   if (text.empty()) {
     return {};
   }
   const bool print = signs == Signs::kOfPrint;
   QString pattern = translate(text.pattern());
   if (text.arguments().empty()) {
-    return print ? printedMinus(std::move(pattern)) : pattern;
+    return print ? printedMinus(printedTime(std::move(pattern), locale)) : pattern;
   }
   if (print) {
     pattern = printedPattern(std::move(pattern));
@@ -40,13 +52,16 @@ QString worded(const Text& text, const std::function<QString(const std::string&)
   std::vector<std::string> words;
   words.reserve(text.arguments().size());
   for (const Text& argument : text.arguments()) {
-    words.push_back(worded(argument, translate, signs).toStdString());
+    const QString word = worded(argument, translate, locale, signs);
+    words.push_back(
+        (print && counts(text.pattern(), words.size()) ? printedCount(word, locale) : word).toStdString());
   }
   return QString::fromStdString(filledIn(pattern.toStdString(), words));
 }
 
 QString englishWording(const Text& text) {
-  return worded(text, [](const std::string& pattern) { return QString::fromStdString(pattern); });
+  return worded(
+      text, [](const std::string& pattern) { return QString::fromStdString(pattern); }, localeOf(kEnglish));
 }
 
 const std::vector<std::string>& reportLanguages() {
@@ -70,14 +85,14 @@ Wording wordingIn(const std::string& language, Signs signs) {
   const bool loaded = translator->load(
       QStringLiteral(":/torsio/translations/torsio_%1.qm").arg(QString::fromStdString(language)));
   TORSIO_EXPECTS(loaded);
-  return [translator, signs](const Text& text) {
+  return [translator, locale = localeOf(language), signs](const Text& text) {
     return worded(
         text,
         [&translator](const std::string& pattern) {
           const QString translated = translator->translate(kContext, pattern.c_str());
           return translated.isEmpty() ? QString::fromStdString(pattern) : translated;
         },
-        signs);
+        locale, signs);
   };
 }
 

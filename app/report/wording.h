@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <QLocale>
 #include <QString>
 
 #include "sim/base/text.h"
@@ -14,12 +15,13 @@ namespace torsio {
 /// How a report says a Text: in the language of whoever reads it.
 using Wording = std::function<QString(const Text&)>;
 
-/// Who reads a text: people, who see the minus of print, or programs, which ask for the hyphen.
+/// Who reads a text: people, who see the minus of print, days as `locale` writes them and the digits of what
+/// is counted ("%1 {mark|marks}") in groups, or programs, which ask for hyphens, ISO 8601 and bare digits.
 enum class Signs { kOfPrint, kOfFiles };
 
 /// `text` with the patterns that `translate` gives for its own and those of its arguments.
 [[nodiscard]] QString worded(const Text& text, const std::function<QString(const std::string&)>& translate,
-                             Signs signs = Signs::kOfPrint);
+                             const QLocale& locale, Signs signs = Signs::kOfPrint);
 
 /// The words of the sources, for people.
 [[nodiscard]] QString englishWording(const Text& text);

@@ -16,7 +16,7 @@ struct QueueLine {
   BlindedCase shown{};
   SheetState state = SheetState::kOpen;
   double estimate_min = 0.0;  ///< 0 when submitted
-  bool overdue = false;
+  bool overdue = false;       ///< its day has gone by, or whom it is about has left the arm; not submitted
   std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
   std::optional<CallNotice> call{};  ///< of a live case that was called
 };

@@ -6,6 +6,7 @@
 
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio {
 
@@ -36,13 +37,13 @@ constexpr std::array<MetricLabels, 39> kMetrics{{
     {"twist.rmse", Text::tr("Tracking error"), "\u00b0", kDegreesPerRadian, 1},
     {"twist.excursions", Text::tr("Excursions"), "", 1.0, 0},
     {"tip.path", Text::tr("Path of the tip"), "mm", 1000.0, 0},
-    {"force.peak", Text::tr("Peak force"), "N", 1.0, 2},
-    {"force.device_peak", Text::tr("Peak force of the device"), "N", 1.0, 2},
-    {"force.mean", Text::tr("Mean force"), "N", 1.0, 2},
+    {"force.peak", Text::tr("Peak force"), "N", 1.0, kForceDecimals},
+    {"force.device_peak", Text::tr("Peak force of the device"), "N", 1.0, kForceDecimals},
+    {"force.mean", Text::tr("Mean force"), "N", 1.0, kForceDecimals},
     {"force.violations", Text::tr("Force violations"), "", 1.0, 0},
-    {"torque.peak", Text::tr("Peak torque"), "N m", 1.0, 3},
-    {"torque.release_rate", Text::tr("Abruptness of release"), "N m/s", 1.0, 2},
-    {"detorse.done", Text::tr("Undone"), "", 1.0, 0},
+    {"torque.peak", Text::tr("Peak torque"), "N m", 1.0, kTorqueDecimals},
+    {"torque.release_rate", Text::tr("Abruptness of release"), "N m/s", 1.0, kTorqueDecimals},
+    {"detorse.done", Text::tr("Untwisted"), "", 1.0, 0},
     {"detorse.time_to_flow", Text::tr("Time until blood flows"), "s", 1.0, 1},
     {"detorse.dose", Text::tr("Ischaemic dose"), "", 1.0, 2},
     {"detorse.dose_at_flow", Text::tr("Ischaemic dose when blood flows"), "", 1.0, 2},
@@ -59,7 +60,7 @@ constexpr std::array<MetricLabels, 39> kMetrics{{
     {"detorse.min_patency", Text::tr("Least patency"), "%", 100.0, 0},
     {"detorse.vented_first", Text::tr("Let out first"), "", 1.0, 0},
     {"detorse.longest_stage", Text::tr("Longest turn without a rest"), "\u00b0", kDegreesPerRadian, 0},
-    {"detorse.in_stages", Text::tr("Undone in stages"), "", 1.0, 0},
+    {"detorse.in_stages", Text::tr("Untwisted in stages"), "", 1.0, 0},
 }};
 
 const MetricLabels* wordsOf(const std::string& id) {
@@ -107,13 +108,19 @@ std::string metricUnit(const std::string& id) {
   return words != nullptr ? words->unit : "";
 }
 
+int metricDecimals(const std::string& id) {
+  constexpr int kOfOthers = 2;
+  const MetricLabels* words = wordsOf(id);
+  return words != nullptr ? words->decimals : kOfOthers;
+}
+
 Text quantityText(const std::string& metric, double value) {
   if (isAnswerMetric(metric)) {
     return value > 0.5 ? Text::tr("yes") : Text::tr("no");
   }
   const MetricLabels* words = wordsOf(metric);
   if (words == nullptr) {
-    return figure(value, 2);
+    return figure(value, metricDecimals(metric));
   }
   const std::string number = figure(value * words->scale, words->decimals);
   const std::string unit = words->unit;
@@ -126,9 +133,9 @@ Text quantityText(const std::string& metric, double value) {
 Text checkText(const TargetCheck& check, std::size_t twists) {
   switch (check.kind) {
     case TargetCheck::Kind::kUndone:
-      return !check.value   ? Text::tr("Undone, open and supplied with hands off: not measured")
-             : check.passed ? Text::tr("Undone, open and supplied with hands off: yes")
-                            : Text::tr("Undone, open and supplied with hands off: no");
+      return !check.value   ? Text::tr("Untwisted, open and supplied with hands off: not measured")
+             : check.passed ? Text::tr("Untwisted, open and supplied with hands off: yes")
+                            : Text::tr("Untwisted, open and supplied with hands off: no");
     case TargetCheck::Kind::kTwists:
       return check.value.value_or(0.0) > check.wanted
                  ? Text::tr("Twists completed: %1, at least %2 wanted", figure(check.value.value_or(0.0), 0),
@@ -143,13 +150,15 @@ Text checkText(const TargetCheck& check, std::size_t twists) {
                                     figure(check.wanted, 1))
                          : Text::tr("Hold on target: none, wanted %1 s", figure(check.wanted, 1));
     case TargetCheck::Kind::kForce:
-      return check.value ? Text::tr("Peak force on the tissue: %1 N, limit %2 N", beside(check, 2),
-                                    figure(check.wanted, 2))
-                         : Text::tr("Peak force: not measured, limit %1 N", figure(check.wanted, 2));
+      return check.value
+                 ? Text::tr("Peak force on the tissue: %1 N, limit %2 N", beside(check, kForceDecimals),
+                            figure(check.wanted, kForceDecimals))
+                 : Text::tr("Peak force: not measured, limit %1 N", figure(check.wanted, kForceDecimals));
     case TargetCheck::Kind::kTorque:
       return check.value
-                 ? Text::tr("Peak torque: %1 N m, limit %2 N m", beside(check, 3), figure(check.wanted, 3))
-                 : Text::tr("Peak torque: not measured, limit %1 N m", figure(check.wanted, 3));
+                 ? Text::tr("Peak torque: %1 N m, limit %2 N m", beside(check, kTorqueDecimals),
+                            figure(check.wanted, kTorqueDecimals))
+                 : Text::tr("Peak torque: not measured, limit %1 N m", figure(check.wanted, kTorqueDecimals));
     case TargetCheck::Kind::kMastery:
       break;
   }

@@ -19,6 +19,8 @@ namespace torsio {
 [[nodiscard]] double metricScale(const std::string& id);
 /// "\u00b0", "mm"; empty for a mere number.
 [[nodiscard]] std::string metricUnit(const std::string& id);
+/// How many decimals of that unit are shown.
+[[nodiscard]] int metricDecimals(const std::string& id);
 /// "12.4 s", "3.1\u00b0", "62 %"; "yes" and "no" of a metric that answers a question.
 [[nodiscard]] Text quantityText(const std::string& metric, double value);
 /// One line of what was asked for. `twists`: completed ones.

@@ -120,7 +120,7 @@ class DetorsionMeasurer {
 
   void measureStages() {
     if (!rules_.stages.asked()) {
-      const Text notAsked = Text::tr("this organ is not to be undone in stages");
+      const Text notAsked = Text::tr("this organ is not to be untwisted in stages");
       set("detorse.longest_stage", Outcome<double>::undefined(notAsked));
       set("detorse.in_stages", Outcome<double>::undefined(notAsked));
       return;
@@ -229,8 +229,8 @@ class DetorsionMeasurer {
       set("detorse.relapse", yesNo(relapsed));
     } else {
       set("detorse.relapse",
-          Outcome<double>::undefined(torn ? Text::tr("the wall was torn: that is not undone")
-                                          : Text::tr("the organ was never undone")));
+          Outcome<double>::undefined(torn ? Text::tr("the wall was torn: that does not count as untwisted")
+                                          : Text::tr("the organ was never untwisted")));
     }
     set("detorse.residual", residual());
   }

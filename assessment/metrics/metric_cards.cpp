@@ -101,7 +101,7 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "How long the grasped patch was sheared beyond its limit.",
      "samples with patch shear stress above the limit / rate", "s", kHolding, kLower},
     // Of an organ that came twisted by phi_0; limits, d (hands off) and q_c are those of its scene.
-    {"detorse.done", "Undone",
+    {"detorse.done", "Untwisted",
      "Whether the organ lay untwisted, open, supplied and whole with nobody holding it: 1 yes, 0 no.",
      "|phi| <= limit and patency >= least and flow >= least for d without hand and clip; jaw and force never "
      "at "
@@ -148,7 +148,7 @@ constexpr std::array kCards = std::to_array<MetricCard>({
      "max of |phi| where the stage began - |phi|; a stage begins where |phi| stayed within 5 degrees for the "
      "rest that is asked for",
      "rad", kTask, kLower},
-    {"detorse.in_stages", "Undone in stages",
+    {"detorse.in_stages", "Untwisted in stages",
      "Whether no turn without a rest was longer than the scene asks for: 1 yes, 0 no.",
      "longest turn without a rest <= stage + 15 degrees", "1", kTask, kHigher},
 });

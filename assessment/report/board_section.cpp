@@ -224,11 +224,12 @@ ReportTable standardTable(const CohortInputs& in) {
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
   table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score [lowest; highest]"),
-                   Text::tr("Able on the simulator")};
+                   Text::tr("Competent on the simulator")};
   // The verdicts of the section Competence; nobody is judged here.
   std::map<std::string, bool> ableAtAll;
   double falsePass = 0.0;
-  std::map<std::string, double> missed;  // by trainee: one exercise is enough not to be able at every one
+  std::map<std::string, double>
+      missed;  // by trainee: one exercise is enough not to be competent at every one
   for (const CohortCompetence& one : in.competence) {
     const auto [known, first] = ableAtAll.try_emplace(one.trainee, one.able);
     known->second = known->second && one.able;
@@ -274,9 +275,10 @@ ReportTable standardTable(const CohortInputs& in) {
   }
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
-        "Able now: at every exercise that was tried, by the designs of the section Competence. Whoever is "
-        "inadequate at one is held to be able in at most %1 %, whoever is adequate at all is not in at most "
-        "%2 % of cases, within the attempts named there.",
+        "Competent now: at every exercise that was tried, by the designs of the section Competence. Whoever "
+        "is "
+        "inadequate at one counts as competent in at most %1 %, whoever is adequate at all does not in at "
+        "most %2 % of cases, within the attempts named there.",
         formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
   }
   return table;

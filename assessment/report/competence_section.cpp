@@ -6,6 +6,7 @@
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -20,21 +21,35 @@ Item competenceItem(const CohortInputs& in, const std::string& id, const Text& t
   return item;
 }
 
-/// Each design in force and its error rates, once for each exercise and number of attempts.
+/// Each design in force and its error rates, once for all exercises and numbers of attempts that it is said
+/// of.
 std::vector<Text> designSentences(const CohortInputs& in) {
-  std::vector<Text> sentences;
-  const auto add = [&](Text sentence) {
-    if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
-      sentences.push_back(std::move(sentence));
-    }
+  struct Said {
+    Text design;
+    Text errors;
+    std::vector<Text> exercises;
   };
+  std::vector<Said> all;
   for (const CohortCompetence& one : in.competence) {
-    add(Text::tr("%1. %2 %3", one.exercise, one.design, one.errors));
+    auto said = std::find_if(all.begin(), all.end(), [&one](const Said& known) {
+      return known.design == one.design && known.errors == one.errors;
+    });
+    if (said == all.end()) {
+      said = all.insert(all.end(), {one.design, one.errors, {}});
+    }
+    if (std::find(said->exercises.begin(), said->exercises.end(), one.exercise) == said->exercises.end()) {
+      said->exercises.push_back(one.exercise);
+    }
+  }
+  std::vector<Text> sentences;
+  for (const Said& said : all) {
+    sentences.push_back(
+        Text::tr("%1. %2 %3", listed(said.exercises, Text::tr("%1; %2")), said.design, said.errors));
   }
   return sentences;
 }
 
-/// Sums as shares of the limit, up to the attempt that showed somebody to be able.
+/// Sums as shares of the limit, up to the attempt that showed somebody to be competent.
 ReportFigure sumsFigure(const CohortInputs& in) {
   auto figure =
       competenceItem<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee and exercise"));
@@ -55,11 +70,11 @@ ReportFigure sumsFigure(const CohortInputs& in) {
     }
     figure.series.push_back(std::move(series));
   }
-  figure.references = {{1.0, Text::tr("able")}};
+  figure.references = {{1.0, Text::tr("competent")}};
   figure.notes = {
       Text::tr("A success raises the sum, a failure lowers it, never below zero. A line ends where it "
                "reaches the limit: "
-               "the trainee is held to be able from there on, with the error rates stated above.")};
+               "the trainee counts as competent from there on, with the error rates stated above.")};
   return figure;
 }
 
@@ -98,11 +113,13 @@ ReportTable countsTable(const CohortInputs& in) {
     ++(one.able ? counts.able : counts.notAble);
   }
   auto table = competenceItem<ReportTable>(in, "table-competence-groups", Text::tr("Competence by group"));
-  table.columns = {Text::tr("Exercise"), Text::tr("Group"), Text::tr("Able now and not able, trainees")};
+  table.columns = {Text::tr("Exercise"), Text::tr("Group"),
+                   Text::tr("Competent and not yet competent, trainees")};
   for (const auto& [place, counts] : cells) {
     table.rows.push_back(
         {titles[place.first], in.groups[place.second].name,
-         countsText({{Text::tr("able"), counts.able}, {Text::tr("not able"), counts.notAble}}, in.identity)});
+         countsText({{Text::tr("competent"), counts.able}, {Text::tr("not competent"), counts.notAble}},
+                    in.identity)});
   }
   return table;
 }

@@ -74,7 +74,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   table.columns = {Text::tr("Group"),
                    Text::tr("Phase"),
                    Text::tr("Runs"),
-                   Text::tr("Undone"),
+                   Text::tr("Untwisted"),
                    Text::tr("Relapsed"),
                    Text::tr("First turn the right way"),
                    Text::tr("Tissue hurt"),
@@ -93,7 +93,8 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   }
   table.notes = {
       Text::tr(
-          "An organ that came twisted is undone; there are no targets and no angle errors. Time is that of "
+          "An organ that came twisted is untwisted; there are no targets and no angle errors. Time is that "
+          "of "
           "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
           "dose of 1 on the organ is lost."),
       Text::tr("Tissue was hurt where jaw or pull went beyond what it then bore.")};

@@ -115,7 +115,7 @@ ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study)
   }
   if (!in.competence.empty()) {
     section.paragraphs.push_back(Text::tr(
-        "Who is held to be able is judged by LC-CUSUM, by the designs and with the error rates of the "
+        "Who counts as competent is judged by LC-CUSUM, by the designs and with the error rates of the "
         "section Competence."));
   }
   if (Text power = powerSentence(in); !power.empty()) {

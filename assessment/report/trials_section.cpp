@@ -9,6 +9,7 @@
 #include "assessment/report/foreign_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio {
 
@@ -73,10 +74,10 @@ ReportTable trialsByPhase(const CohortInputs& in) {
                    Text::tr("Mean peak torque (N m)"),
                    Text::tr("Mean peak force (N)")};
   for (const auto& [key, sums] : cells) {
-    table.rows.push_back({in.groups[key.first].name, sums.phase, std::to_string(sums.trials),
-                          formatFixed(sums.minutes, 2), std::to_string(sums.twists),
-                          std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
-                          meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
+    table.rows.push_back(
+        {in.groups[key.first].name, sums.phase, std::to_string(sums.trials), formatFixed(sums.minutes, 2),
+         std::to_string(sums.twists), std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
+         meanOrDash(sums.torques, kTorqueDecimals), meanOrDash(sums.forces, kForceDecimals)});
   }
   table.notes = {Text::tr(
       "Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.")};

@@ -124,10 +124,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n entries saved</source>
+        <source>%Ln entries saved</source>
         <translation>
-            <numerusform>%n entry saved</numerusform>
-            <numerusform>%n entries saved</numerusform>
+            <numerusform>%Ln entry saved</numerusform>
+            <numerusform>%Ln entries saved</numerusform>
         </translation>
     </message>
 </context>
@@ -302,10 +302,10 @@
 <context>
     <name>torsio::gui::HeadNotice</name>
     <message numerus="yes">
-        <source>%n entry(s), %1 UTC, %2</source>
+        <source>%Ln entry(s), %1 UTC, %2</source>
         <translation>
-            <numerusform>%n entry, %1 UTC, %2</numerusform>
-            <numerusform>%n entries, %1 UTC, %2</numerusform>
+            <numerusform>%Ln entry, %1 UTC, %2</numerusform>
+            <numerusform>%Ln entries, %1 UTC, %2</numerusform>
         </translation>
     </message>
 </context>
@@ -329,10 +329,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The database permanently refused %n entries of this station. Please tell its administrator</source>
+        <source>The database permanently refused %Ln entries of this station. Please tell its administrator</source>
         <translation>
-            <numerusform>The database finally refused %n entry of this station. Please tell its administrator</numerusform>
-            <numerusform>The database permanently refused %n entries of this station. Please tell its administrator</numerusform>
+            <numerusform>The database permanently refused %Ln entry of this station. Please tell its administrator</numerusform>
+            <numerusform>The database permanently refused %Ln entries of this station. Please tell its administrator</numerusform>
         </translation>
     </message>
 </context>

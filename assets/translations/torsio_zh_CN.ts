@@ -66,8 +66,8 @@
         <translation>休息过长：%1</translation>
     </message>
     <message>
-        <source>sheets missing: %1</source>
-        <translation>缺少评分表：%1</translation>
+        <source>sheets due and missing: %1</source>
+        <translation>应交未交的评分表：%1</translation>
     </message>
     <message>
         <source>without a group: %1</source>
@@ -142,16 +142,12 @@
         <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
     </message>
     <message>
-        <source>%1 Note: %2.</source>
-        <translation>%1 说明：%2。</translation>
+        <source>Note: %1.</source>
+        <translation>说明：%1。</translation>
     </message>
     <message>
-        <source>%1 Superseded by version %2.</source>
-        <translation>%1 已被第 %2 版取代。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
+        <source>Superseded by version %1.</source>
+        <translation>已被第 %1 版取代。</translation>
     </message>
 </context>
 <context>
@@ -1290,8 +1286,8 @@
         <translation>邀请评分者</translation>
     </message>
     <message>
-        <source>%1: release, sheets missing: %2 of %3</source>
-        <translation>%1：公布，缺 %2 / %3 份</translation>
+        <source>%1: release, sheets not in yet: %2 of %3</source>
+        <translation>%1：公布，未交 %2 / %3 份</translation>
     </message>
     <message>
         <source>%1, %2: sheets waiting: %3</source>
@@ -1500,15 +1496,15 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>not undone, ischaemic dose %1</source>
+        <source>not untwisted, ischaemic dose %1</source>
         <translation>未复位，缺血剂量 %1</translation>
     </message>
     <message>
-        <source>undone, blood after %1, ischaemic dose %2</source>
+        <source>untwisted, blood after %1, ischaemic dose %2</source>
         <translation>已复位，%1 后恢复血流，缺血剂量 %2</translation>
     </message>
     <message>
-        <source>undone, ischaemic dose %1</source>
+        <source>untwisted, ischaemic dose %1</source>
         <translation>已复位，缺血剂量 %1</translation>
     </message>
     <message>
@@ -1599,6 +1595,10 @@
 </context>
 <context>
     <name>Study</name>
+    <message>
+        <source>%1 (1 yes, 0 no)</source>
+        <translation>%1（1 为是，0 为否）</translation>
+    </message>
     <message>
         <source>before training</source>
         <translation>训练前</translation>
@@ -1724,102 +1724,6 @@
         <translation>实物手臂</translation>
     </message>
     <message>
-        <source>share of twists on target</source>
-        <translation>达标扭转比例</translation>
-    </message>
-    <message>
-        <source>targets reached</source>
-        <translation>达到目标次数</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>overshoot</source>
-        <translation>超调</translation>
-    </message>
-    <message>
-        <source>settling time</source>
-        <translation>稳定时间</translation>
-    </message>
-    <message>
-        <source>steadiness of the hold</source>
-        <translation>保持稳定性</translation>
-    </message>
-    <message>
-        <source>smoothness</source>
-        <translation>平滑度</translation>
-    </message>
-    <message>
-        <source>peak force</source>
-        <translation>最大力</translation>
-    </message>
-    <message>
-        <source>force violations</source>
-        <translation>力超限次数</translation>
-    </message>
-    <message>
-        <source>peak torque</source>
-        <translation>最大扭矩</translation>
-    </message>
-    <message>
-        <source>organ undone (1 yes, 0 no)</source>
-        <translation>器官已复位（1 是，0 否）</translation>
-    </message>
-    <message>
-        <source>time until blood flows</source>
-        <translation>恢复血流的时间</translation>
-    </message>
-    <message>
-        <source>ischaemic dose</source>
-        <translation>缺血剂量</translation>
-    </message>
-    <message>
-        <source>twist that remains</source>
-        <translation>残余扭转</translation>
-    </message>
-    <message>
-        <source>relapse (1 yes, 0 no)</source>
-        <translation>复发（1 是，0 否）</translation>
-    </message>
-    <message>
-        <source>first turn the right way (1 yes, 0 no)</source>
-        <translation>首次转动方向正确（1 是，0 否）</translation>
-    </message>
-    <message>
-        <source>turned the wrong way</source>
-        <translation>反向转动</translation>
-    </message>
-    <message>
-        <source>re-grips</source>
-        <translation>重新夹持次数</translation>
-    </message>
-    <message>
-        <source>slipped back</source>
-        <translation>回滑</translation>
-    </message>
-    <message>
-        <source>peak pressure of the jaw</source>
-        <translation>钳口压强峰值</translation>
-    </message>
-    <message>
-        <source>time of overload</source>
-        <translation>超负荷时间</translation>
-    </message>
-    <message>
-        <source>let out first (1 yes, 0 no)</source>
-        <translation>先行减压（1 是，0 否）</translation>
-    </message>
-    <message>
-        <source>longest turn without a rest</source>
-        <translation>未停歇的最大复位转角</translation>
-    </message>
-    <message>
-        <source>undone in stages (1 yes, 0 no)</source>
-        <translation>分阶段复位（1 是，0 否）</translation>
-    </message>
-    <message>
         <source>Simple randomisation into equal groups (as in the paper)</source>
         <translation>简单随机化，各组人数相等（与论文相同）</translation>
     </message>
@@ -1841,6 +1745,10 @@
 </context>
 <context>
     <name>Text</name>
+    <message>
+        <source>Competence is judged as in “%1”.</source>
+        <translation>胜任的判定方式同“%1”。</translation>
+    </message>
     <message>
         <source>Choose another name</source>
         <translation>请另选名称</translation>
@@ -2023,7 +1931,7 @@
     </message>
     <message>
         <source>%1 after %2 s</source>
-        <translation>%2 秒后：%1</translation>
+        <translation>%2 s 后：%1</translation>
     </message>
     <message>
         <source>%1 end</source>
@@ -2059,7 +1967,7 @@
     </message>
     <message>
         <source>%1 must lie above 0 s and not above %2 s, got %3</source>
-        <translation>%1必须大于 0 秒且不超过 %2 秒，实际为 %3</translation>
+        <translation>%1必须大于 0 s 且不超过 %2 s，实际为 %3</translation>
     </message>
     <message>
         <source>%1 {person still waits|people still wait} for a group: the seed would tell them theirs</source>
@@ -2919,7 +2827,7 @@
     </message>
     <message>
         <source>Hold the stylus: it will push upwards with %1 N for %2 s</source>
-        <translation>请握住操作笔：将以 %1 N 向上推 %2 秒</translation>
+        <translation>请握住操作笔：将以 %1 N 向上推 %2 s</translation>
     </message>
     <message>
         <source>Importing</source>
@@ -3163,7 +3071,7 @@
     </message>
     <message>
         <source>Measuring the servo for %1 s</source>
-        <translation>正在测量伺服，共 %1 秒</translation>
+        <translation>正在测量伺服，共 %1 s</translation>
     </message>
     <message>
         <source>Model &quot;%1&quot; is not an Omni or Touch; it is treated like a Touch</source>
@@ -4811,7 +4719,7 @@
     </message>
     <message>
         <source>schema name is not allowed</source>
-        <translation>不允许的模式名</translation>
+        <translation>不允许的架构名</translation>
     </message>
     <message>
         <source>schema step %1 differs from the one that was applied</source>
@@ -5087,7 +4995,7 @@
     </message>
     <message>
         <source>the duration must lie above 0 s and not above a day</source>
-        <translation>时长须大于 0 秒且不超过一天</translation>
+        <translation>时长须大于 0 s 且不超过一天</translation>
     </message>
     <message>
         <source>the e-mail address belongs to %1 already, under another number</source>
@@ -5831,7 +5739,7 @@
     </message>
     <message>
         <source>tick period %1 us, latency %2 {tick|ticks}, damping %3 N s/m</source>
-        <translation>周期 %1 us，延迟 %2 个周期，阻尼 %3 N s/m</translation>
+        <translation>周期 %1 µs，延迟 %2 个周期，阻尼 %3 N s/m</translation>
     </message>
     <message>
         <source>trainee</source>
@@ -8711,7 +8619,7 @@
     </message>
     <message>
         <source>the section %1 mm from the fixed end</source>
-        <translation>距固定端 %1 毫米处的截面</translation>
+        <translation>距固定端 %1 mm 处的截面</translation>
     </message>
     <message>
         <source>load average %1</source>
@@ -8883,7 +8791,7 @@
     </message>
     <message>
         <source>The twist model computes in advance; finite elements of small strain could do so too (one answer to one newton metre, scaled), as fast, but would swell with the angle. The comparison is with elements that bear large rotations.</source>
-        <translation>扭转模型预先计算；小应变有限元也可以这样做（对 1 N·m 求解一次再按比例缩放），速度相同，但会随角度增大而膨胀。此处比较的是能承受大转动的单元。</translation>
+        <translation>扭转模型预先计算；小应变有限元也可以这样做（对 1 N m 求解一次再按比例缩放），速度相同，但会随角度增大而膨胀。此处比较的是能承受大转动的单元。</translation>
     </message>
     <message>
         <source>Set-up counts when organ or tissue change: it is stated apart and not in the deformation time.</source>
@@ -9043,7 +8951,7 @@
     </message>
     <message>
         <source>The torque must grow for 0.1 to 5 s</source>
-        <translation>扭矩的增长时间须为 0.1 至 5 秒</translation>
+        <translation>扭矩的增长时间须为 0.1 至 5 s</translation>
     </message>
     <message>
         <source>growth of the torque</source>
@@ -9755,7 +9663,7 @@
     </message>
     <message>
         <source>the library&apos;s servo stopped calling after %1 s</source>
-        <translation>%1 秒后厂商程序库的伺服停止了调用</translation>
+        <translation>%1 s 后厂商程序库的伺服停止了调用</translation>
     </message>
     <message>
         <source>Position</source>
@@ -9827,7 +9735,7 @@
     </message>
     <message>
         <source>blood did not come back for 5 s before the recording ended</source>
-        <translation>直到录制结束，血流都未恢复满 5 秒</translation>
+        <translation>直到录制结束，血流都未恢复满 5 s</translation>
     </message>
     <message>
         <source>the hand never held the organ</source>
@@ -9838,7 +9746,7 @@
         <translation>壁的应力需要载入场景才能得出</translation>
     </message>
     <message>
-        <source>the organ was never undone</source>
+        <source>the organ was never untwisted</source>
         <translation>器官从未复位</translation>
     </message>
     <message>
@@ -9858,7 +9766,7 @@
         <translation>按组和阶段列出的扭转复位</translation>
     </message>
     <message>
-        <source>Undone</source>
+        <source>Untwisted</source>
         <translation>已复位</translation>
     </message>
     <message>
@@ -9875,7 +9783,7 @@
     </message>
     <message>
         <source>Median time until then (s)</source>
-        <translation>至此的时间中位数（秒）</translation>
+        <translation>至此的时间中位数（s）</translation>
     </message>
     <message>
         <source>Median ischaemic dose</source>
@@ -9982,59 +9890,59 @@
         <translation>中肠扭转</translation>
     </message>
     <message>
-        <source>Midgut: undo it</source>
+        <source>Midgut: untwist it</source>
         <translation>中肠：复位</translation>
     </message>
     <message>
-        <source>Midgut: undo it, graded</source>
+        <source>Midgut: untwist it, graded</source>
         <translation>中肠：复位，计分</translation>
     </message>
     <message>
-        <source>Sigmoid: undo it</source>
+        <source>Sigmoid: untwist it</source>
         <translation>乙状结肠：复位</translation>
     </message>
     <message>
-        <source>Sigmoid: undo it, graded</source>
+        <source>Sigmoid: untwist it, graded</source>
         <translation>乙状结肠：复位，计分</translation>
     </message>
     <message>
-        <source>Six organs that come twisted: small-bowel loop, stomach about its long axis, testis, sigmoid, stomach about its short axis, midgut. First find out which way it is twisted: the torque rises and the colour darkens when you turn the wrong way. Let gas out where you can, hold the organ while you grip anew, and turn on until it stays open and supplied with your hands off. The clock of the tissue runs sixty times faster than yours.</source>
+        <source>Six organs that come twisted: small-bowel loop, stomach about its long axis, testis, sigmoid, stomach about its short axis, midgut. First find out which way it is twisted: the torque rises and the colour darkens when you turn the wrong way. Let gas out where you can, hold the organ while you re-grip, and turn on until it stays open and supplied with your hands off. The clock of the tissue runs sixty times faster than yours.</source>
         <translation>六个送来时已扭转的器官：小肠袢、绕长轴扭转的胃、睾丸、乙状结肠、绕短轴扭转的胃、中肠。先弄清扭转方向：方向转错时力矩增大、颜色变深。能排气的先排气；换手时固定器官；一直复位到松手后管腔仍通畅、血流仍恢复为止。组织的时钟比您的快六十倍。</translation>
     </message>
     <message>
-        <source>Small-bowel loop: undo it</source>
+        <source>Small-bowel loop: untwist it</source>
         <translation>小肠袢：复位</translation>
     </message>
     <message>
-        <source>Small-bowel loop: undo it, graded</source>
+        <source>Small-bowel loop: untwist it, graded</source>
         <translation>小肠袢：复位，计分</translation>
     </message>
     <message>
-        <source>Stomach, mesentero-axial: undo it</source>
+        <source>Stomach, mesentero-axial: untwist it</source>
         <translation>胃系膜轴型扭转：复位</translation>
     </message>
     <message>
-        <source>Stomach, mesentero-axial: undo it, graded</source>
+        <source>Stomach, mesentero-axial: untwist it, graded</source>
         <translation>胃系膜轴型扭转：复位，计分</translation>
     </message>
     <message>
-        <source>Stomach, organo-axial: undo it</source>
+        <source>Stomach, organo-axial: untwist it</source>
         <translation>胃器官轴型扭转：复位</translation>
     </message>
     <message>
-        <source>Stomach, organo-axial: undo it, graded</source>
+        <source>Stomach, organo-axial: untwist it, graded</source>
         <translation>胃器官轴型扭转：复位，计分</translation>
     </message>
     <message>
-        <source>Testis: undo it</source>
+        <source>Testis: untwist it</source>
         <translation>睾丸：复位</translation>
     </message>
     <message>
-        <source>Testis: undo it, graded</source>
+        <source>Testis: untwist it, graded</source>
         <translation>睾丸：复位，计分</translation>
     </message>
     <message>
-        <source>Volvulus and torsion: undo it</source>
+        <source>Volvulus and torsion: untwist it</source>
         <translation>肠胃扭转与睾丸扭转：复位</translation>
     </message>
     <message>
@@ -10046,11 +9954,11 @@
         <translation>胃窦扭转四分之一到半圈，位于贲门上方，多未完全闭塞。外科医生先排气，把胃窦拉下并转回，通常一次握持即可。注意通道：松手后必须保持通畅。牵拉胃窦会使其撕裂。</translation>
     </message>
     <message>
-        <source>The sigmoid loop is twisted by half a turn to a whole one on its narrow root and blown up. Let the gas out through the scope first: it takes most of the torque away. Turn the top back, clip it when you grip anew, and stay: it comes back in nearly half of the patients. Black mucosa or a tear means resection, not turning.</source>
+        <source>The sigmoid loop is twisted by half a turn to a whole one on its narrow root and blown up. Let the gas out through the scope first: it takes most of the torque away. Turn the top back, clip it when you re-grip, and stay: it comes back in nearly half of the patients. Black mucosa or a tear means resection, not turning.</source>
         <translation>乙状结肠袢在狭窄的根部扭转半圈至一整圈，并且胀气。先经肠镜排气，可去掉大部分力矩。把肠袢顶部转回，换手时夹住，并守住：近一半患者会复发。黏膜发黑或破裂时应切除，而不是复位。</translation>
     </message>
     <message>
-        <source>The stomach is turned over by half a turn or more and shut at both ends. Surgeons first let the gas out through a tube, then turn the greater curvature back down; a full stomach resists with more than twice the torque. Hold it with the clip while you grip anew: let go beyond a quarter turn, it rolls back. Pulling tears the wall.</source>
+        <source>The stomach is turned over by half a turn or more and shut at both ends. Surgeons first let the gas out through a tube, then turn the greater curvature back down; a full stomach resists with more than twice the torque. Hold it with the clip while you re-grip: let go beyond a quarter turn, it rolls back. Pulling tears the wall.</source>
         <translation>胃翻转半圈以上，两端闭塞。外科医生先经胃管排气，再把胃大弯转回原位；胀满的胃阻力大一倍以上。换手时用夹固定：在四分之一圈以外松手，胃会转回去。牵拉会撕裂胃壁。</translation>
     </message>
     <message>
@@ -10258,27 +10166,27 @@
         <translation>整团小肠在其血管蒂上转动，与患者体内一样。血管蒂为实心，半径 8 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 1.1 N mm）：通畅度始终为 1，未模拟闭塞的十二指肠；肠袢只是一个整体表面上的起伏，整体转动。血管蒂、摩擦和血管为假设值；钳口的限值和坏死时间有文献来源（猪空肠）。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
     <message>
-        <source>Undo a midgut volvulus</source>
+        <source>Untwist a midgut volvulus</source>
         <translation>复位中肠扭转</translation>
     </message>
     <message>
-        <source>Undo a sigmoid volvulus</source>
+        <source>Untwist a sigmoid volvulus</source>
         <translation>复位乙状结肠扭转</translation>
     </message>
     <message>
-        <source>Undo a small-bowel loop</source>
+        <source>Untwist a small-bowel loop</source>
         <translation>复位扭转的小肠袢</translation>
     </message>
     <message>
-        <source>Undo mesentero-axial</source>
+        <source>Untwist a mesentero-axial volvulus</source>
         <translation>复位胃系膜轴型扭转</translation>
     </message>
     <message>
-        <source>Undo organo-axial</source>
+        <source>Untwist an organo-axial volvulus</source>
         <translation>复位胃器官轴型扭转</translation>
     </message>
     <message>
-        <source>Undo testicular torsion</source>
+        <source>Untwist a testis</source>
         <translation>复位睾丸扭转</translation>
     </message>
     <message>
@@ -10322,7 +10230,7 @@
         <translation>尺骨头</translation>
     </message>
     <message>
-        <source>Four trainees also undo organs that come twisted, as a cohort of their own that follows the curriculum &quot;Volvulus and torsion: undo it&quot;. Two of these hands stop a turn too early and one closes the jaw too tightly, by design.</source>
+        <source>Four trainees also untwist organs that come twisted, as a cohort of their own that follows the curriculum &quot;Volvulus and torsion: untwist it&quot;. Two of these hands stop a turn too early and one closes the jaw too tightly, by design.</source>
         <translation>四名学员还练习复位扭转的器官，单独组成一个批次，按照课程《肠胃扭转与睾丸扭转：复位》进行。其中有意让两次操作省去最后一转，让一次操作钳夹过紧。</translation>
     </message>
     <message>
@@ -10330,7 +10238,7 @@
         <translation>组织损伤</translation>
     </message>
     <message>
-        <source>An organ that came twisted is undone; there are no targets and no angle errors. Time is that of the hand; where blood did not come back, it is censored and not in the median. From an ischaemic dose of 1 on the organ is lost.</source>
+        <source>An organ that came twisted is untwisted; there are no targets and no angle errors. Time is that of the hand; where blood did not come back, it is censored and not in the median. From an ischaemic dose of 1 on the organ is lost.</source>
         <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
     </message>
     <message>
@@ -10338,7 +10246,7 @@
         <translation>钳夹或牵拉超过组织当时的承受力时即为组织损伤。</translation>
     </message>
     <message>
-        <source>Simulated trainees who undo organs that come twisted</source>
+        <source>Simulated trainees who untwist organs that come twisted</source>
         <translation>复位扭转器官的模拟学员</translation>
     </message>
     <message>
@@ -10782,7 +10690,7 @@
         <translation>论文中模型评价的量表为 0 到 10，训练研究的量表为 1 到 10；此处分别为 %1 到 %2 和 %3 到 %4。</translation>
     </message>
     <message>
-        <source>Who is held to be able is judged by LC-CUSUM, by the designs and with the error rates of the section Competence.</source>
+        <source>Who counts as competent is judged by LC-CUSUM, by the designs and with the error rates of the section Competence.</source>
         <translation>谁被认为胜任由 LC-CUSUM 判定，所用标准和错误率见“胜任”一节。</translation>
     </message>
     <message>
@@ -10802,11 +10710,11 @@
         <translation>累积和，占界限的比例</translation>
     </message>
     <message>
-        <source>able</source>
+        <source>competent</source>
         <translation>胜任</translation>
     </message>
     <message>
-        <source>A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: the trainee is held to be able from there on, with the error rates stated above.</source>
+        <source>A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: the trainee counts as competent from there on, with the error rates stated above.</source>
         <translation>成功使累积和上升，失败使其下降，但不低于零。线在达到界限处结束：从那时起学员被认为胜任，错误率如上所述。</translation>
     </message>
     <message>
@@ -10858,11 +10766,11 @@
         <translation>各组的胜任情况</translation>
     </message>
     <message>
-        <source>Able now and not able, trainees</source>
+        <source>Competent and not yet competent, trainees</source>
         <translation>目前胜任与未胜任的学员数</translation>
     </message>
     <message>
-        <source>not able</source>
+        <source>not competent</source>
         <translation>未胜任</translation>
     </message>
     <message>
@@ -11458,7 +11366,7 @@
         <translation>数值太大，无法精确相加</translation>
     </message>
     <message>
-        <source>this organ is not to be undone in stages</source>
+        <source>this organ is not to be untwisted in stages</source>
         <translation>该器官不要求分阶段复位</translation>
     </message>
     <message>
@@ -11862,7 +11770,7 @@
         <translation>请使用由小写字母、数字和下划线组成、且不同于所有者的名称</translation>
     </message>
     <message>
-        <source>Able on the simulator</source>
+        <source>Competent on the simulator</source>
         <translation>模拟器上已胜任</translation>
     </message>
     <message>
@@ -12054,11 +11962,11 @@
         <translation>未达标次数</translation>
     </message>
     <message>
-        <source>Able</source>
+        <source>Competent</source>
         <translation>胜任</translation>
     </message>
     <message>
-        <source>Able at attempt</source>
+        <source>Competent at attempt</source>
         <translation>达到胜任的次数</translation>
     </message>
     <message>
@@ -12709,7 +12617,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>tick period %1 us, latency %2 {tick|ticks}</source>
-        <translation>周期 %1 微秒，延迟 %2 个周期</translation>
+        <translation>周期 %1 µs，延迟 %2 个周期</translation>
     </message>
     <message>
         <source>a recorded run</source>
@@ -13601,18 +13509,18 @@ audit trail %3</source>
     </message>
     <message>
         <source>5 s back</source>
-        <translation>后退 5 秒</translation>
+        <translation>后退五秒</translation>
     </message>
     <message>
         <source>5 s forward</source>
-        <translation>前进 5 秒</translation>
+        <translation>前进五秒</translation>
     </message>
     <message>
         <source>A training tool, not a medical device. No patient data.</source>
         <translation>培训工具，不是医疗器械。不含患者数据。</translation>
     </message>
     <message>
-        <source>After each figure the next row is marked by itself</source>
+        <source>After each mark the next row is selected automatically</source>
         <translation>每次打分后自动选中下一行</translation>
     </message>
     <message>
@@ -13620,7 +13528,7 @@ audit trail %3</source>
         <translation>全部评分完成</translation>
     </message>
     <message>
-        <source>All rows have the same mark. Is that meant?</source>
+        <source>All rows have the same mark. Is that intended?</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
     </message>
     <message>
@@ -13809,7 +13717,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>hold for %1 s</source>
-        <translation>保持 %1 秒</translation>
+        <translation>保持 %1 s</translation>
     </message>
     <message>
         <source>It was open in another window or at the desk, and something newer is stored there. Which one shall stand?</source>
@@ -13956,7 +13864,7 @@ audit trail %3</source>
         <translation>进度</translation>
     </message>
     <message>
-        <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
+        <source>Proves that this is the recording as it was stored. It reveals nothing else and differs for each physician</source>
         <translation>证明此录制与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
     </message>
     <message>
@@ -13988,7 +13896,7 @@ audit trail %3</source>
         <translation>在此刻给学员写评语</translation>
     </message>
     <message>
-        <source>Remark at this moment, for the trainee. Enter stores it, Esc leaves it</source>
+        <source>Remark at this moment, for the trainee. Enter saves it, Esc discards it</source>
         <translation>给学员的此刻评语。回车保存，Esc 放弃</translation>
     </message>
     <message>
@@ -14068,7 +13976,7 @@ audit trail %3</source>
         <translation>提交并封存（Ctrl+Enter）</translation>
     </message>
     <message>
-        <source>Submit; a second time seals</source>
+        <source>Submit; press again to seal</source>
         <translation>提交；再按一次封存</translation>
     </message>
     <message>
@@ -14088,7 +13996,7 @@ audit trail %3</source>
         <translation>采用较新的</translation>
     </message>
     <message>
-        <source>Takes every mark, reason and comment away; Undo brings them back</source>
+        <source>Removes every mark, reason and comment; Undo brings them back</source>
         <translation>清除所有评分、理由和评语；可用“撤销”恢复</translation>
     </message>
     <message>
@@ -14104,7 +14012,7 @@ audit trail %3</source>
         <translation>本机没有此录制的器官模型；曲线是完整的。</translation>
     </message>
     <message>
-        <source>The overall mark lies outside the rows. Is that meant?</source>
+        <source>The overall mark lies outside the rows. Is that intended?</source>
         <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
@@ -14120,7 +14028,7 @@ audit trail %3</source>
         <translation>正在打开录制，您可以先评分。</translation>
     </message>
     <message>
-        <source>The rows lie far apart. Is that meant?</source>
+        <source>The rows lie far apart. Is that intended?</source>
         <translation>各项分数相差很大，确定吗？</translation>
     </message>
     <message>
@@ -14248,7 +14156,7 @@ audit trail %3</source>
         <translation>为什么无法评判？回车结束，Esc 撤回</translation>
     </message>
     <message>
-        <source>Why is the mark changed?</source>
+        <source>Why are you changing the mark?</source>
         <translation>为什么修改评分？</translation>
     </message>
     <message>
@@ -14848,7 +14756,7 @@ audit trail %3</source>
         <translation>请查看其指标，以及数据集中的路径</translation>
     </message>
     <message>
-        <source>the wall was torn: that is not undone</source>
+        <source>the wall was torn: that does not count as untwisted</source>
         <translation>壁已撕裂：不算复位</translation>
     </message>
     <message>
@@ -15237,7 +15145,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>M05 the importer did not come to an end with this file within %1 s</source>
-        <translation>M05 读取程序在 %1 秒内未能读完此文件</translation>
+        <translation>M05 读取程序在 %1 s 内未能读完此文件</translation>
     </message>
     <message>
         <source>M05 the importer crashed on this file (signal %1)</source>
@@ -15349,7 +15257,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows the place where it stands</source>
-        <translation>侧面有一分支，宽 %1 毫米、长 %2 毫米，不属于任何截面：它随其所在部位一起移动</translation>
+        <translation>侧面有一分支，宽 %1 mm、长 %2 mm，不属于任何截面：它随其所在部位一起移动</translation>
     </message>
     <message>
         <source>Cut the branch off in a mesh editor if it is none of the organ</source>
@@ -15357,7 +15265,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>the map of the wall goes from %1 to %2 mm; %3 of its %4 places are seen in the scan, the others are filled in from those around them</source>
-        <translation>壁厚分布为 %1 至 %2 毫米；%4 处中有 %3 处在扫描中可见，其余由周围各处推算</translation>
+        <translation>壁厚分布为 %1 至 %2 mm；%4 处中有 %3 处在扫描中可见，其余由周围各处推算</translation>
     </message>
     <message>
         <source>Give the thickness of the wall where you know it better</source>
@@ -15908,12 +15816,12 @@ audit trail %3</source>
         <translation>%1，共 %2 次：首次 %3，最近 %4</translation>
     </message>
     <message>
-        <source>%1 recording now, %2 of %3 done, sheets missing: %4</source>
-        <translation>%1 人正在录制，%2/%3 人已完成，缺评分表：%4</translation>
+        <source>%1 recording now, %2 of %3 done, sheets due and missing: %4</source>
+        <translation>%1 人正在录制，%2/%3 人已完成，应交未交评分表：%4</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 秒</translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 {twist was|twists were} not completed.</source>
@@ -16032,7 +15940,7 @@ audit trail %3</source>
         <translation>仅有一个案例；区间至少需要两个。</translation>
     </message>
     <message>
-        <source>Go on with reference %1</source>
+        <source>Continue with reference %1</source>
         <translation>继续参考操作 %1</translation>
     </message>
     <message>
@@ -16096,8 +16004,8 @@ audit trail %3</source>
         <translation>每个模型九项指标。字母代表哪个模型不公开，顺序因人而异。</translation>
     </message>
     <message>
-        <source>No evaluation asks for you at present.</source>
-        <translation>目前没有需要您参加的评价。</translation>
+        <source>No evaluation is waiting for you at present.</source>
+        <translation>目前没有等待您的评价。</translation>
     </message>
     <message>
         <source>No reference run has been chosen yet. You may begin with your queue.</source>
@@ -16445,7 +16353,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>D04 the reader did not come to an end with this scan within %1 s</source>
-        <translation>D04 读取程序在 %1 秒内未能处理完此扫描</translation>
+        <translation>D04 读取程序在 %1 s 内未能处理完此扫描</translation>
     </message>
     <message>
         <source>Crop the scan to the organ</source>
@@ -16820,7 +16728,7 @@ audit trail %3</source>
         <translation>他人均分</translation>
     </message>
     <message>
-        <source>No disagreement waits for you.</source>
+        <source>No disagreements are waiting for you.</source>
         <translation>没有待处理的分歧。</translation>
     </message>
     <message>
@@ -16876,7 +16784,7 @@ audit trail %3</source>
         <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
     </message>
     <message>
-        <source>Able now: at every exercise that was tried, by the designs of the section Competence. Whoever is inadequate at one is held to be able in at most %1 %, whoever is adequate at all is not in at most %2 % of cases, within the attempts named there.</source>
+        <source>Competent now: at every exercise that was tried, by the designs of the section Competence. Whoever is inadequate at one counts as competent in at most %1 %, whoever is adequate at all does not in at most %2 % of cases, within the attempts named there.</source>
         <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项能力不足者被误判为胜任的概率至多为 %1 %，对各项能力均足够者未被判为胜任的概率至多为 %2 %。</translation>
     </message>
     <message>
@@ -17444,7 +17352,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>未停歇的最大复位转角</translation>
     </message>
     <message>
-        <source>Undone in stages</source>
+        <source>Untwisted in stages</source>
         <translation>分阶段复位</translation>
     </message>
     <message>
@@ -17452,15 +17360,15 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Undone, open and supplied with hands off: not measured</source>
+        <source>Untwisted, open and supplied with hands off: not measured</source>
         <translation>松手后已复位、通畅且有血供：未测量</translation>
     </message>
     <message>
-        <source>Undone, open and supplied with hands off: yes</source>
+        <source>Untwisted, open and supplied with hands off: yes</source>
         <translation>松手后已复位、通畅且有血供：是</translation>
     </message>
     <message>
-        <source>Undone, open and supplied with hands off: no</source>
+        <source>Untwisted, open and supplied with hands off: no</source>
         <translation>松手后已复位、通畅且有血供：否</translation>
     </message>
     <message>
@@ -17477,11 +17385,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Shortest hold on target: %1 s, wanted %2 s</source>
-        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
+        <translation>目标处最短保持：%1 s，要求 %2 s</translation>
     </message>
     <message>
         <source>Hold on target: none, wanted %1 s</source>
-        <translation>目标处保持：无，要求 %1 秒</translation>
+        <translation>目标处保持：无，要求 %1 s</translation>
     </message>
     <message>
         <source>Peak force on the tissue: %1 N, limit %2 N</source>
@@ -17736,7 +17644,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>论文方案：三组（演示）</translation>
     </message>
     <message>
-        <source>Volvulus and torsion: undo it (demonstration)</source>
+        <source>Volvulus and torsion: untwist it (demonstration)</source>
         <translation>肠胃扭转与睾丸扭转：复位（演示）</translation>
     </message>
     <message>
@@ -18097,11 +18005,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>%1 mm is no such length of a person</source>
-        <translation>%1 毫米不是人体的这一尺寸</translation>
+        <translation>%1 mm 不是人体的这一尺寸</translation>
     </message>
     <message>
         <source>Give %1 to %2 mm</source>
-        <translation>请给出 %1 至 %2 毫米</translation>
+        <translation>请给出 %1 至 %2 mm</translation>
     </message>
     <message>
         <source>width of the wrist</source>
@@ -18137,7 +18045,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>M18 the mesh is flat: %1 mm thick</source>
-        <translation>M18 网格过扁：厚 %1 毫米</translation>
+        <translation>M18 网格过扁：厚 %1 mm</translation>
     </message>
     <message>
         <source>Give the surface of a whole instrument</source>
@@ -18161,11 +18069,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>M09 largest side %1 mm is no instrument (%2 to %3 mm)</source>
-        <translation>M09 最长边 %1 毫米不是器械（%2 至 %3 毫米）</translation>
+        <translation>M09 最长边 %1 mm 不是器械（%2 至 %3 mm）</translation>
     </message>
     <message>
         <source>M20 the mesh is %1 mm long: no instrument with jaws of %2 mm</source>
-        <translation>M20 网格长 %1 毫米：不是带 %2 毫米钳口的器械</translation>
+        <translation>M20 网格长 %1 mm：不是带 %2 mm 钳口的器械</translation>
     </message>
     <message>
         <source>some of the surface is open; it is shown as it is</source>
@@ -18639,7 +18547,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     </message>
     <message>
         <source>T&amp;o</source>
-        <translation>收件人(&amp;O)</translation>
+        <translation>提问对象(&amp;O)</translation>
     </message>
     <message>
         <source>%1  ·  %2 answered on %3, edited since</source>
@@ -18779,9 +18687,9 @@ Only an allocator previews, locks and draws. An administrator gives this role to
         <translation>将此时间段的全部条目导出为表格（CSV）</translation>
     </message>
     <message numerus="yes">
-        <source>%n entries saved</source>
+        <source>%Ln entries saved</source>
         <translation>
-            <numerusform>已保存 %n 条</numerusform>
+            <numerusform>已保存 %Ln 条</numerusform>
         </translation>
     </message>
     <message>
@@ -18833,7 +18741,7 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     </message>
     <message>
         <source>Hold for %1 s before releasing.</source>
-        <translation>松开前保持 %1 秒。</translation>
+        <translation>松开前保持 %1 s。</translation>
     </message>
     <message>
         <source>Keep the force below %1 N.</source>
@@ -18876,16 +18784,16 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
         <translation>返回(&amp;B)</translation>
     </message>
     <message>
-        <source>The organ came twisted by %1° to %2°. Undo it.</source>
+        <source>The organ came twisted by %1° to %2°. Untwist it.</source>
         <translation>器官已扭转 %1° 至 %2°。请复位。</translation>
     </message>
     <message>
-        <source>The organ came twisted by %1°. Undo it.</source>
+        <source>The organ came twisted by %1°. Untwist it.</source>
         <translation>器官已扭转 %1°。请复位。</translation>
     </message>
     <message>
         <source>Done: at most %1° left and blood flow of %2 % or more, for %3 s with hands off.</source>
-        <translation>完成标准：剩余不超过 %1°，血流不低于 %2 %，并在松手后保持 %3 秒。</translation>
+        <translation>完成标准：剩余不超过 %1°，血流不低于 %2 %，并在松手后保持 %3 s。</translation>
     </message>
     <message>
         <source>The lumen must be open to %1 %.</source>
@@ -18897,7 +18805,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
     </message>
     <message>
         <source>Meanwhile %1 s of the tissue pass each second.</source>
-        <translation>其间每 1 秒相当于组织 %1 秒。</translation>
+        <translation>其间每 1 s 相当于组织 %1 s。</translation>
     </message>
     <message>
         <source>Grip the turned part and turn it back. Before you release to re-grip, set the clip, or it turns back. Let gas out first where it resists.
@@ -18908,7 +18816,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
 鼠标：左键夹持，拖动转动，滚轮靠近。</translation>
     </message>
     <message>
-        <source>An expert undoes the same organ</source>
+        <source>An expert untwists the same organ</source>
         <translation>专家为同一器官复位</translation>
     </message>
     <message>
@@ -18946,7 +18854,7 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <translation>一次平稳的转动，接近目标时放慢。</translation>
     </message>
     <message>
-        <source>hands off: does it stay undone, does blood flow?</source>
+        <source>hands off: does it stay untwisted, does blood flow?</source>
         <translation>松手观察：是否不再回转，血流是否恢复？</translation>
     </message>
     <message>
@@ -19358,7 +19266,7 @@ MSM = 质点弹簧</translation>
         <translation>在此刻给学员写评语（R）</translation>
     </message>
     <message>
-        <source>Remark at this moment, for the trainee. Enter stores it, Esc leaves it</source>
+        <source>Remark at this moment, for the trainee. Enter saves it, Esc discards it</source>
         <translation>给学员的此刻评语。回车保存，Esc 放弃</translation>
     </message>
     <message>
@@ -19366,7 +19274,7 @@ MSM = 质点弹簧</translation>
         <translation>此刻的评语</translation>
     </message>
     <message>
-        <source>Why is the mark changed?</source>
+        <source>Why are you changing the mark?</source>
         <translation>为什么修改评分？</translation>
     </message>
     <message>
@@ -19434,15 +19342,15 @@ MSM = 质点弹簧</translation>
         <translation>播放速度超出允许范围。</translation>
     </message>
     <message>
-        <source>All rows have the same mark. Is that meant?</source>
+        <source>All rows have the same mark. Is that intended?</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
     </message>
     <message>
-        <source>The rows lie far apart. Is that meant?</source>
+        <source>The rows lie far apart. Is that intended?</source>
         <translation>各项分数相差很大，确定吗？</translation>
     </message>
     <message>
-        <source>The overall mark lies outside the rows. Is that meant?</source>
+        <source>The overall mark lies outside the rows. Is that intended?</source>
         <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
@@ -19506,7 +19414,7 @@ MSM = 质点弹簧</translation>
         <translation>清空</translation>
     </message>
     <message>
-        <source>Takes every mark, reason and comment away; Undo brings them back</source>
+        <source>Removes every mark, reason and comment; Undo brings them back</source>
         <translation>清除所有评分、理由和评语；可用“撤销”恢复</translation>
     </message>
     <message>
@@ -19538,7 +19446,7 @@ MSM = 质点弹簧</translation>
         <translation>自动前进(&amp;T)</translation>
     </message>
     <message>
-        <source>After each figure the next row is marked by itself</source>
+        <source>After each mark the next row is selected automatically</source>
         <translation>每次打分后自动选中下一行</translation>
     </message>
     <message>
@@ -19550,11 +19458,11 @@ MSM = 质点弹簧</translation>
         <translation>%1（已修改）</translation>
     </message>
     <message>
-        <source>%1, until it was edited: %2</source>
+        <source>%1, before it was edited: %2</source>
         <translation>%1，修改之前：%2</translation>
     </message>
     <message>
-        <source>A click on the time edits the words (Shift+R: the nearest); the old ones are kept.</source>
+        <source>Click a time to edit its remark (Shift+R: the nearest one); earlier wordings are kept.</source>
         <translation>点击时间即可修改文字（Shift+R：最近的一条）；原文保留。</translation>
     </message>
     <message>
@@ -19683,6 +19591,10 @@ MSM = 质点弹簧</translation>
 </context>
 <context>
     <name>torsio::gui::CohortsPage</name>
+    <message>
+        <source>Enrolled on</source>
+        <translation>登记时间</translation>
+    </message>
     <message>
         <source>none yet</source>
         <translation>暂无</translation>
@@ -20895,8 +20807,8 @@ MSM = 质点弹簧</translation>
         <translation>%1   %2°   %3 N</translation>
     </message>
     <message>
-        <source>Twists: %1, in %2. Plus and minus zoom, arrows move, B sets a bookmark.</source>
-        <translation>扭转 %1 次，共 %2。加减号缩放，方向键移动，B 添加书签。</translation>
+        <source>Twists: %1, in %2. Plus and minus zoom, arrows move, Enter goes to the middle, B sets a bookmark.</source>
+        <translation>扭转 %1 次，共 %2。加减号缩放，方向键移动，回车跳到中间，B 添加书签。</translation>
     </message>
 </context>
 <context>
@@ -21148,11 +21060,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>1 s here = %1 s of the tissue</source>
-        <translation>此处 1 秒 = 组织 %1 秒</translation>
+        <translation>此处 1 s = 组织 %1 s</translation>
     </message>
     <message>
         <source>1 s here = 1 min of the tissue</source>
-        <translation>此处 1 秒 = 组织 1 分钟</translation>
+        <translation>此处 1 s = 组织 1 min</translation>
     </message>
     <message>
         <source>Clip (C)</source>
@@ -21176,7 +21088,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>%1 (%2): %3 s, ± %4 %</source>
-        <translation>%1 (%2)：%3 秒，± %4 %</translation>
+        <translation>%1 (%2)：%3 s，± %4 %</translation>
     </message>
     <message>
         <source>Progress of the check</source>
@@ -21276,7 +21188,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Hands off: %1 of %2 s</source>
-        <translation>松手：%1 / %2 秒</translation>
+        <translation>松手：%1 / %2 s</translation>
     </message>
     <message>
         <source>The position holds. Check the blood flow before you end.</source>
@@ -21708,7 +21620,7 @@ MSM = 质点弹簧</translation>
         <translation>仅列出所有人都已提交、且您的评分与他人差异较大的案例。他人不具名，您对他人也不具名。</translation>
     </message>
     <message>
-        <source>No disagreement waits for you.</source>
+        <source>No disagreements are waiting for you.</source>
         <translation>没有待处理的分歧。</translation>
     </message>
     <message>
@@ -21720,7 +21632,7 @@ MSM = 质点弹簧</translation>
         <translation>案例</translation>
     </message>
     <message>
-        <source>Apart by</source>
+        <source>Difference</source>
         <translation>相差</translation>
     </message>
     <message>
@@ -21894,8 +21806,8 @@ MSM = 质点弹簧</translation>
         <translation>%1. 模型 %2</translation>
     </message>
     <message>
-        <source>No evaluation asks for you at present.</source>
-        <translation>目前没有需要您参加的评价。</translation>
+        <source>No evaluation is waiting for you at present.</source>
+        <translation>目前没有等待您的评价。</translation>
     </message>
     <message>
         <source>%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.</source>
@@ -21930,7 +21842,7 @@ MSM = 质点弹簧</translation>
         <translation>正在打开模型 %1 的录制</translation>
     </message>
     <message>
-        <source>There is no recording of this model here: score what you have met at the station. An administrator can lay a recording down for each model.</source>
+        <source>There is no recording of this model here: score what you experienced at the station. An administrator can provide a recording for each model.</source>
         <translation>此处没有该模型的录制：请按您在工作站上的体验评分。管理员可为每个模型配备录制。</translation>
     </message>
     <message>
@@ -22668,9 +22580,9 @@ MSM = 质点弹簧</translation>
         <translation>审计记录的链头</translation>
     </message>
     <message numerus="yes">
-        <source>%n entry(s), %1 UTC, %2</source>
+        <source>%Ln entry(s), %1 UTC, %2</source>
         <translation>
-            <numerusform>共 %n 条记录，%1 UTC，%2</numerusform>
+            <numerusform>共 %Ln 条记录，%1 UTC，%2</numerusform>
         </translation>
     </message>
     <message>
@@ -22941,7 +22853,7 @@ Its public part, to be kept where heads are checked: %2</source>
     <name>torsio::gui::InstrumentPanel</name>
     <message>
         <source>%1 mm long, the shaft %2 mm wide, the jaws %3 mm long</source>
-        <translation>长 %1 毫米，杆宽 %2 毫米，钳口长 %3 毫米</translation>
+        <translation>长 %1 mm，杆宽 %2 mm，钳口长 %3 mm</translation>
     </message>
     <message>
         <source>Nothing has been found yet.</source>
@@ -23578,9 +23490,9 @@ Leave it empty to remove it.</source>
         <translation>未能保存审计记录的链头：%1</translation>
     </message>
     <message numerus="yes">
-        <source>The database permanently refused %n entries of this station. Please tell its administrator</source>
+        <source>The database permanently refused %Ln entries of this station. Please tell its administrator</source>
         <translation>
-            <numerusform>数据库最终拒绝了本工作站的 %n 条记录。请告知维护人员</numerusform>
+            <numerusform>数据库最终拒绝了本工作站的 %Ln 条记录。请告知维护人员</numerusform>
         </translation>
     </message>
     <message>
@@ -23941,7 +23853,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 秒</translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Loading the organ</source>
@@ -24003,7 +23915,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Computes all models anew; a quarter of a minute to a minute</source>
-        <translation>重新计算全部模型，约需 15 秒到 1 分钟</translation>
+        <translation>重新计算全部模型，约需十五秒到一分钟</translation>
     </message>
     <message>
         <source>Re&amp;play</source>
@@ -24142,7 +24054,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Schema (leave empty)</source>
-        <translation>模式（留空）(&amp;S)</translation>
+        <translation>架构（留空）(&amp;S)</translation>
     </message>
     <message>
         <source>server.hospital.example</source>
@@ -24450,10 +24362,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Where: %1</source>
         <translation>位置：%1</translation>
-    </message>
-    <message>
-        <source>Measured: %1</source>
-        <translation>测得：%1</translation>
     </message>
     <message>
         <source>No repairs were needed; nothing to report.</source>
@@ -24827,7 +24735,7 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::OwnRecordCard</name>
     <message>
-        <source>You asked for %1 on %2; it waits for the centre.</source>
+        <source>You asked for %1 on %2; the centre has not answered yet.</source>
         <translation>您于 %2 申请了%1；正在等待中心处理。</translation>
     </message>
     <message>
@@ -25273,7 +25181,7 @@ Leave it empty to remove it.</source>
         <translation>正在打开操作</translation>
     </message>
     <message>
-        <source>A question of %1</source>
+        <source>A question from %1</source>
         <translation>%1 的提问</translation>
     </message>
     <message>
@@ -25289,7 +25197,7 @@ Leave it empty to remove it.</source>
         <translation>发送(&amp;S)</translation>
     </message>
     <message>
-        <source>The answer is with %1</source>
+        <source>Your answer was sent to %1</source>
         <translation>回答已送达 %1</translation>
     </message>
     <message>
@@ -25408,7 +25316,7 @@ Leave it empty to remove it.</source>
         <translation>为参考操作评分，看看与专家组的差距。</translation>
     </message>
     <message>
-        <source>no case waits for you</source>
+        <source>no cases are waiting for you</source>
         <translation>没有待评分的案例</translation>
     </message>
     <message>
@@ -25456,7 +25364,7 @@ Leave it empty to remove it.</source>
         <translation>案例 %1</translation>
     </message>
     <message>
-        <source>Called to the real arm, your sheet is missing: %1. Not called yet: %2.</source>
+        <source>Called to the real arm and still without your sheet: %1. Not called yet: %2.</source>
         <translation>已呼叫到实物手臂、您尚未提交：%1。待呼叫：%2。</translation>
     </message>
     <message>
@@ -25671,7 +25579,7 @@ Leave it empty to remove it.</source>
         <translation>与专家组比较(&amp;C)</translation>
     </message>
     <message>
-        <source>Go on with reference %1</source>
+        <source>Continue with reference %1</source>
         <translation>继续参考操作 %1</translation>
     </message>
     <message>
@@ -25697,10 +25605,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>You are milder by %1.</source>
         <translation>您宽松了 %1 分。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
@@ -25825,7 +25729,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1 /s</source>
-        <translation>%1 /秒</translation>
+        <translation>%1 /s</translation>
     </message>
     <message>
         <source>The jaw slipped off: it was pulled too far. The tissue returns to rest.</source>
@@ -25859,7 +25763,7 @@ Leave it empty to remove it.</source>
         <translation>修改</translation>
     </message>
     <message>
-        <source>New words; the old ones are kept</source>
+        <source>New wording; the earlier one is kept</source>
         <translation>新的文字；原文保留</translation>
     </message>
     <message>
@@ -25867,7 +25771,7 @@ Leave it empty to remove it.</source>
         <translation>%1 修改</translation>
     </message>
     <message>
-        <source>Shows what stood there before</source>
+        <source>Shows the earlier wording</source>
         <translation>显示修改之前的文字</translation>
     </message>
     <message>
@@ -26114,7 +26018,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>5 s back</source>
-        <translation>后退 5 秒</translation>
+        <translation>后退五秒</translation>
     </message>
     <message>
         <source>Jumps five seconds back (J)</source>
@@ -26122,7 +26026,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>5 s forward</source>
-        <translation>前进 5 秒</translation>
+        <translation>前进五秒</translation>
     </message>
     <message>
         <source>Jumps five seconds on; what is skipped does not count as watched</source>
@@ -26137,7 +26041,7 @@ Leave it empty to remove it.</source>
         <translation>录制时间</translation>
     </message>
     <message>
-        <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
+        <source>Proves that this is the recording as it was stored. It reveals nothing else and differs for each physician</source>
         <translation>证明此录制与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
     </message>
     <message>
@@ -26186,7 +26090,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>hold for %1 s</source>
-        <translation>保持 %1 秒</translation>
+        <translation>保持 %1 s</translation>
     </message>
     <message>
         <source>force up to %1 N</source>
@@ -26947,7 +26851,7 @@ Leave it empty to remove it.</source>
         <translation>撤销、重做</translation>
     </message>
     <message>
-        <source>Submit; a second time seals</source>
+        <source>Submit; press again to seal</source>
         <translation>提交；再按一次封存</translation>
     </message>
     <message>
@@ -27198,7 +27102,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Consent to the record</source>
-        <translation>同意记录</translation>
+        <translation>记录同意</translation>
     </message>
     <message>
         <source>State</source>
@@ -27560,6 +27464,10 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::TodaysSessionsPage</name>
     <message>
+        <source>Sheets due and missing: of the occasions that have been reached. Scoring counts those of all occasions, also of those still to come.</source>
+        <translation>应交未交的评分表：只计已到的评分时点。“评分”页计入所有评分时点，包括尚未到的。</translation>
+    </message>
+    <message>
         <source>withdrew</source>
         <translation>已退出</translation>
     </message>
@@ -27804,8 +27712,8 @@ Leave it empty to remove it.</source>
         <translation>已为“%1”呼叫，缺评分表 %2 份</translation>
     </message>
     <message>
-        <source>%1 recording now · %2 of %3 done · sheets missing: %4</source>
-        <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
+        <source>%1 recording now · %2 of %3 done · sheets due and missing: %4</source>
+        <translation>正在录制 %1 · 已完成 %2 / %3 · 应交未交评分表 %4</translation>
     </message>
     <message>
         <source>Today&apos;s sessions</source>
@@ -28020,7 +27928,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Within %1°, hold for %2 s, then release</source>
-        <translation>在 %1° 以内，保持 %2 秒，然后松开</translation>
+        <translation>在 %1° 以内，保持 %2 s，然后松开</translation>
     </message>
     <message>
         <source>Within %1°, then release</source>
@@ -28383,8 +28291,8 @@ Leave it empty to remove it.</source>
         <translation>评分时点</translation>
     </message>
     <message>
-        <source>Missing</source>
-        <translation>缺</translation>
+        <source>Not in yet</source>
+        <translation>未交</translation>
     </message>
     <message>
         <source>not asked</source>
@@ -28395,8 +28303,8 @@ Leave it empty to remove it.</source>
         <translation>案例 %1：%2</translation>
     </message>
     <message>
-        <source>● submitted %1 · ○ open or ◐ draft %2</source>
-        <translation>● 已提交 %1 · ○ 未开始和 ◐ 草稿共 %2</translation>
+        <source>Of all occasions, also those still to come: ● submitted %1 · ○ open or ◐ draft %2</source>
+        <translation>所有评分时点（含尚未到的）：● 已提交 %1 · ○ 未开始和 ◐ 草稿共 %2</translation>
     </message>
     <message>
         <source>Ad&amp;judicator (%1)…</source>
@@ -29915,7 +29823,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>Competence is judged as in “%1”.</source>
-        <translation>能力判定方式同“%1”。</translation>
+        <translation>胜任的判定方式同“%1”。</translation>
     </message>
 </context>
 <context>
@@ -29981,16 +29889,16 @@ T-02,master,17</translation>
         <translation>实心圆：通过。三角：未通过。</translation>
     </message>
     <message>
-        <source>%1 A learning curve is drawn from eight attempts on.</source>
-        <translation>%1满八次后绘制学习曲线。</translation>
+        <source>A learning curve is drawn from eight attempts on.</source>
+        <translation>满八次后绘制学习曲线。</translation>
     </message>
     <message>
-        <source>%1 No learning curve fits these values.</source>
-        <translation>%1 没有学习曲线能拟合这些数值。</translation>
+        <source>No learning curve fits these values.</source>
+        <translation>没有学习曲线能拟合这些数值。</translation>
     </message>
     <message>
-        <source>%1 Line and band: learning curve with its 95 % band.</source>
-        <translation>%1曲线与色带：学习曲线及其 95 % 区间。</translation>
+        <source>Line and band: learning curve with its 95 % band.</source>
+        <translation>曲线与色带：学习曲线及其 95 % 区间。</translation>
     </message>
     <message>
         <source>Attempt</source>
@@ -30037,8 +29945,8 @@ T-02,master,17</translation>
         <translation>上次操作；要求：%1</translation>
     </message>
     <message>
-        <source>%1 A yes or no has no learning curve.</source>
-        <translation>%1 是或否的指标没有学习曲线。</translation>
+        <source>A yes or no has no learning curve.</source>
+        <translation>是或否的指标没有学习曲线。</translation>
     </message>
 </context>
 <context>
@@ -30214,7 +30122,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>active</source>
-        <translation>在册</translation>
+        <translation>启用</translation>
     </message>
     <message>
         <source>disabled</source>

@@ -66,7 +66,7 @@ export class BoardPage {
       h('ul', { class: 'alerts' }, alerts.map((one) => h('li', { class: 'caution' }, `\u26a0 ${one}`))));
     this.place.replaceChildren(
       ...(attention ? [attention] : []),
-      h('p', {}, t('%1 recording now, %2 of %3 done, sheets missing: %4', figure(rows.filter((row) => row.station).length),
+      h('p', {}, t('%1 recording now, %2 of %3 done, sheets due and missing: %4', figure(rows.filter((row) => row.station).length),
         figure(rows.filter((row) => row.done).length), figure(rows.length), figure(missing))),
       h('section', { class: 'card wide-table', tabindex: '0' }, table(
         [t('Trainee'), t('Group'), t('Now at'), t('Time left'), t('Scoring due'), t('Sheets missing'), t('Deviations'), t('Planned')],

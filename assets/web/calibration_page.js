@@ -3,7 +3,7 @@
 import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say } from './dom.js';
-import { figure, pointsText, scoreText } from './numbers.js';
+import { figure, joinedSentences, pointsText, scoreText } from './numbers.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { kOverallRow, SheetEditor } from './sheet_editor.js';
@@ -69,7 +69,7 @@ export class CalibrationPage {
       await player.load();
     } catch (error) {
       const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
-      player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `,
+      player.sentence.replaceChildren(`${joinedSentences([t('The recording could not be opened.'), why])} `,
         button(t('Try again'), () => this.#openRecording(player)));
     }
   }
@@ -86,7 +86,7 @@ export class CalibrationPage {
       button(run.own_steps === null ? t('Reference %1', run.number) : t('Reference %1, scored', run.number),
         () => this.#open(run.number), { 'aria-pressed': String(run.number === this.number) })));
     const next = this.#next();
-    say(this.compare, !this.#compared() ? t('Compare with the panel') : next ? t('Go on with reference %1', next) : t('On to the queue'));
+    say(this.compare, !this.#compared() ? t('Compare with the panel') : next ? t('Continue with reference %1', next) : t('On to the queue'));
     this.compare.disabled = this.editor.answer(kOverallRow).score_steps === null;
     say(this.result, this.#resultText());
   }
@@ -101,7 +101,7 @@ export class CalibrationPage {
     const sum = complete && mean !== null
       ? t('Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.', tenths(mean))
       : t('You may score it again, or go on with the next run.');
-    return `${figures} ${reading} ${sum}`;
+    return joinedSentences([figures, reading, sum]);
   }
   async go() {
     if (!this.number || this.editor.answer(kOverallRow).score_steps === null) return;

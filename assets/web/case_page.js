@@ -9,7 +9,7 @@ import { DraftKeeper } from './draft_keeper.js';
 import { button, h } from './dom.js';
 import { letGoOn, stopDraft } from './drafts_underway.js';
 import { keysHelp } from './keys_help.js';
-import { clockTime } from './numbers.js';
+import { clockTenths, joinedSentences } from './numbers.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { remarkStore } from './remark_store.js';
@@ -117,13 +117,13 @@ export class CasePage {
   }
   #head() {
     const { opened } = this;
-    const facts = [t('%1 long', clockTime(opened.length_us))];
+    const facts = [t('%1 long', clockTenths(opened.length_us))];
     if (this.sealed) facts.push(t('submitted and sealed'));
     if (opened.versions.length > 1) facts.push(t('version %1', opened.versions.at(-1).version));
     this.undoButton = button(t('Undo'), () => this.view.undo(), { class: 'undo' });
     this.redoButton = button(t('Redo'), () => this.view.redo(), { class: 'redo' });
     this.clearButton = button(t('Clear'), () => this.view.clearAll(), {
-      title: t('Takes every mark, reason and comment away; Undo brings them back'),
+      title: t('Removes every mark, reason and comment; Undo brings them back'),
     });
     const advance = h('input', {
       type: 'checkbox', checked: remembersAdvancing(),
@@ -138,7 +138,7 @@ export class CasePage {
       h('span', { class: 'quiet facts', title: versionsText(opened.versions) }, facts.join('  \u00b7  ')),
       this.status.element,
       h('div', { class: 'actions' },
-        h('label', { class: 'check-label', title: t('After each figure the next row is marked by itself') }, advance, t('Auto-advance')),
+        h('label', { class: 'check-label', title: t('After each mark the next row is selected automatically') }, advance, t('Auto-advance')),
         this.undoButton, this.redoButton, this.clearButton));
   }
   async #openRecording() {
@@ -149,7 +149,7 @@ export class CasePage {
     } catch (error) {
       const again = button(t('Try again'), () => this.#openRecording());
       const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
-      this.player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `, again);
+      this.player.sentence.replaceChildren(`${joinedSentences([t('The recording could not be opened.'), why])} `, again);
     }
   }
 

@@ -4,6 +4,7 @@ import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say, show } from './dom.js';
 import { DraftKeeper } from './draft_keeper.js';
+import { joinedSentences } from './numbers.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { SaveStatus } from './save_status.js';
@@ -51,7 +52,7 @@ export class EvaluationPage {
     this.status = new SaveStatus();
     if (!model) {
       this.element.replaceChildren(h('div', { class: 'queue' }, h('h1', {}, t('Evaluation')),
-        h('p', {}, t('No evaluation asks for you at present.'))));
+        h('p', {}, t('No evaluation is waiting for you at present.'))));
       return;
     }
     this.path = `/api/evaluation/${encodeURIComponent(this.form.form)}/${encodeURIComponent(model.label)}`;
@@ -105,7 +106,7 @@ export class EvaluationPage {
       await player.load();
     } catch (error) {
       const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
-      player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `,
+      player.sentence.replaceChildren(`${joinedSentences([t('The recording could not be opened.'), why])} `,
         button(t('Try again'), () => this.#openRecording(player)));
     }
   }

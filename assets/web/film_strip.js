@@ -2,7 +2,7 @@
 // Moments of a recording as small pictures, where a browser has no WebGL. A click seeks.
 import { h } from './dom.js';
 import { addNormals, Morph } from './morph.js';
-import { clockTime } from './numbers.js';
+import { clockTenths } from './numbers.js';
 import { OrbitCamera } from './orbit.js';
 import { rasterPicture } from './raster.js';
 import { t } from './texts.js';
@@ -40,9 +40,9 @@ export class FilmStrip {
 
   #add(at_us) {
     const canvas = h('canvas', { width: kWidth, height: kHeight });
-    const button = h('button', { type: 'button', class: 'moment', 'aria-label': t('Moment %1', clockTime(at_us)), onclick: () => this.onSeek(at_us),
+    const button = h('button', { type: 'button', class: 'moment', 'aria-label': t('Moment %1', clockTenths(at_us)), onclick: () => this.onSeek(at_us),
       onmousedown: (event) => event.preventDefault() }, // the keyboard stays in the sheet
-      canvas, h('span', { 'aria-hidden': 'true' }, clockTime(at_us)));
+      canvas, h('span', { 'aria-hidden': 'true' }, clockTenths(at_us)));
     this.#moments.push({ at_us, canvas, button });
     this.element.append(h('li', {}, button));
   }

@@ -11,7 +11,7 @@ export function keysHelp() {
     ['N, X', t('Not assessable: type why, Enter')],
     ['Backspace', t('Clear the mark')],
     ['Ctrl+Z, Ctrl+Y', t('Undo, redo')],
-    ['Ctrl+Enter', t('Submit; a second time seals')],
+    ['Ctrl+Enter', t('Submit; press again to seal')],
     ['Esc', t('Out of the sheet, to the button that submits')],
     [t('Space'), t('Play, pause')],
     ['J, K, L', t('Five seconds back, pause, play')],

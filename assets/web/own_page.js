@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee has done: the trend of each module with what counts as able, and the runs.
+// What a trainee has done: the trend of each module with what counts as competent, and the runs.
 import { api } from './api.js';
 import { h } from './dom.js';
-import { clockTime, dayText, figure } from './numbers.js';
+import { clockTenths, dayText, figure, joinedSentences } from './numbers.js';
 import { t } from './texts.js';
 import { trendChart } from './trend_chart.js';
 
@@ -14,10 +14,16 @@ export function runText(run) {
   return run.untwisting ? t('untwisting') : t('%1 of %2 on target', figure(run.on_target), figure(run.twists));
 }
 
-/// A level never stands alone: what counts as able, and how often that is wrong, stand beside it.
-export function verdictText(verdict) {
-  return h('div', { class: 'verdict' }, h('p', { class: verdict.able ? 'good' : '' }, verdict.level),
-    h('p', { class: 'quiet' }, `${verdict.design} ${verdict.errors}`));
+/// A level never stands alone: what counts as competent, and how often that is wrong, stand beside it. Returns what tells the
+/// verdict of one module after the other; what several are judged by is said with the first of them.
+export function verdictTexts() {
+  const said = new Map();
+  return (verdict, title) => {
+    const how = joinedSentences([verdict.design, verdict.errors]);
+    const told = said.has(how) ? t('Competence is judged as in “%1”.', said.get(how)) : how;
+    if (!said.has(how)) said.set(how, title);
+    return h('div', { class: 'verdict' }, h('p', { class: verdict.able ? 'good' : '' }, verdict.level), h('p', { class: 'quiet' }, told));
+  };
 }
 
 export class OwnPage {
@@ -31,18 +37,19 @@ export class OwnPage {
   }
   async load() {
     const { code, modules, runs } = await api.get('/api/own', { patience_ms: kPatience_ms });
+    const tell = verdictTexts();
     this.element.replaceChildren(h('h1', {}, t('Your record')), h('p', { class: 'quiet' }, code),
-      ...modules.map((module) => this.#module(module)), this.#runs(runs));
+      ...modules.map((module) => this.#module(module, tell)), this.#runs(runs));
   }
   resume() {
     this.load().catch(() => {}); // what was shown stays
   }
 
-  #module(module) {
+  #module(module, tell) {
     const facts = [t('%1: %2', module.metric, module.last ?? '\u2013')];
     if (module.wanted !== null) facts.push(t('wanted: %1', module.wanted));
     if (module.attempts_left !== null) facts.push(t('tries left: %1', figure(module.attempts_left)));
-    return h('section', { class: 'card stack' }, h('h2', {}, module.title), verdictText(module.verdict),
+    return h('section', { class: 'card stack' }, h('h2', {}, module.title), tell(module.verdict, module.title),
       h('p', {}, facts.join('  \u00b7  ')), trendChart(module));
   }
   #runs(runs) {
@@ -51,6 +58,6 @@ export class OwnPage {
         h('thead', {}, h('tr', {}, [t('When'), t('Exercise'), t('Length'), t('Outcome')].map((head) => h('th', { scope: 'col' }, head)))),
         h('tbody', {}, runs.map((run) => h('tr', {},
           h('th', { scope: 'row' }, h('a', { href: `#run/${encodeURIComponent(run.run)}` }, dayText(run.started_utc_us))),
-          h('td', {}, run.title || '\u2013'), h('td', {}, clockTime(1e6 * run.duration_s)), h('td', {}, runText(run)))))));
+          h('td', {}, run.title || '\u2013'), h('td', {}, clockTenths(1e6 * run.duration_s)), h('td', {}, runText(run)))))));
   }
 }

@@ -2,7 +2,7 @@
 // What physicians wrote at moments of own runs, and the reader's answers.
 import { api } from './api.js';
 import { button, field, h, say } from './dom.js';
-import { clockTime, dayText } from './numbers.js';
+import { clockTenths, dayText } from './numbers.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
 
@@ -58,7 +58,7 @@ export class OwnRemarksPage {
       }
     };
     return h('article', { class: 'stack remark-thread' },
-      h('p', { class: 'quiet' }, t('At %1', clockTime(1e6 * remark.at_s))), this.#words(remark),
+      h('p', { class: 'quiet' }, t('At %1', clockTenths(1e6 * remark.at_s))), this.#words(remark),
       h('div', { class: 'answers stack' }, remark.replies.map((reply) => this.#words(reply))),
       row, said,
       h('div', { class: 'actions' },

@@ -5,7 +5,7 @@ import { readContainer } from './container.js';
 import { button, h, say, show } from './dom.js';
 import { FilmStrip } from './film_strip.js';
 import { icon } from './icons.js';
-import { clockTime, figure, pointsText } from './numbers.js';
+import { clockTenths, figure, kForceDecimals, kTorqueDecimals, pointsText } from './numbers.js';
 import { organOf, skinOf } from './organ.js';
 import { joined, kJump_us, kStep_us, Playback } from './playback.js';
 import { Stage } from './stage.js';
@@ -196,7 +196,7 @@ export class Player {
     this.time = h('span', { class: 'time' });
     this.digest = h('span', {
       class: 'quiet digest',
-      title: t('Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician'),
+      title: t('Proves that this is the recording as it was stored. It reveals nothing else and differs for each physician'),
     });
     const { speeds } = this.playback;
     this.speed = speeds.length === 1
@@ -224,10 +224,7 @@ export class Player {
     this.stage.setTime(this.position_us / 1e6);
     this.traces.setPosition(this.position_us);
     this.film?.setPosition(this.position_us);
-    // The last sample of 0:20 lies a tick before it.
-    const whole_us = this.playback.length_us + 500_000;
-    const shown_us = this.position_us < this.playback.length_us ? this.position_us : whole_us;
-    say(this.time, t('%1 of %2', clockTime(shown_us), clockTime(whole_us)));
+    say(this.time, t('%1 of %2', clockTenths(this.position_us), clockTenths(this.playback.length_us)));
   }
 }
 
@@ -240,7 +237,7 @@ function taskText(task) {
     if (task.hold_s > 0) parts.push(t('hold for %1 s', pointsText(task.hold_s)));
     if (task.least_twists > 1) parts.push(t('at least %1 {twist|twists}', task.least_twists));
   }
-  if (task.force_limit_N !== null) parts.push(t('force up to %1 N', figure(task.force_limit_N, 1)));
-  if (task.torque_limit_Nm !== null) parts.push(t('torque up to %1 N m', figure(task.torque_limit_Nm, 2)));
+  if (task.force_limit_N !== null) parts.push(t('force up to %1 N', figure(task.force_limit_N, kForceDecimals)));
+  if (task.torque_limit_Nm !== null) parts.push(t('torque up to %1 N m', figure(task.torque_limit_Nm, kTorqueDecimals)));
   return t('Asked for: %1', parts.join('  \u00b7  '));
 }

@@ -2,7 +2,7 @@
 // Bookmarks of the rater and remarks for the trainee, each at a moment of the recording.
 import { NoConnection } from './api.js';
 import { button, h, say, show } from './dom.js';
-import { clockTime } from './numbers.js';
+import { clockTenths } from './numbers.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
 
@@ -22,7 +22,7 @@ export class RemarksView {
     this.said = h('p', { class: 'caution', role: 'alert' });
     this.input = h('input', {
       maxlength: kLongestRemark, autocomplete: 'off', 'aria-label': t('Remark at this moment'),
-      placeholder: t('Remark at this moment, for the trainee. Enter stores it, Esc leaves it'),
+      placeholder: t('Remark at this moment, for the trainee. Enter saves it, Esc discards it'),
     });
     this.form = h('form', { class: 'remark-form', onsubmit: (event) => this.#send(event) }, this.input,
       h('button', { type: 'submit' }, t('Store')), button(t('Cancel'), () => this.#close()));
@@ -105,7 +105,7 @@ export class RemarksView {
   #show() {
     this.player.setBookmarks(this.remarks.map((one) => one.time_us));
     this.list.replaceChildren(...this.remarks.map((one) => {
-      const at = clockTime(one.time_us);
+      const at = clockTenths(one.time_us);
       const go = button(at, () => this.player.seek(one.time_us), { class: 'time', 'aria-label': t('Go to %1', at) });
       return one.text === ''
         ? h('li', {}, go)

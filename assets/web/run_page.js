@@ -2,8 +2,8 @@
 // One own run after it was done: the recording, and each twist against what was asked for.
 import { api, NoConnection, Refusal } from './api.js';
 import { button, h } from './dom.js';
-import { clockTime, dayText, figure } from './numbers.js';
-import { kPatience_ms, verdictText } from './own_page.js';
+import { clockTenths, dayText, figure, joinedSentences } from './numbers.js';
+import { kPatience_ms, verdictTexts } from './own_page.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
@@ -24,7 +24,7 @@ export class RunPage {
     this.run = await api.get(this.path, { patience_ms: kPatience_ms });
     const { run } = this;
     this.player = new Player(this.path, { rules: { speeds: kSpeeds } }, { played: () => this.frame.active(), paused: () => {} });
-    const facts = [dayText(run.started_utc_us), t('%1 long', clockTime(1e6 * run.duration_s)), run.passed ? t('passed') : t('not passed')];
+    const facts = [dayText(run.started_utc_us), t('%1 long', clockTenths(1e6 * run.duration_s)), run.passed ? t('passed') : t('not passed')];
     if (run.interrupted) facts.push(t('interrupted'));
     if (!run.force_felt) facts.push(t('without felt force'));
     this.element.replaceChildren(
@@ -39,12 +39,12 @@ export class RunPage {
       this.player.setBookmarks(this.run.bookmarks.map((one) => 1e6 * one.at_s));
     } catch (error) {
       const why = error instanceof NoConnection || error instanceof Refusal ? problemText(error) : '';
-      this.player.sentence.replaceChildren(`${t('The recording could not be opened.')} ${why} `,
+      this.player.sentence.replaceChildren(`${joinedSentences([t('The recording could not be opened.'), why])} `,
         button(t('Try again'), () => this.#openRecording()));
     }
   }
   #goTo(at_s) {
-    return button(clockTime(1e6 * at_s), () => this.player.seek(1e6 * at_s), { class: 'small' });
+    return button(clockTenths(1e6 * at_s), () => this.player.seek(1e6 * at_s), { class: 'small' });
   }
   #twists() {
     const { twists, unfinished, untwisting } = this.run;
@@ -61,7 +61,7 @@ export class RunPage {
   #verdict() {
     const { verdict } = this.run;
     if (!verdict) return null;
-    return h('section', { class: 'card stack' }, h('h2', {}, t('By all runs')), verdictText(verdict));
+    return h('section', { class: 'card stack' }, h('h2', {}, t('By all runs')), verdictTexts()(verdict, ''));
   }
 
   /// What was asked for, what was good, what to do better: the words of the window's debrief.

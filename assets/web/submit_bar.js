@@ -2,7 +2,7 @@
 // Submitting and amending: what is missing, the question before the seal, the signature.
 import { NoConnection } from './api.js';
 import { button, h, say, show } from './dom.js';
-import { figure } from './numbers.js';
+import { figure, joinedSentences } from './numbers.js';
 import { problemText } from './problem.js';
 import { signed } from './signing.js';
 import { t } from './texts.js';
@@ -21,7 +21,7 @@ export class SubmitBar {
     this.text = h('p', { class: 'check' });
     this.problem = h('p', { class: 'caution', role: 'alert' });
     this.reason = h('input', {
-      maxlength: kLongestReason, placeholder: t('Why is the mark changed?'), 'aria-label': t('Why is the mark changed?'),
+      maxlength: kLongestReason, placeholder: t('Why are you changing the mark?'), 'aria-label': t('Why are you changing the mark?'),
       autocomplete: 'off',
     });
     this.submit = button(t('Submit'), () => this.go(), { class: 'primary submit', title: t('Checks the sheet and asks once more (Ctrl+Enter)') });
@@ -125,11 +125,11 @@ export class SubmitBar {
       parts.push(check.watched_too_little ? t('Watched %1 so far; at least %2 is asked.', share, least) : t('Watched %1.', share));
     }
     if (check.speed_not_allowed) parts.push(t('It was played at a speed that is not allowed.'));
-    if (check.all_the_same) parts.push(t('All rows have the same mark. Is that meant?'));
-    if (check.far_apart) parts.push(t('The rows lie far apart. Is that meant?'));
-    if (check.overall_outside) parts.push(t('The overall mark lies outside the rows. Is that meant?'));
+    if (check.all_the_same) parts.push(t('All rows have the same mark. Is that intended?'));
+    if (check.far_apart) parts.push(t('The rows lie far apart. Is that intended?'));
+    if (check.overall_outside) parts.push(t('The overall mark lies outside the rows. Is that intended?'));
     if (this.#asking && this.#ready()) parts.push(t('Submitting seals the sheet.'));
-    return parts.join(' ');
+    return joinedSentences(parts);
   }
   #amendText() {
     return this.page.opened.panel_open

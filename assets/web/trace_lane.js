@@ -21,8 +21,8 @@ export function scaleText(one) {
 }
 
 /// What one lane shows: `low`, `high` (extremes a frame), `value` (at it), `limit` or null, `band` ({target, tolerance}) or
-/// null; `fine`: small values are told in thousandths. Zero is always on it; a limit stands on the side of the larger values.
-export function lane({ low, high = low, value = low, limit = null, band = null, fine = false, ...rest }) {
+/// null; `fine`: small values are told in thousandths; `decimals`: otherwise, null: by their size. Zero is always on it; a limit stands on the side of the larger values.
+export function lane({ low, high = low, value = low, limit = null, band = null, fine = false, decimals = null, ...rest }) {
   let [least, most] = [0, 0];
   for (const one of low) least = Math.min(least, one);
   for (const one of high) most = Math.max(most, one);
@@ -43,7 +43,7 @@ export function lane({ low, high = low, value = low, limit = null, band = null, 
   const factor = small ? 1000 : 1;
   if (small) made.unit = `m${made.unit}`;
   const size = factor * Math.max(-bottom, top);
-  return { ...made, bottom, top, factor, decimals: size >= 10 ? 0 : size >= 1 ? 1 : 2 };
+  return { ...made, bottom, top, factor, decimals: decimals !== null && !small ? decimals : size >= 10 ? 0 : size >= 1 ? 1 : 2 };
 }
 
 /// `area`: {left, right, top, height}; `palette`: colours by name.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Angle, torque and force over time, the stretches that were watched, bookmarks and the playhead. A click seeks.
 import { h } from './dom.js';
-import { clockTime, figure } from './numbers.js';
+import { clockTenths, clockTime, figure, kForceDecimals, kTorqueDecimals } from './numbers.js';
 import { t } from './texts.js';
 import { drawLane, lane, scaleText, sizeText } from './trace_lane.js';
 
@@ -71,11 +71,12 @@ export class Traces {
       lane({ name: t('Angle'), unit: '\u00b0', colour: 'accent', low: arrays.angle_deg, band }),
       lane({
         name: t('Torque'), unit: 'N m', colour: 'good', low: arrays.torque_Nm, limit: task.torque_limit_Nm,
-        fine: task.untwisting,
+        fine: task.untwisting, decimals: kTorqueDecimals,
       }),
       lane({
         name: t('Force'), unit: 'N', colour: 'caution', low: arrays.force_low_N ?? arrays.force_N,
         high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, limit: task.force_limit_N,
+        decimals: kForceDecimals,
       }),
       ...bloodLanes(arrays),
     ];
@@ -86,17 +87,17 @@ export class Traces {
   }
   #describe() {
     if (!this.recording) return;
-    const peaks = this.#lanes.slice(0, kLanesOfATwist).map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? 3 : one.decimals));
+    const peaks = this.#lanes.slice(0, kLanesOfATwist).map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? kTorqueDecimals : one.decimals));
     this.canvas.setAttribute(
       'aria-description',
       t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5',
-        clockTime(this.recording.meta.length_us), ...peaks, figure(this.#bookmarks_us.length)),
+        clockTenths(this.recording.meta.length_us), ...peaks, figure(this.#bookmarks_us.length)),
     );
   }
   setPosition(position_us) {
     this.#position_us = position_us;
     this.canvas.setAttribute('aria-valuenow', Math.round(position_us / 1e6));
-    this.canvas.setAttribute('aria-valuetext', clockTime(position_us));
+    this.canvas.setAttribute('aria-valuetext', clockTenths(position_us));
     this.#redraw();
   }
   setWatched(stretches) {

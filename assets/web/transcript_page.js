@@ -3,7 +3,7 @@
 import { api } from './api.js';
 import { button, h } from './dom.js';
 import { dayText, figure } from './numbers.js';
-import { kPatience_ms, runText, verdictText } from './own_page.js';
+import { kPatience_ms, runText, verdictTexts } from './own_page.js';
 import { t } from './texts.js';
 
 export class TranscriptPage {
@@ -23,13 +23,14 @@ export class TranscriptPage {
   }
   async #make() {
     const made = await api.get('/api/own/transcript', { patience_ms: kPatience_ms });
+    const tell = verdictTexts();
     const about = [made.centre, made.name || made.code, made.code, made.cohort, made.arm].filter((one) => one !== '');
     this.element.replaceChildren(
       h('div', { class: 'page-head' }, h('h1', {}, t('Transcript')), button(t('Print'), () => window.print())),
       h('p', {}, about.join('  \u00b7  ')),
       h('p', {}, t('Virtual %1 min, real arm %2 min, rest %3 min', figure(made.virtual_min), figure(made.real_min), figure(made.rest_min))),
       ...made.modules.map((module) => h('section', { class: 'card stack' },
-        h('h2', {}, module.mastered ? t('%1: mastered', module.title) : module.title), verdictText(module.verdict),
+        h('h2', {}, module.mastered ? t('%1: mastered', module.title) : module.title), tell(module.verdict, module.title),
         h('ul', {}, module.attempts.map((run) => h('li', {}, `${dayText(run.started_utc_us)}: ${runText(run)}`))))),
       h('p', { class: 'quiet' }, t('Made on %1 with Torsio %2. A training record, no certificate of clinical competence.', dayText(made.made_utc_us), made.version)),
       made.demonstration ? h('p', { class: 'caution' }, t('Simulated people')) : '');

@@ -237,7 +237,7 @@ CohortCompetence verdictOf(const CohortInputs& in, std::size_t trainee, bool abl
   one.group = in.trainees[trainee].group;
   one.exercise = Text::verbatim("Quarter turn");
   one.attempts = 3;
-  one.level = able ? Text::verbatim("able, since attempt 2") : Text::verbatim("learning");
+  one.level = able ? Text::verbatim("competent, since attempt 2") : Text::verbatim("learning");
   one.able = able;
   one.ableAt = able ? std::optional<std::int64_t>(2) : std::nullopt;
   one.sums = {1.0, 2.0, 1.5};
@@ -258,7 +258,7 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   const ReportModel report = cohortReport(in);
   const ReportTable* table = tableIn(report, "table-competence");
   ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->rows.at(0).at(5), "able, since attempt 2");
+  EXPECT_EQ(table->rows.at(0).at(5), "competent, since attempt 2");
   EXPECT_EQ(table->rows.at(0).at(6), "4.9 %");
   EXPECT_EQ(table->rows.at(1).at(7), "9.4 %");
   EXPECT_EQ(table->rows.at(1).at(8), "1.4 %");
@@ -272,6 +272,19 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   EXPECT_EQ(rates, 6);
   in.identity = ReportIdentity::kAggregated;
   EXPECT_EQ(tableIn(cohortReport(in), "table-competence"), nullptr);
+}
+
+TEST(CompetenceSection, SaysOnceWhatIsSoOfSeveralExercises) {
+  CohortInputs in = demonstrationCohort();
+  in.competence = {verdictOf(in, 0, true), verdictOf(in, 0, false), verdictOf(in, 1, false)};
+  in.competence[1].exercise = Text::verbatim("Half turn");
+  in.competence[2].errors = Text::verbatim("Others.");
+
+  const std::string said = saidBy(in);
+
+  EXPECT_THAT(said, HasSubstr("Quarter turn; Half turn. Design. Errors."));
+  EXPECT_THAT(said, HasSubstr("Quarter turn. Design. Others."));
+  EXPECT_EQ(said.find("Errors."), said.rfind("Errors."));
 }
 
 TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
@@ -293,11 +306,11 @@ TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
   const ReportModel report = cohortReport(in);
   const ReportTable* table = tableIn(report, "table-standard");
   ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is able at all that was tried";
+  EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is competent at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
   EXPECT_THAT(table->notes[0].str(),
-              HasSubstr("able in at most 12.0 %, whoever is adequate at all is not in at most 21.6 %"))
-      << "one of the two exercises is enough not to be able at both";
+              HasSubstr("competent in at most 12.0 %, whoever is adequate at all does not in at most 21.6 %"))
+      << "one of the two exercises is enough not to be competent at both";
   in.competence.clear();
   EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());
 }

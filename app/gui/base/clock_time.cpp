@@ -21,4 +21,8 @@ QString clockTenths(double time_s) {
   return clockTime(tenths / 10 * kSecond_us) + QStringLiteral(".%1").arg(tenths % 10);
 }
 
+QString clockTenthsOf(std::int64_t time_us) {
+  return clockTenths(1e-6 * static_cast<double>(time_us));
+}
+
 }  // namespace torsio::gui

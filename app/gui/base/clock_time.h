@@ -7,7 +7,9 @@
 
 namespace torsio::gui {
 
-// As sim/base/clock_text.h, for screens. Any thread.
+// As sim/base/clock_text.h, for screens: a moment of a recording and how long it is go by tenths, so that a
+// moment that one person chose is the same to another; clocks that run, and what is planned, by seconds. Any
+// thread.
 
 /// Whole seconds that are over: "2:05".
 [[nodiscard]] QString clockTime(std::int64_t time_us);
@@ -15,5 +17,6 @@ namespace torsio::gui {
 [[nodiscard]] QString clockTimeLeft(std::int64_t left_us);
 /// To the nearest tenth: "2:05.4".
 [[nodiscard]] QString clockTenths(double time_s);
+[[nodiscard]] QString clockTenthsOf(std::int64_t time_us);
 
 }  // namespace torsio::gui

@@ -7,6 +7,8 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
+#include <QMetaType>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -16,6 +18,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/report/printed_minus.h"
+#include "app/report/printed_value.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
 
@@ -23,9 +26,13 @@ namespace torsio::gui {
 
 namespace {
 
-/// Numbers sort by size.
+/// Numbers sort by size, times by what comes first.
 Cell cellOf(const Text& content) {
   Cell cell{toQString(content)};
+  if (const QString written = toQString(content.str()); printedTime(written, QLocale()) != written) {
+    cell.sortKey = written;
+    return cell;
+  }
   bool isNumber = false;
   const QString plain = plainMinus(cell.text);
   const double value = plain.toDouble(&isNumber);
@@ -130,7 +137,7 @@ void FigureCard::fillTable(const ReportTable& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     bool numbers = !table.rows.empty();
     for (const std::vector<Text>& row : table.rows) {
-      numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.isValid());
+      numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.typeId() == QMetaType::Double);
     }
     columns.push_back({toQString(table.columns[c]), numbers});
   }

@@ -64,11 +64,11 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from ANSUR II means"),
     QT_TRANSLATE_NOOP("Text", "synthetic, drawn by torsio_make_organs from published dimensions"),
     QT_TRANSLATE_NOOP("Text", "Simulated trainees after section 6 of the paper"),
-    QT_TRANSLATE_NOOP("Text", "Simulated trainees who undo organs that come twisted"),
+    QT_TRANSLATE_NOOP("Text", "Simulated trainees who untwist organs that come twisted"),
     QT_TRANSLATE_NOOP("Text", "untwisting"),
     QT_TRANSLATE_NOOP("Text", "Skills lab (demonstration)"),
     QT_TRANSLATE_NOOP("Text", "Paper protocol: three arms (demonstration)"),
-    QT_TRANSLATE_NOOP("Text", "Volvulus and torsion: undo it (demonstration)"),
+    QT_TRANSLATE_NOOP("Text", "Volvulus and torsion: untwist it (demonstration)"),
     QT_TRANSLATE_NOOP("Text", "Twist on the arm (demonstration)"),
     QT_TRANSLATE_NOOP("Text", "Overall mark on the real arm (demonstration)"),
     QT_TRANSLATE_NOOP("Text", "proposed model (Kriging + membrane)"),
@@ -145,7 +145,7 @@ std::filesystem::path toPath(const QString& text) {
 }
 
 QString toQString(const Text& text) {
-  return worded(text, patternInLanguage);
+  return worded(text, patternInLanguage, QLocale());
 }
 
 QString capitalised(QString sentence) {

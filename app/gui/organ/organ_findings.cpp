@@ -2,7 +2,6 @@
 #include "app/gui/organ/organ_findings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <QLabel>
 #include <QLocale>
@@ -112,15 +111,8 @@ void OrganFindings::addFinding(const OrganFinding& finding) {
   bold.setBold(true);
   head->setFont(bold);
   addLine(tr("%1.").arg(wordsOf(finding)), false);
-  QStringList place;
   if (!finding.where.empty()) {
-    place << tr("Where: %1").arg(toQString(finding.where));
-  }
-  if (finding.value && std::isfinite(*finding.value)) {
-    place << tr("Measured: %1").arg(QLocale().toString(*finding.value, 'g', 4));
-  }
-  if (!place.isEmpty()) {
-    addLine(place.join(QStringLiteral(" \u00b7 ")), true);
+    addLine(tr("Where: %1").arg(toQString(finding.where)), true);
   }
   if (!finding.remedy.empty()) {
     QString remedy = toQString(finding.remedy);

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
@@ -35,9 +36,9 @@ void CasePage::retranslate() {
   undo_->setText(tr("Undo"));
   redo_->setText(tr("Redo"));
   clear_->setText(tr("Clear"));
-  clear_->setToolTip(tr("Takes every mark, reason and comment away; Undo brings them back"));
+  clear_->setToolTip(tr("Removes every mark, reason and comment; Undo brings them back"));
   advance_->setText(tr("Au&to-advance"));
-  advance_->setToolTip(tr("After each figure the next row is marked by itself"));
+  advance_->setToolTip(tr("After each mark the next row is selected automatically"));
   submit_->setText(tr("Submit"));
   submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
   bookmark_->setText(tr("Bookmark"));
@@ -45,10 +46,10 @@ void CasePage::retranslate() {
   remark_->setText(tr("Remark"));
   remark_->setToolTip(tr("Writes to the trainee at this moment (R)"));
   remarkField_->setPlaceholderText(
-      tr("Remark at this moment, for the trainee. Enter stores it, Esc leaves it"));
+      tr("Remark at this moment, for the trainee. Enter saves it, Esc discards it"));
   remarkField_->setAccessibleName(tr("Remark at this moment"));
-  stripReason_->setPlaceholderText(tr("Why is the mark changed?"));
-  stripReason_->setAccessibleName(tr("Why is the mark changed?"));
+  stripReason_->setPlaceholderText(tr("Why are you changing the mark?"));
+  stripReason_->setAccessibleName(tr("Why are you changing the mark?"));
   stripBack_->setText(tr("Back to the sheet"));
   saved_.again();
   showAll();
@@ -117,18 +118,18 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << tr("It was played at a speed that is not allowed.");
   }
   if (check.allTheSame) {
-    parts << tr("All rows have the same mark. Is that meant?");
+    parts << tr("All rows have the same mark. Is that intended?");
   }
   if (check.farApart) {
-    parts << tr("The rows lie far apart. Is that meant?");
+    parts << tr("The rows lie far apart. Is that intended?");
   }
   if (check.overallOutside) {
-    parts << tr("The overall mark lies outside the rows. Is that meant?");
+    parts << tr("The overall mark lies outside the rows. Is that intended?");
   }
   if (check.mayBeSubmitted()) {
     parts << tr("Submitting seals the sheet.");
   }
-  return parts.join(QLatin1Char(' '));
+  return joinedSentences(parts);
 }
 
 QString CasePage::versionsText() const {
@@ -153,7 +154,7 @@ void CasePage::showAll() {
   title_->setText(tr("Case %1").arg(toQString(opened_.shown.label)));
   QStringList facts;
   if (opened_.shown.length_us) {
-    facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
+    facts << tr("%1 long").arg(clockTenthsOf(*opened_.shown.length_us));
   }
   if (sealed) {
     facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
@@ -224,23 +225,25 @@ void CasePage::showRemarks() {
       continue;
     }
     const QString words = toQString(one.text).toHtmlEscaped();
-    lines << QStringLiteral("<a href=\"%1\">%2</a> ").arg(toQString(one.id), clockTime(one.time_us)) +
+    lines << QStringLiteral("<a href=\"%1\">%2</a> ").arg(toQString(one.id), clockTenthsOf(one.time_us)) +
                  (one.editedUtc_us != 0 ? tr("%1 (edited)").arg(words) : words);
     for (const RemarkWording& old : one.earlier) {
-      before << tr("%1, until it was edited: %2").arg(clockTime(one.time_us), toQString(old.text));
+      before << tr("%1, before it was edited: %2").arg(clockTenthsOf(one.time_us), toQString(old.text));
     }
   }
   replay_->setBookmarks(std::move(times_us));
   remarks_->setText(lines.isEmpty()
                         ? tr("Bookmarks are yours; remarks reach the trainee when the marks are released.")
                         : lines.join(QStringLiteral(" &nbsp; \u00b7 &nbsp; ")));
-  remarks_->setToolTip(lines.isEmpty() ? QString()
-                                       : (QStringList{tr("A click on the time edits the words (Shift+R: the "
-                                                         "nearest); the old ones are kept.")} +
-                                          before)
-                                             .join(QLatin1Char('\n'))
-                                             .toHtmlEscaped()
-                                             .replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+  remarks_->setToolTip(
+      lines.isEmpty()
+          ? QString()
+          : (QStringList{tr(
+                 "Click a time to edit its remark (Shift+R: the nearest one); earlier wordings are kept.")} +
+             before)
+                .join(QLatin1Char('\n'))
+                .toHtmlEscaped()
+                .replace(QLatin1Char('\n'), QStringLiteral("<br>")));
 }
 
 void CasePage::editRemark(const RemarkId& id) {

@@ -251,9 +251,9 @@ void DiscrepancyReviewPage::retranslate() {
   heading_->setTexts(tr("Discrepancy review"),
                      tr("Only cases that everyone has submitted, and only where your mark differs from the "
                         "others. The others are not named, nor are you to them."));
-  empty_->setText(tr("No disagreement waits for you."));
+  empty_->setText(tr("No disagreements are waiting for you."));
   table_->view().setAccessibleName(tr("Cases where your mark differs"));
-  table_->setColumns({{tr("Case")}, {tr("Apart by"), true}, {tr("Decision")}});
+  table_->setColumns({{tr("Case")}, {tr("Difference"), true}, {tr("Decision")}});
   reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for an adjudicator)"));
   reason_->setAccessibleName(tr("Reason"));
   adjudicator_->setText(tr("Ask for an adjudica&tor"));

@@ -137,8 +137,8 @@ void EvaluationPage::openRecording() {
   }
   if (!one->recorded) {
     replay_->showSentence(
-        tr("There is no recording of this model here: score what you have met at the station. "
-           "An administrator can lay a recording down for each model."));
+        tr("There is no recording of this model here: score what you experienced at the station. An "
+           "administrator can provide a recording for each model."));
     return;
   }
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
@@ -244,7 +244,7 @@ void EvaluationPage::showAll() {
   sheet_->setReadOnly(now == nullptr || now->submitted);
   showDefinition();
   if (now == nullptr) {
-    scaleText_->setText(tr("No evaluation asks for you at present."));
+    scaleText_->setText(tr("No evaluation is waiting for you at present."));
     return;
   }
   const ScoreScale& scale = one->scale;

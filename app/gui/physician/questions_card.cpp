@@ -113,7 +113,7 @@ void QuestionsCard::open(const RemarkId& questionId) {
 void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) {
   QDialog dialog(this);
   dialog.setObjectName(QStringLiteral("answerDialog"));
-  dialog.setWindowTitle(tr("A question of %1").arg(toQString(question.trainee)));
+  dialog.setWindowTitle(tr("A question from %1").arg(toQString(question.trainee)));
   auto* column = new QVBoxLayout(&dialog);
   column->setSpacing(kSpace);
   auto* head = sentence(&dialog, false);
@@ -151,7 +151,7 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
   }
   attempt(shell_, [&] {
     answerQuestion(shell_.session(), question.id, text->toPlainText().trimmed().toStdString());
-    shell_.notify(tr("The answer is with %1").arg(toQString(question.trainee)));
+    shell_.notify(tr("Your answer was sent to %1").arg(toQString(question.trainee)));
     read();
   });
 }

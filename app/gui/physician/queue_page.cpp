@@ -152,7 +152,7 @@ void QueuePage::showFigures() {
   const QString from =
       queue_.fromOwnPace ? tr("at your own pace so far") : tr("from the length of the recordings");
   const auto fitting = static_cast<int>(queue_.inTenMinutes);
-  time_.words->setText(queue_.waiting + queue_.drafts == 0 ? tr("no case waits for you")
+  time_.words->setText(queue_.waiting + queue_.drafts == 0 ? tr("no cases are waiting for you")
                        : fitting > 0 ? tr("%n case(s) fit into ten minutes, %1", nullptr, fitting).arg(from)
                                      : from);
   due_.figure->setText(queue_.nextDueUtc_us ? dayText(*queue_.nextDueUtc_us) : QStringLiteral("\u2013"));
@@ -166,7 +166,7 @@ void QueuePage::showDoors() {
           ? tr("Score the reference runs and see how far you are from the panel.")
           : tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(queue_.liveCalled > 0
-                          ? tr("Called to the real arm, your sheet is missing: %1. Not called yet: %2.")
+                          ? tr("Called to the real arm and still without your sheet: %1. Not called yet: %2.")
                                 .arg(queue_.liveCalled)
                                 .arg(queue_.liveWaiting)
                           : tr("Cases that will be called to the real arm: %1. The sheet follows the call.")
@@ -211,7 +211,7 @@ void QueuePage::showQueue() {
     row.cells = {
         {tr("Case %1").arg(toQString(line.shown.label)), static_cast<int>(rows.size())},
         {state, static_cast<int>(line.state)},
-        {clockTime(length_us), static_cast<qlonglong>(length_us)},
+        {clockTenthsOf(length_us), static_cast<qlonglong>(length_us)},
         {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
          static_cast<qlonglong>(line.shown.dueUtc_us.value_or(0))},
         {done ? QString() : clockTime(std::llround(line.estimate_min * kMinute_us)), line.estimate_min}};

@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/choice_row.h"
@@ -163,7 +164,7 @@ void RaterCalibrationPage::showResult() {
   goOn_->setText(tr("&Queue"));
   const std::size_t next = nextNumber();
   compare_->setText(!compared() ? tr("&Compare with the panel")
-                    : next > 0  ? tr("Go on with reference %1").arg(static_cast<int>(next))
+                    : next > 0  ? tr("Continue with reference %1").arg(static_cast<int>(next))
                                 : tr("On to the queue"));
   anchors_->setText(anchorText());
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
@@ -186,7 +187,7 @@ void RaterCalibrationPage::showResult() {
                           : off < 0.0
                               ? tr("You are stricter by %1.").arg(pointsText(std::round(-off * 10.0) / 10.0))
                               : tr("You are milder by %1.").arg(pointsText(std::round(off * 10.0) / 10.0));
-  result_->setText(tr("%1 %2").arg(figures, reading));
+  result_->setText(joinedSentences({figures, reading}));
   const auto mean = calibration_.meanOffset_points();
   sum_->setText(calibration_.complete() && mean
                     ? tr("Over all reference runs: %1 points from the panel. You may score a run "

@@ -20,6 +20,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -30,8 +31,7 @@ constexpr double kLongestFrame_s =
     0.25;  // a window that was dragged or a lid that was closed is not watching
 constexpr std::int64_t kJump_us = 5'000'000;
 constexpr std::int64_t kStep_us = 40'000;
-constexpr qint64 kLongestWait_ms = 250;           // for a frame of a window that perhaps nobody sees
-constexpr std::int64_t kHalfSecond_us = 500'000;  // the last sample of 0:20 lies a tick before it
+constexpr qint64 kLongestWait_ms = 250;  // for a frame of a window that perhaps nobody sees
 
 }  // namespace
 
@@ -130,6 +130,7 @@ void ReplayPanel::createTransport() {
     label->setProperty("quiet", true);
   }
   bar->addSpacing(kSpace);
+  time_->setObjectName(QStringLiteral("time"));
   bar->addWidget(time_);
   bar->addWidget(speed_);
   bar->addStretch(1);
@@ -157,8 +158,8 @@ void ReplayPanel::retranslate() {
   play_->setToolTip(tr("Plays or pauses (Space)"));
   time_->setAccessibleName(tr("Time in the recording"));
   digest_->setToolTip(
-      tr("Proves that this is the recording as it was stored. It tells nothing else, and it is another "
-         "one for each physician"));
+      tr("Proves that this is the recording as it was stored. It reveals nothing else and differs for each "
+         "physician"));
   showTask();
   showState();
   showTransport();
@@ -185,10 +186,10 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
     }
   }
   if (rules.forceLimit_N) {
-    parts << tr("force up to %1 N").arg(numberText(*rules.forceLimit_N, 1));
+    parts << tr("force up to %1 N").arg(numberText(*rules.forceLimit_N, kForceDecimals));
   }
   if (rules.torqueLimit_Nm) {
-    parts << tr("torque up to %1 N m").arg(numberText(*rules.torqueLimit_Nm, 2));
+    parts << tr("torque up to %1 N m").arg(numberText(*rules.torqueLimit_Nm, kTorqueDecimals));
   }
   return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }
@@ -382,10 +383,8 @@ void ReplayPanel::showBeside() {
     return;
   }
   traces_->setPosition_us(position_us());
-  const std::int64_t end_us = recording_->playback.duration_us();
-  const std::int64_t whole_us = end_us + kHalfSecond_us;
   const QString text =
-      tr("%1 of %2").arg(clockTime(position_us() < end_us ? position_us() : whole_us), clockTime(whole_us));
+      tr("%1 of %2").arg(clockTenthsOf(position_us()), clockTenthsOf(recording_->playback.duration_us()));
   if (time_->text() != text) {
     time_->setText(text);
   }

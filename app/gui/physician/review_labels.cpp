@@ -45,7 +45,7 @@ std::vector<std::pair<QString, QString>> sheetKeys() {
        QStringLiteral("\u2191 \u2193, Tab")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Clear the mark")), QStringLiteral("Backspace")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Undo, redo")), QStringLiteral("Ctrl+Z, Ctrl+Y")},
-      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Submit; a second time seals")),
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Submit; press again to seal")),
        QStringLiteral("Ctrl+Enter")}};
 }
 

@@ -12,6 +12,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/number_text.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -208,7 +209,12 @@ void TraceView::tellScale(TraceKind kind, Lane& made) const {
     made.factor = kThousand;
   }
   const float size = std::abs(peak) * made.factor;
-  made.decimals = kind == TraceKind::kDose ? 2 : size >= 10.0F ? 0 : size >= 1.0F ? 1 : 2;
+  made.decimals = kind == TraceKind::kForce                           ? kForceDecimals
+                  : kind == TraceKind::kTorque && made.factor == 1.0F ? kTorqueDecimals
+                  : kind == TraceKind::kDose                          ? 2
+                  : size >= 10.0F                                     ? 0
+                  : size >= 1.0F                                      ? 1
+                                                                      : 2;
   const QString low = made.low == 0.0F ? QStringLiteral("0") : figure(made.low * made.factor, made.decimals);
   made.scale = withUnit(QStringLiteral("%1\u2026%2").arg(low, figure(made.high * made.factor, made.decimals)),
                         made.unit);
@@ -436,7 +442,7 @@ void TraceView::describe() {
   const QString bookmarks = locale.toString(static_cast<qlonglong>(bookmarks_us_.size()));
   if (untwisting()) {
     setAccessibleDescription(tr("%1 long; scales: %2; bookmarks: %3")
-                                 .arg(clockTime(duration_us()), laneTexts().join(tr(", ")), bookmarks));
+                                 .arg(clockTenthsOf(duration_us()), laneTexts().join(tr(", ")), bookmarks));
     return;
   }
   const auto largest = [this, &locale](TraceKind kind, int decimals) {
@@ -445,8 +451,9 @@ void TraceView::describe() {
   };
   setAccessibleDescription(
       tr("%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5")
-          .arg(clockTime(duration_us()), largest(TraceKind::kAngle, 0), largest(TraceKind::kTorque, 2),
-               largest(TraceKind::kForce, 1), bookmarks));
+          .arg(clockTenthsOf(duration_us()), largest(TraceKind::kAngle, 0),
+               largest(TraceKind::kTorque, kTorqueDecimals), largest(TraceKind::kForce, kForceDecimals),
+               bookmarks));
 }
 
 }  // namespace torsio::gui

@@ -30,6 +30,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/picture.h"
 #include "sim/base/angle.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -153,7 +154,7 @@ QWidget* ComparePage::createBar() {
   torque_->setPageStep(kSteps / 20);
   torqueLabel_->setBuddy(torque_);
   figure_ = new QLabel(bar);
-  figure_->setMinimumWidth(figure_->fontMetrics().horizontalAdvance(QStringLiteral("0.0000 N m")) + kSpace);
+  figure_->setMinimumWidth(figure_->fontMetrics().horizontalAdvance(QStringLiteral("0.00000 N m")) + kSpace);
   shearMap_ = new QPushButton(bar);
   shearMap_->setCheckable(true);
   strip_ = new QPushButton(bar);
@@ -240,7 +241,7 @@ void ComparePage::adopt(std::array<LoadedScene, 2> scenes) {
 
 void ComparePage::setTorque(double torque_Nm) {
   torque_Nm_ = torque_Nm;
-  figure_->setText(tr("%1 N m").arg(numberText(torque_Nm, 4)));
+  figure_->setText(tr("%1 N m").arg(numberText(torque_Nm, kModelTorqueDecimals)));
   torque_->setAccessibleDescription(figure_->text());
   apply();
 }

@@ -31,6 +31,7 @@
 #include "app/report/pdf_report.h"
 #include "sim/base/angle.h"
 #include "sim/base/clock.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -152,7 +153,7 @@ QWidget* ModelComparison::createBar() {
   torqueLabel_->setContentsMargins(0, 0, kLabelRoom, 0);
   torque_ = new SignedBox(bar);
   torque_->setRange(-100.0, 100.0);
-  torque_->setDecimals(5);
+  torque_->setDecimals(kModelTorqueDecimals);
   torque_->setSingleStep(0.005);
   torque_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   torqueLabel_->setBuddy(torque_);

@@ -59,7 +59,7 @@ std::vector<StripFrame> SimulatorWindow::replayFrames() {
     playback.seek_us(moment.position_us);
     const LiveState state = playback.state();
     view_->setTissue(tool_->show(state));
-    const QString time = clockTenths(static_cast<double>(moment.position_us) * 1e-6);
+    const QString time = clockTenthsOf(moment.position_us);
     frames.push_back({tr("%1 after %2").arg(angleCaption(moment.angle_rad), time), view_->picture()});
   }
   playback.seek_us(before_us);

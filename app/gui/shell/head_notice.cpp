@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/maintenance/anchor.h"
@@ -69,8 +70,9 @@ void HeadNotice::retranslate() {
   const AnchoredHead head = readHead(head_.line);
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(head.utc_us / 1000, Qt::UTC);
   heading_->setText(tr("Head of the audit trail"));
-  facts_->setText(tr("%n entry(s), %1 UTC, %2", nullptr, static_cast<int>(head.length))
-                      .arg(time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
+  facts_->setText(tr("%Ln entry(s), %1 UTC, %2", nullptr, static_cast<int>(head.length))
+                      .arg(QStringLiteral("%1 %2").arg(dateText(time.date()),
+                                                       time.time().toString(QStringLiteral("HH:mm:ss"))),
                            head.isSigned() ? tr("signed") : tr("not signed")));
   const QString hash = toQString(head.hash);
   hash_->setText(hash.left(hash.size() / 2) + QLatin1Char('\n') + hash.mid(hash.size() / 2));

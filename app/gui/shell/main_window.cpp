@@ -246,7 +246,7 @@ void MainWindow::heartbeat() {
     refusedTold_ = refused;
     if (refused > 0 && desk_ != nullptr) {
       desk_->context().notify(
-          tr("The database permanently refused %n entries of this station. Please tell its administrator",
+          tr("The database permanently refused %Ln entries of this station. Please tell its administrator",
              nullptr, static_cast<int>(refused)));
     }
   }

@@ -13,6 +13,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/load_decimals.h"
 #include "sim/base/tick_period.h"
 #include "sim/servo/surface_proxy.h"
 
@@ -64,8 +65,8 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(The
   column->addWidget(twist_);
 
   load_ = new Card(QString(), this);
-  torque_ = new LevelBar(QString(), QString(), 3, load_);
-  force_ = new LevelBar(QString(), QString(), 2, load_);
+  torque_ = new LevelBar(QString(), QString(), kTorqueDecimals, load_);
+  force_ = new LevelBar(QString(), QString(), kForceDecimals, load_);
   load_->content()->addWidget(torque_);
   load_->content()->addWidget(force_);
   column->addWidget(load_);

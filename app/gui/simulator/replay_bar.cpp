@@ -87,9 +87,8 @@ void ReplayBar::show(const TrialPlayback* playback) {
   if (!position_->isSliderDown()) {
     position_->setValue(static_cast<int>(playback->position_us() / kSliderStep_us));
   }
-  const QString text = clockTenths(1e-6 * static_cast<double>(playback->position_us())) +
-                       QStringLiteral(" / ") +
-                       clockTenths(1e-6 * static_cast<double>(playback->duration_us()));
+  const QString text =
+      clockTenthsOf(playback->position_us()) + QStringLiteral(" / ") + clockTenthsOf(playback->duration_us());
   if (time_->text() != text) {
     time_->setText(text);
   }

@@ -354,8 +354,8 @@ void SimulationController::stopRecording() {
     if (result->spillFile) {
       tellSpilled(*result);
     } else {
-      Q_EMIT noticed(tr("Recorded: %1. Replay shows it again")
-                         .arg(clockTime(std::llround(1e6 * spanOf_s(result->summary.samples)))));
+      Q_EMIT noticed(
+          tr("Recorded: %1. Replay shows it again").arg(clockTenths(spanOf_s(result->summary.samples))));
     }
   }
   practise(takeHaptic());

@@ -25,6 +25,7 @@
 #include "app/recording/expert_run.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/load_decimals.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 
@@ -80,7 +81,7 @@ QString doneNow(const LiveState& state, const TrainingModule& module, bool undon
                  ? BriefingPage::tr("on target; it holds still before it releases.")
                  : BriefingPage::tr("one even turn, slower towards the target.");
     case ExercisePhase::kReleased:
-      return undone ? BriefingPage::tr("hands off: does it stay undone, does blood flow?")
+      return undone ? BriefingPage::tr("hands off: does it stay untwisted, does blood flow?")
                     : BriefingPage::tr("the jaw opens gently; the organ turns back by itself.");
   }
   return {};
@@ -97,9 +98,9 @@ QStringList untwistingTask(const Detorsion& detorsion) {
     task << toQString(Text(detorsion.briefing));
   }
   task << (most_deg > least_deg
-               ? BriefingPage::tr("The organ came twisted by %1\u00b0 to %2\u00b0. Undo it.")
+               ? BriefingPage::tr("The organ came twisted by %1\u00b0 to %2\u00b0. Untwist it.")
                      .arg(figure(least_deg), figure(most_deg))
-               : BriefingPage::tr("The organ came twisted by %1\u00b0. Undo it.").arg(figure(most_deg)));
+               : BriefingPage::tr("The organ came twisted by %1\u00b0. Untwist it.").arg(figure(most_deg)));
   const QString flow = figure(100.0 * limits.flow);
   task << BriefingPage::tr(
               "Done: at most %1\u00b0 left and blood flow of %2 % or more, for %3 s with hands off.")
@@ -294,10 +295,10 @@ void BriefingPage::fill() {
   undone_ = undone != nullptr;
   QStringList task = undone ? untwistingTask(*undone) : twist(step_.module);
   if (step_.module.maxForce_N) {
-    task << tr("Keep the force below %1 N.").arg(numberText(*step_.module.maxForce_N, 1));
+    task << tr("Keep the force below %1 N.").arg(numberText(*step_.module.maxForce_N, kForceDecimals));
   }
   if (step_.module.maxTorque_Nm) {
-    task << tr("Keep the torque below %1 N m.").arg(numberText(*step_.module.maxTorque_Nm, 2));
+    task << tr("Keep the torque below %1 N m.").arg(numberText(*step_.module.maxTorque_Nm, kTorqueDecimals));
   }
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
@@ -321,7 +322,8 @@ void BriefingPage::fill() {
            "back. Let gas out first where it resists.\nC: clip. V: gas out. 1, 2, 3: look, feel the pulse, "
            "Doppler.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
   }
-  caption_->setText(undone ? tr("An expert undoes the same organ") : tr("An expert's run of the same twist"));
+  caption_->setText(undone ? tr("An expert untwists the same organ")
+                           : tr("An expert's run of the same twist"));
   slow_->setText(tr("S&low motion"));
   again_->setText(tr("&Watch again"));
   start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));

@@ -27,6 +27,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "sim/base/ids.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -108,19 +109,11 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
 void DebriefPage::connectParts() {
   connect(expert_, &QCheckBox::toggled, plot_, &DebriefPlot::setExpertVisible);
   connect(expert_, &QCheckBox::toggled, replay_, &DebriefReplay::setExpertVisible);
-  connect(replay_, &DebriefReplay::moved, plot_, &DebriefPlot::setPosition);
-  connect(plot_, &DebriefPlot::soughtTo, replay_, &DebriefReplay::seek);
+  connect(replay_, &DebriefReplay::moved, this, &DebriefPage::setMoment);
+  connect(plot_, &DebriefPlot::soughtTo, this, &DebriefPage::seek);
   connect(whole_, &QPushButton::clicked, plot_, &DebriefPlot::showAll);
   connect(bookmark_, &QPushButton::clicked, this, [this] { addBookmarkAt(moment_s_); });
   connect(plot_, &DebriefPlot::bookmarkWanted, this, &DebriefPage::addBookmarkAt);
-  // The moment in question is where the run was last moved to: by its slider, or by what the plot shows.
-  const auto choose = [this](double at_s) {
-    moment_s_ = at_s;
-    ask_->setMoment(at_s);
-  };
-  connect(replay_, &DebriefReplay::moved, this, choose);
-  connect(plot_, &DebriefPlot::rangeChanged, this,
-          [this, choose] { choose(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
   connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
   connect(next_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(trend_, &QPushButton::clicked, this,
@@ -130,6 +123,20 @@ void DebriefPage::connectParts() {
     desk_.moduleId = debrief_.moduleId;
     shell().open(desk_.readiness ? PageId::kBriefing : PageId::kDeviceCheck);
   });
+}
+
+void DebriefPage::seek(double at_s) {
+  if (haveReplay_) {
+    replay_->seek(at_s);  // and says where it came to
+  } else {
+    setMoment(std::clamp(at_s, 0.0, debrief_.duration_s));
+  }
+}
+
+void DebriefPage::setMoment(double at_s) {
+  moment_s_ = at_s;
+  plot_->setPosition(at_s);
+  ask_->setMoment(at_s);
 }
 
 void DebriefPage::enter(const QVariant& argument) {
@@ -179,6 +186,7 @@ void DebriefPage::compute(const TrialId& trialId) {
         plot_->setDebrief(debrief_);
         haveReplay_ = *recordings != nullptr;
         replay_->show(std::move(*recordings));
+        setMoment(0.0);
         tellStory();
         untwisting_->setStory(debrief_.detorsion.value_or(DetorsionStory{}));
         fill();
@@ -232,7 +240,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
   const Seconds when = finding.when;
   connect(look, &QPushButton::clicked, this, [this, when] {
     plot_->show(when);
-    replay_->seek(when.from_s);
+    seek(when.from_s);
   });
   column->addWidget(look, 0, Qt::AlignLeft);
 }
@@ -301,7 +309,7 @@ void DebriefPage::fillNotes() {
   }
   if (debrief_.deviceForce_N && debrief_.forceFelt) {
     add("deviceForce", tr("What is judged is the force on the tissue. The device gave at most %1 N of it.")
-                           .arg(numberText(*debrief_.deviceForce_N, 2)));
+                           .arg(numberText(*debrief_.deviceForce_N, kForceDecimals)));
   }
   if (debrief_.earlier && debrief_.earlier->peakForce_N) {
     add("earlier", StationLabels::earlier(*debrief_.earlier));

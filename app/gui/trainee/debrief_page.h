@@ -49,6 +49,8 @@ class DebriefPage : public Page {
   void fillNotes();
   void fillTexts(bool any);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
+  void seek(double at_s);
+  void setMoment(double at_s);
   void addBookmarkAt(double at_s);
 
   Debrief debrief_;
@@ -76,7 +78,7 @@ class DebriefPage : public Page {
   QPushButton* again_;
   QPushButton* trend_;
   QPushButton* next_;
-  double moment_s_ = 0.0;  ///< of the run, that a question or a bookmark is about
+  double moment_s_ = 0.0;  ///< where replay and plot stand, that a question or a bookmark is about
 };
 
 }  // namespace torsio::gui

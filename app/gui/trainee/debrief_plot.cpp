@@ -15,6 +15,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/number_text.h"
 #include "sim/base/angle.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -85,7 +86,7 @@ QString DebriefPlot::reading() const {
   const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - own.time_s.begin() - 1, 0));
   return tr("%1   %2\u00b0   %3 N")
       .arg(clockTenths(position_s_), numberText(degrees(own.angle_rad[at]), 0),
-           numberText(own.force_N[at], 2));
+           numberText(own.force_N[at], kForceDecimals));
 }
 
 void DebriefPlot::show(const Seconds& when) {
@@ -95,21 +96,21 @@ void DebriefPlot::show(const Seconds& when) {
   if (range_.to_s - range_.from_s < kShortest_s) {
     range_.to_s = range_.from_s + kShortest_s;
   }
-  Q_EMIT rangeChanged();
   update();
 }
 
 void DebriefPlot::showAll() {
   range_ = {0.0, std::max(kShortest_s, debrief_.duration_s)};
-  Q_EMIT rangeChanged();
   update();
 }
 
 void DebriefPlot::retranslate() {
   setAccessibleName(tr("Angle and force of the run over time"));
-  setAccessibleDescription(tr("Twists: %1, in %2. Plus and minus zoom, arrows move, B sets a bookmark.")
-                               .arg(debrief_.twists.size())
-                               .arg(clockTenths(debrief_.duration_s)));
+  setAccessibleDescription(
+      tr("Twists: %1, in %2. Plus and minus zoom, arrows move, Enter goes to the middle, B sets a "
+         "bookmark.")
+          .arg(debrief_.twists.size())
+          .arg(clockTenths(debrief_.duration_s)));
   setToolTip(tr("Wheel zooms, dragging moves, a double click sets a bookmark"));
   update();
 }
@@ -268,7 +269,6 @@ void DebriefPlot::zoom(double factor, double at_s) {
   const double share = (at_s - range_.from_s) / (range_.to_s - range_.from_s);
   range_.from_s = std::clamp(at_s - share * span, 0.0, all - span);
   range_.to_s = range_.from_s + span;
-  Q_EMIT rangeChanged();
   update();
 }
 
@@ -276,7 +276,6 @@ void DebriefPlot::move(double by_s) {
   const double span = range_.to_s - range_.from_s;
   range_.from_s = std::clamp(range_.from_s + by_s, 0.0, std::max(0.0, debrief_.duration_s - span));
   range_.to_s = range_.from_s + span;
-  Q_EMIT rangeChanged();
   update();
 }
 
@@ -321,8 +320,12 @@ void DebriefPlot::keyPressEvent(QKeyEvent* event) {
       return move(step);
     case Qt::Key_0:
       return showAll();
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      Q_EMIT soughtTo(middle);
+      return;
     case Qt::Key_B:
-      Q_EMIT bookmarkWanted(middle);
+      Q_EMIT bookmarkWanted(position_s_);
       return;
     default:
       QWidget::keyPressEvent(event);

@@ -38,10 +38,8 @@ class DebriefPlot : public QWidget {
 
  Q_SIGNALS:
   void bookmarkWanted(double at_s);
-  /// Somebody clicked at a moment of the run.
+  /// Somebody chose a moment of the run.
   void soughtTo(double at_s);
-  /// Another stretch is shown.
-  void rangeChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -244,9 +244,8 @@ void DebriefReplay::showTime() {
   if (recordings_ == nullptr) {
     return;
   }
-  time_->setText(tr("%1 of %2")
-                     .arg(clockTenths(position_s()),
-                          clockTenths(static_cast<double>(recordings_->own.duration_us()) * 1e-6)));
+  time_->setText(
+      tr("%1 of %2").arg(clockTenths(position_s()), clockTenthsOf(recordings_->own.duration_us())));
 }
 
 void DebriefReplay::showTransport() {

@@ -63,7 +63,7 @@ void OwnRecordCard::showState() {
     const QString what = toQString(Text(termsOf(one.kind)[static_cast<std::size_t>(one.kind)].label));
     const QString asked = dayText(one.askedUtc_us, locale());
     if (!one.answer) {
-      lines << tr("You asked for %1 on %2; it waits for the centre.").arg(what, asked);
+      lines << tr("You asked for %1 on %2; the centre has not answered yet.").arg(what, asked);
     } else if (*one.answer != PersonRequestAnswer::kTakenBack) {
       const QString answer =
           toQString(Text(termsOf(*one.answer)[static_cast<std::size_t>(*one.answer)].label));

@@ -61,7 +61,7 @@ RemarkWords::RemarkWords(QWidget* parent)
   history_->setCheckable(true);
   field_->setTabChangesFocus(true);
   field_->setFixedHeight(kFieldHeight);
-  field_->setAccessibleName(tr("New words; the old ones are kept"));
+  field_->setAccessibleName(tr("New wording; the earlier one is kept"));
   field_->installEventFilter(this);
   earlier_->hide();
   editor_->hide();
@@ -81,7 +81,7 @@ void RemarkWords::setWords(const QString& text, std::int64_t editedUtc_us,
   showText();
   history_->setVisible(editedUtc_us != 0);
   history_->setText(tr("edited %1").arg(shownTime(editedUtc_us)));
-  history_->setToolTip(tr("Shows what stood there before"));
+  history_->setToolTip(tr("Shows the earlier wording"));
   edit_->setVisible(own && !text.isEmpty());
   QStringList lines;
   for (const RemarkWording& one : earlier) {

@@ -21,6 +21,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
+#include "sim/base/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -204,8 +205,8 @@ QWidget* RunPage::createPanel() {
   detorsion_->steer(scene_->controller());
   column->addWidget(detorsion_);
   load_ = new Card(QString(), panel);
-  torque_ = new LevelBar(QString(), QString(), 3, load_);
-  force_ = new LevelBar(QString(), QString(), 2, load_);
+  torque_ = new LevelBar(QString(), QString(), kTorqueDecimals, load_);
+  force_ = new LevelBar(QString(), QString(), kForceDecimals, load_);
   load_->content()->addWidget(torque_);
   load_->content()->addWidget(force_);
   column->addWidget(load_);

@@ -123,13 +123,13 @@ QString StationLabels::result(const Attempt& attempt) {
   }
   const QString dose = quantity("detorse.dose", value("detorse.dose").value_or(0.0));
   if (*done == 0.0) {
-    return tr("not undone, ischaemic dose %1").arg(dose);
+    return tr("not untwisted, ischaemic dose %1").arg(dose);
   }
   const std::optional<double> flow_s = value("detorse.time_to_flow");
   constexpr double kAtOnce_s = 0.05;  // it flowed as the organ came
-  return flow_s && *flow_s >= kAtOnce_s ? tr("undone, blood after %1, ischaemic dose %2")
+  return flow_s && *flow_s >= kAtOnce_s ? tr("untwisted, blood after %1, ischaemic dose %2")
                                               .arg(quantity("detorse.time_to_flow", *flow_s), dose)
-                                        : tr("undone, ischaemic dose %1").arg(dose);
+                                        : tr("untwisted, ischaemic dose %1").arg(dose);
 }
 
 QString StationLabels::lastResult(const ModuleStep& step) {

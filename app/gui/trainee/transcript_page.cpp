@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -102,8 +103,8 @@ QString TranscriptPage::html(bool paper) const {
                 .arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence)));
-    const QString judgedHow = StationLabels::competenceDesign(module.competence) + QLatin1Char(' ') +
-                              StationLabels::competenceErrors(module.competence);
+    const QString judgedHow = joinedSentences({StationLabels::competenceDesign(module.competence),
+                                               StationLabels::competenceErrors(module.competence)});
     const auto [first, isNew] = judgedAs.try_emplace(judgedHow, title);
     line(isNew ? judgedHow : tr("Competence is judged as in \u201c%1\u201d.").arg(first->second));
     if (module.attempts.empty()) {
@@ -121,8 +122,7 @@ QString TranscriptPage::html(bool paper) const {
       page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
                   .arg(cell(shownTime(attempt.startedUtc_us)),
                        cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
-                       cell(clockTime(std::llround(1e6 * attempt.duration_s))),
-                       cell(StationLabels::result(attempt)),
+                       cell(clockTenths(attempt.duration_s)), cell(StationLabels::result(attempt)),
                        cell(attempt.interrupted ? tr("interrupted")
                             : !attempt.ended    ? tr("running")
                             : attempt.forceCuts == 0

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -223,12 +224,11 @@ void TrendPage::fill() {
   plot_->setTrend(trend_);
   const QString marks = tr("Filled circle: passed. Triangle: not passed.");
   const bool few = trend_.points.size() < kFewest;
-  note_->setText(trend_.curve.empty()
-                     ? (isAnswerMetric(trend_.metric) ? tr("%1 A yes or no has no learning curve.")
-                        : few ? tr("%1 A learning curve is drawn from eight attempts on.")
-                              : tr("%1 No learning curve fits these values."))
-                           .arg(marks)
-                     : tr("%1 Line and band: learning curve with its 95 % band.").arg(marks));
+  const QString curve = !trend_.curve.empty() ? tr("Line and band: learning curve with its 95 % band.")
+                        : isAnswerMetric(trend_.metric) ? tr("A yes or no has no learning curve.")
+                        : few ? tr("A learning curve is drawn from eight attempts on.")
+                              : tr("No learning curve fits these values.");
+  note_->setText(joinedSentences({marks, curve}));
   table_->setColumns({{tr("Attempt"), true},
                       {tr("When")},
                       {tr("Mode")},

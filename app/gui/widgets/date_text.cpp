@@ -4,6 +4,8 @@
 #include <QDateEdit>
 #include <QDateTime>
 
+#include "app/report/printed_value.h"
+
 namespace torsio::gui {
 
 namespace {
@@ -16,13 +18,8 @@ QDateTime timeOf(std::int64_t utc_us) {
 
 }  // namespace
 
-QString dateFormat(const QLocale& locale) {
-  return locale.language() == QLocale::Chinese ? locale.dateFormat(QLocale::ShortFormat)
-                                               : QStringLiteral("d MMM yyyy");
-}
-
 QString dateText(const QDate& day, const QLocale& locale) {
-  return locale.toString(day, dateFormat(locale));
+  return locale.toString(day, dayFormat(locale));
 }
 
 QString dayText(std::int64_t utc_us, const QLocale& locale) {
@@ -37,7 +34,7 @@ QString shownTime(std::int64_t utc_us, const QLocale& locale) {
 }
 
 void showAsDate(QDateEdit* field) {
-  field->setDisplayFormat(dateFormat(field->locale()));
+  field->setDisplayFormat(dayFormat(field->locale()));
 }
 
 }  // namespace torsio::gui

@@ -11,11 +11,9 @@ class QDateEdit;
 
 namespace torsio::gui {
 
-// Days and times as every screen shows them, by this computer's clock. In English the month is in letters:
-// 03/12 is March to some and December to others. Any thread; fields on the GUI thread.
+// Days and times as every screen shows them, by this computer's clock, in the form of dayFormat(). Any
+// thread; fields on the GUI thread.
 
-/// As QLocale::toString and QDateEdit take it.
-[[nodiscard]] QString dateFormat(const QLocale& locale = QLocale());
 [[nodiscard]] QString dateText(const QDate& day, const QLocale& locale = QLocale());
 /// `utc_us`: microseconds since 1970; 0: a dash.
 [[nodiscard]] QString dayText(std::int64_t utc_us, const QLocale& locale = QLocale());

@@ -200,7 +200,7 @@ TEST_F(DeviceCommand, ForceTestWarnsAndPushesOnlyWithConsent) {
 
   EXPECT_EQ(result.code, 0) << result.out << result.err;
   expectMentions(result.err, {"Warning: the device will push", "Hold the stylus"});
-  expectMentions(result.out, {"Force: 0.5 N upwards were sent"});
+  expectMentions(result.out, {"Force: 0.50 N upwards were sent"});
   expectMentions(readFile(log), {"force output on\n", "\nforce\n", "zero force\n"});
 }
 

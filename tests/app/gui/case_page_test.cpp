@@ -2,6 +2,8 @@
 // A case at the review desk: its recording, its sheet, and the keys of both.
 #include "app/gui/physician/case_page.h"
 
+#include <limits>
+
 #include <QAccessible>
 #include <QApplication>
 #include <QLabel>
@@ -93,6 +95,21 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   // What was undone is undone on the disk too.
   const OpenedSheet stored = openSheet(desk.session(), centre.cases(0).front());
   EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
+}
+
+TEST(CasePage, TellsTheMomentOfTheReplayAsABookmarkThereTellsIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  const auto& time = child<QLabel>(replay, "time");
+
+  replay.seek_us(1'960'000);
+  EXPECT_TRUE(time.text().startsWith(QStringLiteral("0:02.0 of 0:0"))) << time.text().toStdString();
+  replay.seek_us(std::numeric_limits<std::int64_t>::max());
+  const QStringList end = time.text().split(QStringLiteral(" of "));
+  ASSERT_EQ(end.size(), 2);
+  EXPECT_EQ(end[0], end[1]);
 }
 
 TEST(CasePage, KeysAreSilentWhileTyping) {

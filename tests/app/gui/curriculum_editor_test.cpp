@@ -309,9 +309,17 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   press(*page, QStringLiteral("Add rule"));
   press(*page, QStringLiteral("Add rule"));
   ASSERT_EQ(rules->rowCount(), 2);
+  // As everywhere else: a share in per cent, a force with its unit.
+  EXPECT_EQ(cell<QComboBox>(rules, 0, 0)->currentText(), QStringLiteral("Twists on target"));
+  cell<QDoubleSpinBox>(rules, 0, 2)->setValue(60.0);
+  EXPECT_EQ(cell<QDoubleSpinBox>(rules, 0, 2)->text(), QStringLiteral("60 %"));
+  cell<QDoubleSpinBox>(rules, 0, 2)->setValue(66.75);
+  EXPECT_EQ(cell<QDoubleSpinBox>(rules, 0, 2)->text(), QStringLiteral("66.75 %"));
+  cell<QDoubleSpinBox>(rules, 0, 2)->setValue(60.0);
   choose(cell<QComboBox>(rules, 1, 0), QStringLiteral("force.peak"));
   choose(cell<QComboBox>(rules, 1, 1), QStringLiteral("at_least"));
   cell<QDoubleSpinBox>(rules, 1, 2)->setValue(1.5);
+  EXPECT_EQ(cell<QDoubleSpinBox>(rules, 1, 2)->text(), QStringLiteral("1.50 N"));
   cell<QSpinBox>(rules, 1, 3)->setValue(4);
   named<QDoubleSpinBox>(*page, "Force up to")->setValue(2.5);
   named<QDoubleSpinBox>(*page, "Torque up to")->setValue(0.25);
@@ -323,6 +331,9 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
 
   const TrainingModule stored = curriculumDraft(office.centre.session(), id).content.modules[1];
   ASSERT_EQ(stored.mastery.size(), 2U);
+  EXPECT_EQ(stored.mastery[0].metric, "twist.on_target");
+  EXPECT_DOUBLE_EQ(stored.mastery[0].threshold, 0.6);
+  EXPECT_EQ(stored.mastery[0].unit, "1");
   EXPECT_EQ(stored.mastery[1].metric, "force.peak");
   EXPECT_EQ(stored.mastery[1].comparison, "at_least");
   EXPECT_EQ(stored.mastery[1].threshold, 1.5);

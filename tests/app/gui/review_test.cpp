@@ -39,8 +39,9 @@ void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
   EXPECT_TRUE(discrepancyCases(desk.session()).empty());
   auto& discrepancies = desk.open<DiscrepancyReviewPage>();
-  EXPECT_TRUE(
-      paintedWordsOf(discrepancies).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
+  EXPECT_TRUE(paintedWordsOf(discrepancies)
+                  .join(u' ')
+                  .contains(QStringLiteral("No disagreements are waiting for you")));
   for (const DataTable* table : discrepancies.findChildren<DataTable*>()) {
     EXPECT_EQ(table->visibleRows(), 0);
   }

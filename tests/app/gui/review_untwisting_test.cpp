@@ -58,13 +58,14 @@ TEST(TracesOfATwist, AreAngleTorqueAndForceAsEver) {
 
   view.setData(&data);
 
-  EXPECT_EQ(view.laneTexts(), (QStringList{QStringLiteral("Angle 0…90°"), QStringLiteral("Torque 0…0.05 N m"),
-                                           QStringLiteral("Force 0…5.0 N")}));
+  EXPECT_EQ(view.laneTexts(),
+            (QStringList{QStringLiteral("Angle 0…90°"), QStringLiteral("Torque 0…0.050 N m"),
+                         QStringLiteral("Force 0…5.00 N")}));
   EXPECT_EQ(view.accessibleName(), QStringLiteral("Traces of angle, torque and force"));
-  EXPECT_EQ(
-      view.accessibleDescription(),
-      QStringLiteral("0:02 long; greatest angle 90 degrees, torque 0.05 newton metres, force 5.0 newtons; "
-                     "bookmarks: 0"));
+  EXPECT_EQ(view.accessibleDescription(),
+            QStringLiteral(
+                "0:02.0 long; greatest angle 90 degrees, torque 0.050 newton metres, force 5.00 newtons; "
+                "bookmarks: 0"));
   EXPECT_EQ(view.sizeHint().height(), before);
 }
 
@@ -78,7 +79,8 @@ TEST(TracesOfATwist, TellTheirValuesAtTheCursorNotTheirExtremes) {
   view.setPosition_us(1'000'000);
   const QStringList middle = view.readings();
 
-  EXPECT_EQ(early, (QStringList{QStringLiteral("72°"), QStringLiteral("0.05 N m"), QStringLiteral("5.0 N")}));
+  EXPECT_EQ(early,
+            (QStringList{QStringLiteral("72°"), QStringLiteral("0.050 N m"), QStringLiteral("5.00 N")}));
   EXPECT_EQ(middle.front(), QStringLiteral("45°"));
 }
 
@@ -90,8 +92,8 @@ TEST(TracesOfATwist, ShowTargetToleranceAndLimitsWithinTheirScales) {
   view.setData(&data);
 
   EXPECT_EQ(view.laneTexts(),
-            (QStringList{QStringLiteral("Angle 0…130°"), QStringLiteral("Torque 0…0.21 N m"),
-                         QStringLiteral("Force 0…11 N")}));
+            (QStringList{QStringLiteral("Angle 0…130°"), QStringLiteral("Torque 0…0.210 N m"),
+                         QStringLiteral("Force 0…10.50 N")}));
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("tolerance")));
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("limit")));
 
@@ -108,7 +110,7 @@ TEST(TracesOfAnUntwisting, NameEachScaleWithItsUnit) {
 
   EXPECT_EQ(view.laneTexts(),
             (QStringList{QStringLiteral("Angle 0…90°"), QStringLiteral("Torque 0…50 mN m"),
-                         QStringLiteral("Force 0…5.0 N"), QStringLiteral("Blood flow 0…100 %"),
+                         QStringLiteral("Force 0…5.00 N"), QStringLiteral("Blood flow 0…100 %"),
                          QStringLiteral("Ischaemic dose 0…1.00"), QStringLiteral("Black share 0…100 %"),
                          QStringLiteral("Lumen 0…100 %"), QStringLiteral("Pressure 0…20 mmHg")}));
   EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("Blood flow 0…100 %")));
@@ -125,10 +127,10 @@ TEST(TracesOfAnUntwisting, TellTheirValuesAtTheCursor) {
   view.setPosition_us(2'000'000);
   const QStringList late = view.readings();
 
-  EXPECT_EQ(early, (QStringList{QStringLiteral("72°"), QStringLiteral("50 mN m"), QStringLiteral("5.0 N"),
+  EXPECT_EQ(early, (QStringList{QStringLiteral("72°"), QStringLiteral("50 mN m"), QStringLiteral("5.00 N"),
                                 QStringLiteral("25 %"), QStringLiteral("0.50"), QStringLiteral("0 %"),
                                 QStringLiteral("10 %"), QStringLiteral("20 mmHg")}));
-  EXPECT_EQ(late, (QStringList{QStringLiteral("0°"), QStringLiteral("50 mN m"), QStringLiteral("5.0 N"),
+  EXPECT_EQ(late, (QStringList{QStringLiteral("0°"), QStringLiteral("50 mN m"), QStringLiteral("5.00 N"),
                                QStringLiteral("75 %"), QStringLiteral("0.95"), QStringLiteral("50 %"),
                                QStringLiteral("90 %"), QStringLiteral("5 mmHg")}));
 }

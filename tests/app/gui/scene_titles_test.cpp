@@ -29,8 +29,9 @@ TEST(SceneTitles, NameAVolvulusAsItsFileDoesAndNotByItsId) {
   SceneTitles titles(kShipped);
 
   EXPECT_EQ(titles.scene("gastric-organo-axial"), QStringLiteral("Stomach, organo-axial volvulus"));
-  EXPECT_EQ(titles.pattern("gastric-organo-axial", "detorse"), QStringLiteral("Undo organo-axial"));
-  EXPECT_EQ(titles.pattern("midgut", "detorse"), QStringLiteral("Undo a midgut volvulus"));
+  EXPECT_EQ(titles.pattern("gastric-organo-axial", "detorse"),
+            QStringLiteral("Untwist an organo-axial volvulus"));
+  EXPECT_EQ(titles.pattern("midgut", "detorse"), QStringLiteral("Untwist a midgut volvulus"));
 }
 
 TEST(SceneTitles, AreChineseForEveryShippedSceneWithItsPatternsBriefingAndValidity) {

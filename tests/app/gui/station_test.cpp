@@ -17,6 +17,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTest>
 #include <QTextBrowser>
 #include <QTimer>
 #include <gtest/gtest.h>
@@ -452,6 +453,17 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   const TwistResult& twist = page.debrief().twists.front();
   const double middle_s = 0.5 * (twist.when.from_s + twist.when.to_s);
 
+  // A question is about the moment that replay and plot show, however much of the run the plot shows.
+  auto* ask = station.find<QPushButton>("ask");
+  EXPECT_TRUE(ask->text().endsWith(clockTenths(0.0))) << ask->text().toStdString();
+  plot->show(twist.when);
+  EXPECT_TRUE(ask->text().endsWith(clockTenths(0.0))) << ask->text().toStdString();
+  QTest::keyClick(plot, Qt::Key_Return);
+  const double shown_s = 0.5 * (plot->range().from_s + plot->range().to_s);
+  EXPECT_NEAR(replay->position_s(), shown_s, 0.02);
+  EXPECT_TRUE(ask->text().endsWith(clockTenths(replay->position_s()))) << ask->text().toStdString();
+  EXPECT_TRUE(plot->reading().startsWith(clockTenths(replay->position_s())));
+
   slider->setValue(0);
   EXPECT_FALSE(replay->ghostShown());
   const QString before = plot->reading();
@@ -461,7 +473,7 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   EXPECT_NEAR(replay->position_s(), middle_s, 0.02);
   EXPECT_TRUE(replay->ghostShown());
   EXPECT_NE(plot->reading(), before);
-  EXPECT_TRUE(station.find<QPushButton>("ask")->text().contains(clockTenths(replay->position_s())));
+  EXPECT_TRUE(ask->text().endsWith(clockTenths(replay->position_s())));
   station.find<QCheckBox>("expert")->setChecked(false);
   EXPECT_FALSE(replay->ghostShown());
   replay->togglePlay();

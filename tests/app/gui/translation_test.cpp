@@ -102,6 +102,23 @@ TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
   }
 }
 
+/// "3 s", "%1 mm": a figure has the symbol of its unit; words stay words ("a few seconds").
+TEST(ChineseTranslation, HasTheSymbolOfTheUnitBesideAFigure) {
+  static const QRegularExpression kWord(QStringLiteral(
+      "(?:[0-9]|%n) ?(?:\u79d2|\u5fae\u79d2|\u6beb\u7c73)"));  // second, microsecond, millimetre
+  for (const Message& message : chineseMessages()) {
+    EXPECT_FALSE(kWord.match(message.translation).hasMatch()) << message.translation.toStdString();
+  }
+}
+
+/// A sentence that stands behind another begins at once: the full stop has its own room.
+TEST(ChineseTranslation, HasNoBlankAfterAStop) {
+  static const QRegularExpression kBlank(QStringLiteral("[\u3002\uff01\uff1f] "));
+  for (const Message& message : chineseMessages()) {
+    EXPECT_FALSE(kBlank.match(message.translation).hasMatch()) << message.translation.toStdString();
+  }
+}
+
 /// What nobody says any more, by language; docs/glossary.md has the word in its place.
 const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiteral("The same again"),
                                QStringLiteral("What counts now"),   QStringLiteral("Who was put where"),
@@ -114,7 +131,8 @@ const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiter
                                QStringLiteral("the office"),        QStringLiteral("nearer tolerance"),
                                QStringLiteral("alignment"),         QStringLiteral("Together:"),
                                QStringLiteral("Bring an organ"),    QStringLiteral("Where to draw"),
-                               QStringLiteral("going on")};
+                               QStringLiteral("going on"),          QStringLiteral("grip anew"),
+                               QStringLiteral("held to be able"),   QStringLiteral(": undo it")};
 const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),                    // debrief
                                       QStringLiteral("\u70ed\u8eab"),                    // rater calibration
                                       QStringLiteral("\u8bc4\u5206\u8005\u6821\u51c6"),  // rater calibration
@@ -191,6 +209,11 @@ TEST(Translations, HaveNoCharacterThatNobodyWrote) {
   }
 }
 
+/// Whether a text has a plural for each number: %n, or %Ln with its digits in groups.
+bool hasPlurals(const Message& message) {
+  return message.source.contains(QLatin1String("%n")) || message.source.contains(QLatin1String("%Ln"));
+}
+
 TEST(EnglishPlurals, AreSaidInFull) {
   for (const Message& message : messagesOf(kTranslations + QStringLiteral("/torsio_en.ts"))) {
     EXPECT_TRUE(message.finished) << message.source.toStdString();
@@ -199,7 +222,7 @@ TEST(EnglishPlurals, AreSaidInFull) {
   static const QRegularExpression kEnding(QStringLiteral("[a-z]\\((s|es|ies)\\)"));
   static const QRegularExpression kPair(QStringLiteral("(?<!\\{)\\{[^{}|%]*\\}"));
   for (const Message& message : chineseMessages()) {
-    if (!message.source.contains(QLatin1String("%n"))) {
+    if (!hasPlurals(message)) {
       EXPECT_FALSE(message.source.contains(kEnding)) << message.source.toStdString();
     }
     EXPECT_FALSE(message.source.contains(kPair)) << message.source.toStdString();
@@ -226,7 +249,7 @@ TEST(EnglishPlurals, AreNotWrittenAfterANumberThatMayBeOne) {
     const bool exempt = message.source == QLatin1String("%1 trainees") ||
                         std::any_of(never.begin(), never.end(),
                                     [&](const QString& text) { return message.source.contains(text); });
-    EXPECT_TRUE(exempt || message.source.contains(QLatin1String("%n")) || !message.source.contains(kCounted))
+    EXPECT_TRUE(exempt || hasPlurals(message) || !message.source.contains(kCounted))
         << message.source.toStdString();
   }
 }

@@ -56,9 +56,9 @@ TEST(UntwistingPages, TheNextStepAsksForAYesInWords) {
   station.open(PageId::kNextStep);
   const QString all = station.allText();
 
-  EXPECT_TRUE(all.contains(QStringLiteral("Undone: yes"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("Untwisted: yes"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Relapse: no"))) << all.toStdString();
-  EXPECT_TRUE(all.contains(QStringLiteral("Last time: not undone, ischaemic dose"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("Last time: not untwisted, ischaemic dose"))) << all.toStdString();
   EXPECT_FALSE(all.contains(QStringLiteral("twists on target"))) << all.toStdString();
 }
 

@@ -208,6 +208,7 @@ TEST_F(LiveSession, ARaterWhoseMachineDiesHandsTheSheetInAfterTheCall) {
   const std::vector<QueueLine> lines = liveLines(desk(4));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].state, SheetState::kDraft);
+  EXPECT_EQ(reviewQueue(desk(4)).overdue, 2U) << "the first page counts what the live board calls late";
   const OpenedSheet opened = openSheet(desk(4), sheet);
   EXPECT_EQ(opened.sheet.overall_steps, 30) << "what was typed before the machine died";
   submitSheet(desk(4), sheet, filled(opened, 30), WatchLog());

@@ -126,9 +126,9 @@ void UntwistingRows::areLinesOfTheTableOfUntwistingsAndOfTheCsvFile() {
   ASSERT_EQ(table->rows.size(), 2U);
   // Group, phase, trials, undone, relapsed is not asked here; five of the loop, two of the stomach.
   EXPECT_THAT(cellsOf(table->rows[0], 4),
-              ::testing::ElementsAre("Group 1", "Small-bowel loop: undo it", "5", "4 of 5"));
+              ::testing::ElementsAre("Group 1", "Small-bowel loop: untwist it", "5", "4 of 5"));
   EXPECT_THAT(cellsOf(table->rows[1], 4),
-              ::testing::ElementsAre("Group 1", "Stomach, organo-axial: undo it", "2", "1 of 2"));
+              ::testing::ElementsAre("Group 1", "Stomach, organo-axial: untwist it", "2", "1 of 2"));
   EXPECT_EQ(tableIn(report, "table-trials"), nullptr);  // nobody twisted
   const auto count = [&rows](const std::string& statistic) {
     return std::count_if(rows.begin(), rows.end(),

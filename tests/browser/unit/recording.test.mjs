@@ -8,8 +8,9 @@ import { onBody } from '../../../assets/web/organ.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
 import { kLamps } from '../../../assets/web/shaders.js';
+import { clockTenths, dayText, joinedSentences, kForceDecimals, kTorqueDecimals } from '../../../assets/web/numbers.js';
 import { lane, scaleText, sizeText } from '../../../assets/web/trace_lane.js';
-import { filledIn } from '../../../assets/web/texts.js';
+import { filledIn, useTexts } from '../../../assets/web/texts.js';
 import { jawOpening, poseMatrix, turnedAbout } from '../../../assets/web/tool_pose.js';
 import { ViewingReporter } from '../../../assets/web/viewing_reporter.js';
 import { NoConnection } from '../../../assets/web/api.js';
@@ -247,14 +248,36 @@ test('a sentence takes its values and its plural in one pass', () => {
 });
 
 test('a trace has zero and its limit on its scale; a small torque of an untwisting is told in thousandths', () => {
-  const torque = { name: 'Torque', unit: 'N m', low: new Float32Array([0, -0.04, -0.02]) };
+  const torque = { name: 'Torque', unit: 'N m', decimals: kTorqueDecimals, low: new Float32Array([0, -0.04, -0.02]) };
   const turned = lane({ ...torque, limit: 0.05 });
   assert.equal(turned.limit, -0.05);
   assert.ok(turned.bottom < -0.05 && turned.top === 0);
-  assert.equal(scaleText(turned), '\u22120.05\u20260 N m');
+  assert.equal(scaleText(turned), '\u22120.053\u20260 N m');
   const undone = lane({ ...torque, fine: true });
   assert.equal(scaleText(undone), '\u221240\u20260 mN m');
   assert.equal(sizeText(undone, -0.0201), '\u221220 mN m');
   const angle = lane({ name: 'Angle', unit: '\u00b0', low: new Float32Array([0, 90]), band: { target: [180, 180], tolerance: 10 } });
   assert.ok(angle.top > 190);
+  const force = lane({ name: 'Force', unit: 'N', decimals: kForceDecimals, low: new Float32Array([0, 3.3]) });
+  assert.equal(sizeText(force, 3.3), '3.30 N');
+});
+
+test('a moment goes by tenths, rounded: the last sample of 0:20 lies a tick before it', () => {
+  assert.equal(clockTenths(0), '0:00.0');
+  assert.equal(clockTenths(11_849_000), '0:11.8');
+  assert.equal(clockTenths(19_999_000), '0:20.0');
+  assert.equal(clockTenths(125_400_000), '2:05.4');
+});
+
+test('sentences stand a blank apart, in Chinese beside each other', () => {
+  assert.equal(joinedSentences(['Done.', '', 'Go on.']), 'Done. Go on.');
+  assert.equal(joinedSentences(['\u5df2\u5b8c\u6210\u3002', '\u8bf7\u7ee7\u7eed\u3002']), '\u5df2\u5b8c\u6210\u3002\u8bf7\u7ee7\u7eed\u3002');
+});
+
+test('a day reads as in the window, its month in letters in English', () => {
+  const noon_us = 1_767_600_000_000_000; // 5 January 2026, 08:00 UTC
+  assert.equal(dayText(noon_us), '5 Jan 2026');
+  useTexts({ texts: {}, language: 'zh_CN' });
+  assert.equal(dayText(noon_us), '2026/1/5');
+  useTexts({ texts: {}, language: 'en' });
 });

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 
 #include "app/gui/base/translated_text.h"
-#include "app/training/attempts.h"
+#include "app/training/debrief_labels.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/rating/sheet_state.h"
 
@@ -131,39 +131,45 @@ QString phaseKindName(PhaseKind kind) {
 }
 
 std::vector<std::pair<std::string, QString>> masteryMetrics() {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {kOnTargetMetric, QT_TRANSLATE_NOOP("Study", "share of twists on target")},
-      {kTargetsReachedMetric, QT_TRANSLATE_NOOP("Study", "targets reached")},
-      {"time.total", QT_TRANSLATE_NOOP("Study", "time")},
-      {"twist.overshoot", QT_TRANSLATE_NOOP("Study", "overshoot")},
-      {"twist.settling", QT_TRANSLATE_NOOP("Study", "settling time")},
-      {"twist.hold_steadiness", QT_TRANSLATE_NOOP("Study", "steadiness of the hold")},
-      {"twist.sparc", QT_TRANSLATE_NOOP("Study", "smoothness")},
-      {"force.peak", QT_TRANSLATE_NOOP("Study", "peak force")},
-      {"force.violations", QT_TRANSLATE_NOOP("Study", "force violations")},
-      {"torque.peak", QT_TRANSLATE_NOOP("Study", "peak torque")},
-      {"detorse.done", QT_TRANSLATE_NOOP("Study", "organ undone (1 yes, 0 no)")},
-      {"detorse.time_to_flow", QT_TRANSLATE_NOOP("Study", "time until blood flows")},
-      {"detorse.dose", QT_TRANSLATE_NOOP("Study", "ischaemic dose")},
-      {"detorse.residual", QT_TRANSLATE_NOOP("Study", "twist that remains")},
-      {"detorse.relapse", QT_TRANSLATE_NOOP("Study", "relapse (1 yes, 0 no)")},
-      {"detorse.first_direction", QT_TRANSLATE_NOOP("Study", "first turn the right way (1 yes, 0 no)")},
-      {"detorse.wrong_way", QT_TRANSLATE_NOOP("Study", "turned the wrong way")},
-      {"detorse.regrips", QT_TRANSLATE_NOOP("Study", "re-grips")},
-      {"detorse.slip_back", QT_TRANSLATE_NOOP("Study", "slipped back")},
-      {"detorse.peak_jaw", QT_TRANSLATE_NOOP("Study", "peak pressure of the jaw")},
-      {"detorse.overload_time", QT_TRANSLATE_NOOP("Study", "time of overload")},
-      {"detorse.vented_first", QT_TRANSLATE_NOOP("Study", "let out first (1 yes, 0 no)")},
-      {"detorse.longest_stage", QT_TRANSLATE_NOOP("Study", "longest turn without a rest")},
-      {"detorse.in_stages", QT_TRANSLATE_NOOP("Study", "undone in stages (1 yes, 0 no)")},
-  };
+  static const char* const kMetrics[] = {kOnTargetMetric,
+                                         kTargetsReachedMetric,
+                                         "time.total",
+                                         "twist.overshoot",
+                                         "twist.settling",
+                                         "twist.hold_steadiness",
+                                         "twist.sparc",
+                                         "force.peak",
+                                         "force.violations",
+                                         "torque.peak",
+                                         "detorse.done",
+                                         "detorse.time_to_flow",
+                                         "detorse.dose",
+                                         "detorse.residual",
+                                         "detorse.relapse",
+                                         "detorse.first_direction",
+                                         "detorse.wrong_way",
+                                         "detorse.regrips",
+                                         "detorse.slip_back",
+                                         "detorse.peak_jaw",
+                                         "detorse.overload_time",
+                                         "detorse.vented_first",
+                                         "detorse.longest_stage",
+                                         "detorse.in_stages"};
   std::vector<std::pair<std::string, QString>> out;
-  for (const auto& [id, name] : kNames) {
-    out.emplace_back(id, metricUnit(id) == "1"
-                             ? translated(name)
-                             : QStringLiteral("%1 (%2)").arg(translated(name), toQString(metricUnit(id))));
+  for (const char* id : kMetrics) {
+    const QString name = toQString(metricName(id));
+    out.emplace_back(
+        id, isAnswerMetric(id) ? QCoreApplication::translate("Study", "%1 (1 yes, 0 no)").arg(name) : name);
   }
   return out;
+}
+
+ShownMetric shownMetric(const std::string& id) {
+  const std::string unit = metricUnit(id);
+  const bool close = unit.empty() || unit == "\u00b0";
+  return {.scale = metricScale(id),
+          .decimals = metricDecimals(id),
+          .suffix = close ? toQString(unit) : QLatin1Char(' ') + toQString(unit)};
 }
 
 std::string metricBetter(const std::string& id) {
@@ -173,7 +179,7 @@ std::string metricBetter(const std::string& id) {
   return metricCard(id).direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
 }
 
-std::string metricUnit(const std::string& id) {
+std::string storedUnit(const std::string& id) {
   if (id == kOnTargetMetric) {
     return "1";
   }

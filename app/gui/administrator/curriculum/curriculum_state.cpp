@@ -6,6 +6,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/date_text.h"
 
@@ -64,12 +65,13 @@ QString versionText(const CurriculumRow& row, const CurriculumVersionRow& versio
   }
   words = words.arg(shownTime(version.createdUtc_us, locale));
   if (!version.note.empty()) {
-    words = CurriculumState::tr("%1 Note: %2.").arg(words, toQString(version.note));
+    words = joinedSentences({words, CurriculumState::tr("Note: %1.").arg(toQString(version.note))});
   }
   if (version.number < row.versions.back().number) {
-    words = CurriculumState::tr("%1 Superseded by version %2.").arg(words).arg(row.versions.back().number);
+    words = joinedSentences(
+        {words, CurriculumState::tr("Superseded by version %1.").arg(row.versions.back().number)});
   }
-  return CurriculumState::tr("%1 %2").arg(words, who);
+  return joinedSentences({words, who});
 }
 
 }  // namespace torsio::gui

@@ -25,6 +25,7 @@
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/load_decimals.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {
@@ -62,8 +63,8 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& 
       tolerance_(numberField(0.0, 3600.0, 1)),
       hold_(numberField(0.0, 1e6, 1)),
       twists_(new QSpinBox),
-      force_(numberField(0.0, 1e6, 2)),
-      torque_(numberField(0.0, 1e6, 3)),
+      force_(numberField(0.0, 1e6, kForceDecimals)),
+      torque_(numberField(0.0, 1e6, kTorqueDecimals)),
       attempts_(new QSpinBox),
       after_(new QListWidget),
       mastery_(new MasteryTable) {

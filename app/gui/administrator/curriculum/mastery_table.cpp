@@ -2,6 +2,7 @@
 #include "app/gui/administrator/curriculum/mastery_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,6 +14,8 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -23,6 +26,35 @@ constexpr int kFewRules = 2;
 constexpr int kMostInARow = 1'000'000;
 
 enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
+
+/// Takes finer values than it shows by itself: the decimals of the metric, and further ones that a value has.
+class ThresholdBox : public SignedBox {
+ public:
+  explicit ThresholdBox(const ShownMetric& metric) : least_(metric.decimals) {
+    setRange(-1e9, 1e9);
+    setDecimals(metric.decimals + kFiner);
+    setButtonSymbols(QAbstractSpinBox::NoButtons);
+    setSuffix(metric.suffix);
+  }
+
+  [[nodiscard]] QString textFromValue(double value) const override {
+    int shown = least_;
+    while (shown < decimals() &&
+           std::abs(value - rounded(value, shown)) > 0.5 * std::pow(10.0, -decimals())) {
+      ++shown;
+    }
+    return numberText(value, shown);
+  }
+
+ private:
+  static constexpr int kFiner = 2;
+  static double rounded(double value, int decimals) {
+    const double steps = std::pow(10.0, decimals);
+    return std::round(value * steps) / steps;
+  }
+
+  int least_;
+};
 
 }  // namespace
 
@@ -79,8 +111,9 @@ void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   direction->addItem(tr("at least"), QStringLiteral("at_least"));
   direction->addItem(tr("at most"), QStringLiteral("at_most"));
   chooseOrAdd(direction, rule.comparison);
-  QDoubleSpinBox* threshold = numberField(-1e9, 1e9, 4);
-  threshold->setValue(rule.threshold);
+  const ShownMetric shown = shownMetric(rule.metric);
+  auto* threshold = new ThresholdBox(shown);
+  threshold->setValue(shown.scale * rule.threshold);
   auto* inARow = new QSpinBox;
   inARow->setRange(1, kMostInARow);
   inARow->setValue(static_cast<int>(rule.consecutive));
@@ -94,9 +127,10 @@ void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   connect(direction, &QComboBox::activated, this, [this, direction] {
     take(direction, [direction](MasteryCriterion& changed) { changed.comparison = chosenId(direction); });
   });
-  connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
-    take(threshold, [value](MasteryCriterion& changed) { changed.threshold = value; });
-  });
+  connect(threshold, &QDoubleSpinBox::valueChanged, this,
+          [this, threshold, scale = shown.scale](double value) {
+            take(threshold, [value, scale](MasteryCriterion& changed) { changed.threshold = value / scale; });
+          });
   connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
     take(inARow, [value](MasteryCriterion& changed) { changed.consecutive = value; });
   });
@@ -125,7 +159,7 @@ void MasteryTable::takeMetric(const QWidget* cell, const std::string& metric) {
     }
     changed.metric = metric;
     changed.comparison = metricBetter(metric);
-    changed.unit = metricUnit(metric);
+    changed.unit = storedUnit(metric);
   });
   fill();
 }
@@ -140,7 +174,7 @@ void MasteryTable::addRule() {
     MasteryCriterion rule;
     rule.metric = id;
     rule.comparison = metricBetter(id);
-    rule.unit = metricUnit(id);
+    rule.unit = storedUnit(id);
     rules_.push_back(rule);
     Q_EMIT edited();
     fill();

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/base/csv_table.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
@@ -43,14 +44,14 @@ QString angoffText(const CsvTable& table) {
                           .arg(judged.items.size())
                           .arg(inHundredths(result->percent));
   return result->deviation
-             ? cut + QLatin1Char(' ') +
-                   StandardDialog::tr(
-                       "%1 judges; they differ by %2 items (standard deviation), the cut is sure "
-                       "to %3 (standard error).")
-                       .arg(judged.judges.size())
-                       .arg(inHundredths(*result->deviation), inHundredths(*result->error))
-             : cut + QLatin1Char(' ') +
-                   StandardDialog::tr("One judge alone says nothing about how sure this is.");
+             ? joinedSentences(
+                   {cut, StandardDialog::tr(
+                             "%1 judges; they differ by %2 items (standard deviation), the cut is sure "
+                             "to %3 (standard error).")
+                             .arg(judged.judges.size())
+                             .arg(inHundredths(*result->deviation), inHundredths(*result->error))})
+             : joinedSentences(
+                   {cut, StandardDialog::tr("One judge alone says nothing about how sure this is.")});
 }
 
 QString borderlineText(const CsvTable& table, double borderline) {

@@ -10,6 +10,7 @@
 
 #include "app/gui/administrator/people/roster_labels.h"
 #include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -125,9 +126,9 @@ void RosterPreviewPage::showPreview() {
                         .arg(preview.same)
                         .arg(preview.errors);
   if (import_.file->encoding != "UTF-8") {
-    summary +=
-        QLatin1Char(' ') +
-        tr("The file was read as %1: check letters with accents.").arg(toQString(import_.file->encoding));
+    summary = joinedSentences(
+        {summary,
+         tr("The file was read as %1: check letters with accents.").arg(toQString(import_.file->encoding))});
   }
   summary_->setText(summary);
   // Every column that the file fills, so that what is taken can be read before it is.

@@ -19,6 +19,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/job_panel.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table_model.h"
@@ -290,7 +291,7 @@ void ExportDialog::showTable() {
   for (QWidget* field : std::initializer_list<QWidget*>{title_, licence_, citation_, creator_, rate_}) {
     layout_->setRowVisible(field, isDataset());
   }
-  what_->setText(contents().join(QLatin1Char(' ')));
+  what_->setText(joinedSentences(contents()));
   const std::vector<const ExportTable*> tables = tablesOf(data_->set);
   const ExportTable& shown = *tables.at(static_cast<std::size_t>(std::max(0, table_->currentIndex())));
   const int count = std::min(kFirstRows, static_cast<int>(shown.rows.size()));

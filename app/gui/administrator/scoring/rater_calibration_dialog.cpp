@@ -153,7 +153,7 @@ void RaterCalibrationDialog::read() {
          {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
           {orDash(run.traineeCode)},
           {titles.scene(run.sceneId)},
-          {clockTime(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
+          {clockTenthsOf(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
           timeCell(run.setUtc_us),
@@ -166,7 +166,7 @@ void RaterCalibrationDialog::read() {
                     {{orDash(one.traineeCode)},
                      {titles.scene(one.sceneId)},
                      {orDash(toQString(Text(one.phaseLabel)).toStdString())},
-                     {clockTime(one.length_us), static_cast<qlonglong>(one.length_us)},
+                     {clockTenthsOf(one.length_us), static_cast<qlonglong>(one.length_us)},
                      timeCell(one.startedUtc_us)}});
   }
   candidates_->setRows(std::move(rows));

@@ -13,6 +13,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
@@ -164,14 +165,13 @@ class ReassignDialog {
       return;
     }
     const std::size_t stay = askedAlready();
-    QString text = Reassignment::tr("%n sheet(s) change hands.", nullptr, static_cast<int>(changingHands()));
+    QStringList said{
+        Reassignment::tr("%n sheet(s) change hands.", nullptr, static_cast<int>(changingHands()))};
     if (stay > 0) {
-      text += QLatin1Char(' ') + Reassignment::tr(
-                                     "%n stay(s): the other rater is asked about these cases "
-                                     "already.",
-                                     nullptr, static_cast<int>(stay));
+      said << Reassignment::tr("%n stay(s): the other rater is asked about these cases already.", nullptr,
+                               static_cast<int>(stay));
     }
-    what_->setText(text);
+    what_->setText(joinedSentences(said));
   }
 
   const ScoringMatrix& matrix_;

@@ -119,7 +119,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   for (const ReleaseState& state : states) {
     point->addItem(
         translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
-                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, sheets missing: %2 of %3"))
+                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, sheets not in yet: %2 of %3"))
             .arg(occasionName(state.occasion))
             .arg(state.missing)
             .arg(state.sheets),

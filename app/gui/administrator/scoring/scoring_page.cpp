@@ -21,6 +21,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
 #include "app/study/reassignment.h"
@@ -127,7 +128,7 @@ void ScoringPage::read() {
 }
 
 void ScoringPage::showContent() {
-  std::vector<Column> columns = {{tr("Trainee")}, {tr("Occasion")}, {tr("Missing"), true, true}};
+  std::vector<Column> columns = {{tr("Trainee")}, {tr("Occasion")}, {tr("Not in yet"), true, true}};
   std::vector<Row> rows;
   std::size_t open = 0;
   std::size_t submitted = 0;
@@ -153,9 +154,11 @@ void ScoringPage::showContent() {
   }
   table_->setColumns(columns);
   table_->setRows(std::move(rows));
-  summary_->setText(
-      matrix_ ? tr("\u25CF submitted %1 \u00B7 \u25CB open or \u25D0 draft %2").arg(submitted).arg(open)
-              : QString());
+  summary_->setText(matrix_ ? tr("Of all occasions, also those still to come: \u25CF submitted %1 \u00B7 "
+                                 "\u25CB open or \u25D0 draft "
+                                 "%2")
+                                  .arg(countText(submitted), countText(open))
+                            : QString());
   showButtons();
 }
 

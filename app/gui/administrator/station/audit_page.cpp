@@ -178,7 +178,7 @@ AuditFilter AuditPage::chosenTime() const {
 bool AuditPage::exportTo(const std::filesystem::path& file, const CsvStyle& look) {
   return attempt(shell(), [&] {
     const std::size_t count = exportAuditTrail(shell().session(), chosenTime(), file, look);
-    shell().notify(tr("%n entries saved", nullptr, static_cast<int>(count)));
+    shell().notify(tr("%Ln entries saved", nullptr, static_cast<int>(count)));
   });
 }
 

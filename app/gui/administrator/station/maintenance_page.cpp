@@ -149,7 +149,7 @@ void MaintenancePage::showRecord() {
   if (check_) {
     lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, audit entries: %2")
                                     .arg(check_->schemaVersion)
-                                    .arg(check_->auditEntries)
+                                    .arg(countText(check_->auditEntries))
                               : tr("\u2717 Checked: %n finding(s), first: %1", nullptr,
                                    static_cast<int>(check_->damage.size() + check_->audit.size()))
                                     .arg(check_->damage.empty() ? toQString(check_->audit.front().what)

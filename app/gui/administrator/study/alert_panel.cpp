@@ -47,7 +47,7 @@ QString countText(DayAlert::Kind kind, std::size_t count) {
     case Kind::kRestTooLong:
       return AlertWords::tr("rests too long: %1").arg(count);
     case Kind::kSheetsMissing:
-      return AlertWords::tr("sheets missing: %1").arg(count);
+      return AlertWords::tr("sheets due and missing: %1").arg(count);
     case Kind::kNoGroup:
       return AlertWords::tr("without a group: %1").arg(count);
   }

@@ -340,7 +340,7 @@ void CohortsPage::retranslate() {
   table_->hideAtFirst(kCohortPeople);  // whoever looks for one code finds the cohort
   table_->setEmptyText(tr("No cohort yet. A cohort is a group of trainees who go through one study."));
   members_->setColumns(
-      {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled")}});
+      {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled on")}});
   members_->setEmptyText(tr("Nobody is enrolled yet."));
   showContent();
 }

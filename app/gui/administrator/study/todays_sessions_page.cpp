@@ -254,7 +254,10 @@ void TodaysSessionsPage::showContent() {
     }
   }
   table_->setRows(std::move(rows));
-  summary_->setText(board_ ? tr("%1 recording now \u00b7 %2 of %3 done \u00b7 sheets missing: %4")
+  summary_->setToolTip(
+      tr("Sheets due and missing: of the occasions that have been reached. Scoring counts those of all "
+         "occasions, also of those still to come."));
+  summary_->setText(board_ ? tr("%1 recording now \u00b7 %2 of %3 done \u00b7 sheets due and missing: %4")
                                  .arg(running)
                                  .arg(done)
                                  .arg(board_->rows.size())

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/report/joined_sentences.h"
+
+namespace torsio::gui {
+
+/// As reports join sentences, pages do.
+using torsio::joinedSentences;
+
+}  // namespace torsio::gui
