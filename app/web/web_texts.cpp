@@ -336,7 +336,7 @@ constexpr Phrase kSentences[] = {
     Text::tr("The session was ended"),
     Text::tr("The two are not the same yet"),
     Text::tr("There is no cohort yet."),
-    Text::tr("There is no recording of this model here: score what you have met at the station."),
+    Text::tr("There is no recording of this model here: score what you experienced at the station."),
     Text::tr("This browser draws nothing in three dimensions (no WebGL 2): a film strip shows some moments; "
              "the traces are complete."),
     Text::tr("This case is scored live; there is no recording."),

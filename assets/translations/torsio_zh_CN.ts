@@ -16164,7 +16164,7 @@ audit trail %3</source>
         <translation>尚无批次。</translation>
     </message>
     <message>
-        <source>There is no recording of this model here: score what you have met at the station.</source>
+        <source>There is no recording of this model here: score what you experienced at the station.</source>
         <translation>此处没有该模型的录制：请按您在工作站的体验评分。</translation>
     </message>
     <message>

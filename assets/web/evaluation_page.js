@@ -87,7 +87,7 @@ export class EvaluationPage {
       ? new Player(this.path, { rules: { speeds: kSpeeds } }, { played: () => this.frame.active(), paused: () => {} })
       : null;
     const left = this.player?.element ?? h('p', { class: 'sentence' },
-      t('There is no recording of this model here: score what you have met at the station.'));
+      t('There is no recording of this model here: score what you experienced at the station.'));
     this.text = h('p', { class: 'check', 'aria-live': 'polite' });
     this.problem = h('p', { class: 'caution', role: 'alert' });
     this.submit = button(t('Submit this model'), () => this.go(), { class: 'primary submit', title: t('Checks the sheet and asks once more (Ctrl+Enter)') });

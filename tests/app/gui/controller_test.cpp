@@ -161,7 +161,7 @@ TEST_F(Controller, RecordsATrialFromItsFirstTick) {
   EXPECT_EQ(trial.header.organHash, controller_.scene()->organHash);
   EXPECT_EQ(trial.header.trialId.text().size(), 36U);
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
-  EXPECT_EQ(said, QStringLiteral("Recorded: 0:01. Replay shows it again")) << "its length, and no path";
+  EXPECT_EQ(said, QStringLiteral("Recorded: 0:01.2. Replay shows it again")) << "its length, and no path";
 }
 
 TEST_F(Controller, RefusesAnotherSceneWhileRecording) {

@@ -162,7 +162,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     card.findChild<QPushButton*>(QStringLiteral("saveWords"))->click();
     settle();
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: Let go later.")));
-    EXPECT_EQ(said_, QStringList{QStringLiteral("The answer is with Chen Wei")});
+    EXPECT_EQ(said_, QStringList{QStringLiteral("Your answer was sent to Chen Wei")});
   }
 
   AskCard card(shellOf("T-01"));
