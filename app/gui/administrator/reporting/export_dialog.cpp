@@ -31,7 +31,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kDialogWidth = 860;
+constexpr int kDialogWidth = 936;
 constexpr int kWidestDialog = 1240;
 constexpr int kFirstRows = 8;
 constexpr int kTableHeight = 130;  // beside the fields of a data set it must fit 768 pixels
