@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/maintenance_page.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include <QDate>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -9,13 +12,13 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStorageInfo>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/station/retention_queue.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
@@ -126,15 +129,17 @@ void MaintenancePage::showRecord() {
   QStringList lines;
   if (isFile(locator)) {
     const QFileInfo file(toQString(locator));
-    const QStorageInfo disk(file.absolutePath());
+    // Asks the folder itself: a list of mounts does not know the disk of a changed root.
+    std::error_code failed;
+    const std::filesystem::space_info disk = std::filesystem::space(toPath(file.absolutePath()), failed);
+    const bool known = !failed && disk.capacity > 0;
+    const QString size = locale().formattedDataSize(file.size());
     lines << file.absoluteFilePath();
-    lines << tr("%1, %2 free on the disk")
-                 .arg(locale().formattedDataSize(file.size()),
-                      locale().formattedDataSize(disk.bytesAvailable()));
-    const bool known = disk.bytesTotal() > 0;
+    lines << (known ? tr("%1, %2 free on the disk")
+                          .arg(size, locale().formattedDataSize(static_cast<qint64>(disk.available)))
+                    : size);
     if (known) {
-      const double used =
-          1.0 - static_cast<double>(disk.bytesAvailable()) / static_cast<double>(disk.bytesTotal());
+      const double used = 1.0 - static_cast<double>(disk.available) / static_cast<double>(disk.capacity);
       disk_->setValue(static_cast<int>(kDiskParts * used));
       diskText_->setText(tr("Disk in use: %1 %").arg(numberText(100.0 * used, 0)));
     }
