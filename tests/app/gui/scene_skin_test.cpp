@@ -304,7 +304,7 @@ TEST_F(SceneGraph, TheFastLevelDrawsSoftEdgesStraightIntoTheWindowAndTheFineOneH
 TEST_F(SceneGraph, EverySolidThingSaysItsColourAndKindForItsEdge) {
   ASSERT_NE(root_, nullptr);
   const QVariantList solids = root_->property("solids").toList();
-  EXPECT_EQ(solids.size(), 9);
+  EXPECT_EQ(solids.size(), 11);
   for (const QVariant& entry : solids) {
     const auto* model = entry.value<QObject*>();
     ASSERT_NE(model, nullptr);
