@@ -4,7 +4,7 @@
 #include "app/cli/cli.h"
 #include "app/gui/program/screenshots.h"
 #include "app/gui/program/window_main.h"
-#include "sim/base/private_files.h"
+#include "sim/core/private_files.h"
 
 int main(int argc, char** argv) {
   torsio::keepFilesPrivate();

@@ -13,8 +13,8 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -15,8 +15,8 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/base/clock.h"
+#include "sim/core/clock.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

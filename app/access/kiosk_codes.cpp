@@ -10,8 +10,8 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/refusal.h"
+#include "sim/core/digest.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

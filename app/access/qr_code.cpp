@@ -6,7 +6,7 @@
 
 #include <qrencode.h>
 
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

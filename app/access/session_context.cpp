@@ -14,9 +14,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/server_roles.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

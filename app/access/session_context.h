@@ -11,7 +11,7 @@
 #include "app/access/operation.h"
 #include "assessment/people/account.h"
 #include "assessment/people/audit_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -12,8 +12,8 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/clock_text.h"
-#include "sim/base/time_units.h"
+#include "sim/core/clock_text.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

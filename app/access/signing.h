@@ -6,7 +6,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/people/signature.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

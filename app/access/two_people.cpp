@@ -14,7 +14,7 @@
 #include "db/repository/people/duty_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
 #include "assessment/people/duty.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

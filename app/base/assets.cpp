@@ -7,7 +7,7 @@
 
 #include <QCoreApplication>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

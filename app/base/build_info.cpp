@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

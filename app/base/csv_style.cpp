@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/base/csv_table.h"
-#include "sim/base/csv_cell.h"
+#include "sim/core/csv_cell.h"
 
 namespace torsio {
 

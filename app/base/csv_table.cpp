@@ -7,10 +7,10 @@
 #include <cmath>
 #include <system_error>
 
-#include "sim/base/contracts.h"
-#include "sim/base/csv_cell.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/contracts.h"
+#include "sim/core/csv_cell.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio::cli {

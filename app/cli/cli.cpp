@@ -15,7 +15,7 @@
 #include "app/cli/command_report.h"
 #include "app/cli/commands.h"
 #include "app/report/graphics_application.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -12,7 +12,7 @@
 #include "app/cli/agreement_methods.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

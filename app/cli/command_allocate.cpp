@@ -16,9 +16,9 @@
 #include "app/maintenance/signing_key.h"
 #include "app/maintenance/station_anchor.h"
 #include "assessment/study/allocation.h"
-#include "sim/base/clock.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -14,8 +14,8 @@
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

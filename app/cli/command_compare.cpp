@@ -14,9 +14,9 @@
 #include "app/comparison/comparison_run.h"
 #include "app/report/pdf_report.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

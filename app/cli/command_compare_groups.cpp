@@ -14,7 +14,7 @@
 #include "app/cli/comparison_methods.h"
 #include "app/cli/json_output.h"
 #include "assessment/statistics/descriptive.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -13,7 +13,7 @@
 #include "app/maintenance/maintenance_desk.h"
 #include "app/recording/competence_service.h"
 #include "assessment/attempt/competence.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio::cli {
 

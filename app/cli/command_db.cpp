@@ -20,9 +20,9 @@
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/text.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/text.h"
 
 namespace torsio::cli {
 

@@ -14,7 +14,7 @@
 #include "app/demonstration/demonstration.h"
 #include "app/report/wording.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/clock.h"
+#include "sim/core/clock.h"
 
 namespace torsio::cli {
 

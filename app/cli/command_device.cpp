@@ -13,7 +13,7 @@
 #include "app/devices/device_check.h"
 #include "app/devices/device_monitor.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
 
 namespace torsio::cli {

@@ -16,7 +16,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_resampling.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

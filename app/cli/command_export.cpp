@@ -18,8 +18,8 @@
 #include "app/exchange/foreign_import.h"
 #include "app/maintenance/maintenance_desk.h"
 #include "app/report/wording.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::cli {
 

@@ -10,8 +10,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_steps.h"

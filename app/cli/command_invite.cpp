@@ -13,7 +13,7 @@
 #include "app/cli/database_option.h"
 #include "app/cli/maintenance_options.h"
 #include "app/maintenance/maintenance_desk.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -17,7 +17,7 @@
 #include "assessment/statistics/cusum.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/standard_setting.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

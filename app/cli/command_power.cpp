@@ -10,7 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "assessment/statistics/power.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

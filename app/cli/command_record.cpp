@@ -17,8 +17,8 @@
 #include "app/recording/recording_host.h"
 #include "app/recording/trial_store.h"
 #include "app/recording/unstored_trials.h"
-#include "sim/base/clock.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/clock.h"
+#include "sim/core/tissue_model.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::cli {

@@ -10,7 +10,7 @@
 #include "app/cli/database_option.h"
 #include "app/cli/organ_option.h"
 #include "app/recording/replay_service.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

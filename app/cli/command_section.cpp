@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
 #include "sim/tissue/section/wall_section.h"

@@ -27,9 +27,9 @@
 #include "app/web/own_certificate.h"
 #include "app/web/web_desk.h"
 #include "db/connection/connection.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/file_lock.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio::cli {
 

@@ -12,7 +12,7 @@
 #include "app/cli/json_output.h"
 #include "app/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

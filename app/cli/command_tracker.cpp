@@ -20,9 +20,9 @@
 #include "app/tracker/tracker_choice.h"
 #include "app/tracker/tracker_link.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/live_of_sample.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/live_of_sample.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::cli {

@@ -12,7 +12,7 @@
 #include "app/cli/terminal.h"
 #include "app/maintenance/maintenance_desk.h"
 #include "app/xapi/learning_records.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

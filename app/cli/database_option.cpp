@@ -6,7 +6,7 @@
 #include "app/access/first_run.h"
 #include "app/cli/terminal.h"
 #include "db/connection/locator.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <utility>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/maintenance/maintainer.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace CLI {
 class App;

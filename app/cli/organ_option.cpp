@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/assets.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

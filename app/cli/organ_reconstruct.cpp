@@ -14,7 +14,7 @@
 #include "app/base/assets.h"
 #include "app/cli/organ_result.h"
 #include "app/cli/progress_line.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/imaging/surface/scan_steps.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/organ_reconstruction.h"

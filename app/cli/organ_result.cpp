@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::cli {

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "app/cli/terminal.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

@@ -5,7 +5,7 @@
 #include <io.h>
 
 #include "app/cli/terminal.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

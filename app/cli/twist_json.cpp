@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 
 namespace torsio::cli {

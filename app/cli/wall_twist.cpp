@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/scene/wall_places.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "app/base/csv_table.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

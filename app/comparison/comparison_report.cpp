@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio {
 

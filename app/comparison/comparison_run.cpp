@@ -10,10 +10,10 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
 #include "sim/baseline/lattice_update.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

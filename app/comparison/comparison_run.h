@@ -10,8 +10,8 @@
 #include "app/comparison/machine_facts.h"
 #include "app/comparison/measured_markers.h"
 #include "app/comparison/organ_markers.h"
-#include "sim/base/text.h"
 #include "sim/baseline/twist_simulation.h"
+#include "sim/core/text.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

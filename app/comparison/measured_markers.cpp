@@ -5,8 +5,8 @@
 
 #include "app/base/csv_table.h"
 #include "app/comparison/camera_markers.h"
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/comparison/organ_markers.h"
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

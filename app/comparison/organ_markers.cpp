@@ -8,11 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/refusal.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/refusal.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/scene/scene_file.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

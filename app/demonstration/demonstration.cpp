@@ -31,9 +31,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/system/demonstration_data.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/time_units.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

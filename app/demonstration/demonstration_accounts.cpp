@@ -9,8 +9,8 @@
 #include "app/demonstration/demonstration_station.h"
 #include "assessment/people/person.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/ids.h"
+#include "sim/core/contracts.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

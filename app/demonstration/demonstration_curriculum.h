@@ -8,7 +8,7 @@
 
 #include "app/demonstration/demonstration_people.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -24,10 +24,10 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/random.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/random.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/rating/rubric.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -29,7 +29,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/study/demonstration_marks.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

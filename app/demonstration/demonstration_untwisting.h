@@ -7,8 +7,8 @@
 
 #include "app/demonstration/demonstration_people.h"
 #include "app/recording/pipeline.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -9,11 +9,11 @@
 
 #include "app/devices/servo_labels.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/load_decimals.h"
-#include "sim/base/text_list.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/load_decimals.h"
+#include "sim/core/text_list.h"
 #include "sim/servo/servo_thread.h"
 
 namespace torsio {

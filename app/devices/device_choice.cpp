@@ -9,7 +9,7 @@
 #include <QSettings>
 
 #include "assessment/report/number_format.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
 
 namespace torsio {

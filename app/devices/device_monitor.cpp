@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/devices/device_choice.h"
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

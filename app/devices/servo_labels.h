@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "sim/base/servo_health.h"
-#include "sim/base/text.h"
+#include "sim/core/servo_health.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 
 #include "app/devices/device_readiness.h"
 #include "assessment/study/station_state.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

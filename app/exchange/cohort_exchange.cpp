@@ -22,11 +22,11 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
-#include "sim/base/refusal.h"
-#include "sim/base/tick_period.h"
-#include "sim/base/time_units.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
+#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -17,11 +17,11 @@
 #include "app/exchange/trajectory.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/migrations/file_in_the_making.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/refusal.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/refusal.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

@@ -11,9 +11,9 @@
 
 #include "app/exchange/trajectory.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/file_io.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/angle.h"
+#include "sim/core/file_io.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exchange/dataset_study.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

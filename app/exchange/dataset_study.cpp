@@ -17,9 +17,9 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/file_io.h"
-#include "sim/base/refusal.h"
+#include "sim/core/contracts.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "assessment/report/number_format.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

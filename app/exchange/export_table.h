@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

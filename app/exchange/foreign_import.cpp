@@ -9,10 +9,10 @@
 
 #include "app/base/build_info.h"
 #include "app/exchange/foreign_motion.h"
-#include "sim/base/device_sample.h"
-#include "sim/base/digest.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/refusal.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/digest.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "app/base/csv_table.h"
-#include "sim/base/file_io.h"
-#include "sim/base/refusal.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

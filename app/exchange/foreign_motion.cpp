@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "app/exchange/foreign_rows.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
-#include "sim/base/rotation_matrix.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+#include "sim/core/rotation_matrix.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/exchange/foreign_map.h"
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "sim/base/refusal.h"
-#include "sim/base/time_units.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

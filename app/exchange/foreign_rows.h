@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/exchange/foreign_map.h"
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "db/repository/base/id_source.h"
-#include "sim/base/digest.h"
-#include "sim/base/refusal.h"
-#include "sim/base/time_units.h"
+#include "sim/core/digest.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

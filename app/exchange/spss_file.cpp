@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/exchange/table_files.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/base/csv_table.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/device_sample.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/time_units.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/time_units.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

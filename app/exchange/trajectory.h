@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/exchange/export_table.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

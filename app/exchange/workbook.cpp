@@ -9,9 +9,9 @@
 #include <xlsxwriter.h>
 
 #include "app/exchange/workbook_sheets.h"
-#include "sim/base/error.h"
-#include "sim/base/file_lock.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/file_lock.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

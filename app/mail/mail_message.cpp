@@ -6,7 +6,7 @@
 #include <QByteArray>
 #include <QDateTime>
 
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "app/mail/smtp_client.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "app/mail/mail_settings.h"
 #include "app/mail/smtp_client.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "app/study/reminders.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 #include <QUuid>
 
 #include "app/base/this_computer.h"
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 
 #include "app/base/progress.h"
 #include "app/mail/mail_message.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -11,9 +11,9 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/clock.h"
-#include "sim/base/private_files.h"
-#include "sim/base/time_units.h"
+#include "sim/core/clock.h"
+#include "sim/core/private_files.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -11,8 +11,8 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

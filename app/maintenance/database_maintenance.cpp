@@ -18,8 +18,8 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

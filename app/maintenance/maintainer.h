@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

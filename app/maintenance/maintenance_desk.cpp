@@ -11,9 +11,9 @@
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"
-#include "sim/base/clock.h"
-#include "sim/base/clock_text.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/clock_text.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

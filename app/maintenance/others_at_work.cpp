@@ -3,7 +3,7 @@
 
 #include "assessment/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

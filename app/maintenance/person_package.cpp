@@ -17,11 +17,11 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/csv_cell.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
+#include "sim/core/csv_cell.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <QStandardPaths>
 
 #include "db/connection/locator.h"
-#include "sim/base/private_files.h"
+#include "sim/core/private_files.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -25,9 +25,9 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
 #include "db/repository/people/person_data.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,8 +8,8 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

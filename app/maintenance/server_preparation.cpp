@@ -12,7 +12,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/schema_tables.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

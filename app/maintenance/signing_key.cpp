@@ -8,11 +8,11 @@
 
 #include <sodium.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/private_files.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/private_files.h"
 
 namespace torsio {
 

@@ -4,8 +4,8 @@
 #include <QSettings>
 
 #include "app/maintenance/anchor.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

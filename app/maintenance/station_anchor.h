@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -15,7 +15,7 @@
 #include "app/maintenance/anchor.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 
 #include "app/maintenance/station_anchor.h"
 #include "assessment/people/audit_entry.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/organs/person_arm.h"
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/short_number.h"
-#include "tools/organs/forearm.h"
-#include "tools/organs/shipped_files.h"
+#include "sim/anatomy/forearm.h"
+#include "sim/anatomy/shipped_files.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 

@@ -10,11 +10,11 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/consent_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -18,11 +18,11 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

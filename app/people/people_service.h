@@ -10,7 +10,7 @@
 #include "app/access/session_context.h"
 #include "app/base/csv_style.h"
 #include "assessment/people/person.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

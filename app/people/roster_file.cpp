@@ -8,9 +8,9 @@
 
 #include "app/people/roster_import.h"
 #include "app/people/roster_text.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -12,8 +12,8 @@
 #include "app/access/session_context.h"
 #include "app/base/csv_table.h"
 #include "app/base/progress.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

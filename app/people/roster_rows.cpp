@@ -7,8 +7,8 @@
 #include "app/access/person_text.h"
 #include "app/people/people_service.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

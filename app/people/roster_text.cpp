@@ -9,7 +9,7 @@
 #include <QString>
 #include <QStringDecoder>
 
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

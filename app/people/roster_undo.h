@@ -8,7 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "app/people/roster_import.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

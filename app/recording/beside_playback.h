@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/recording/beside_worker.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

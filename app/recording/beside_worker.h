@@ -9,9 +9,9 @@
 #include <span>
 #include <thread>
 
-#include "sim/base/beside_link.h"
 #include "sim/baseline/grasped_organ.h"
 #include "sim/baseline/lattice_skin.h"
+#include "sim/core/beside_link.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

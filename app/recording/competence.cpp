@@ -13,7 +13,7 @@
 #include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

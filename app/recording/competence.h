@@ -15,7 +15,7 @@
 #include "assessment/report/cohort_report.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

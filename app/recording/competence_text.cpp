@@ -2,7 +2,7 @@
 #include "app/recording/competence_text.h"
 
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio {
 

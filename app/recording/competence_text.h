@@ -4,7 +4,7 @@
 #include <string>
 
 #include "assessment/attempt/competence.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

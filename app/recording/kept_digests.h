@@ -12,8 +12,8 @@
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/report/cohort_report.h"
-#include "sim/base/ids.h"
-#include "sim/base/live_types.h"
+#include "sim/core/ids.h"
+#include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

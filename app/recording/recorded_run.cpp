@@ -18,8 +18,8 @@
 
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/contracts.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

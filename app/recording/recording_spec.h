@@ -6,7 +6,7 @@
 #include <string>
 
 #include "assessment/attempt/trial_listing.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/device/haptic_device.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"

@@ -10,8 +10,8 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/station_device.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -15,9 +15,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "app/access/session_context.h"
 #include "app/recording/unstored_trials.h"
 #include "assessment/attempt/trial_listing.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

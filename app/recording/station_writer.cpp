@@ -10,8 +10,8 @@
 
 #include "app/recording/station_heartbeat.h"
 #include "db/connection/db_error.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

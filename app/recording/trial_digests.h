@@ -11,7 +11,7 @@
 #include "app/base/progress.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/report/cohort_report.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

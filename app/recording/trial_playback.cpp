@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/live_of_sample.h"
-#include "sim/base/refusal.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/live_of_sample.h"
+#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 #include "sim/servo/pose_track.h"
 

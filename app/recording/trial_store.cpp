@@ -8,8 +8,8 @@
 #include "app/access/session_context.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -13,8 +13,8 @@
 #include "app/recording/timed_sink.h"
 #include "db/connection/locator.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

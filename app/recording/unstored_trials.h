@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

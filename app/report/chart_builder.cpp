@@ -20,7 +20,7 @@
 
 #include "app/report/chart_axes.h"
 #include "app/report/heat_map_item.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 
 #include <QByteArray>
 
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -19,10 +19,10 @@
 #include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/provenance_line.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/file_lock.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <QPainter>
 
 #include "app/report/pdf_file.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

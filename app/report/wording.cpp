@@ -9,8 +9,8 @@
 
 #include "app/report/printed_minus.h"
 #include "app/report/printed_value.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initTranslations() {

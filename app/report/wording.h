@@ -8,7 +8,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

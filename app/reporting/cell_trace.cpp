@@ -35,9 +35,9 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
-#include "sim/base/text_list.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+#include "sim/core/text_list.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

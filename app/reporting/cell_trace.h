@@ -6,8 +6,8 @@
 
 #include "app/access/session_context.h"
 #include "assessment/report/cohort_report.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -26,10 +26,10 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

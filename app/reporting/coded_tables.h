@@ -8,7 +8,7 @@
 #include "app/access/session_context.h"
 #include "app/base/csv_style.h"
 #include "assessment/people/audit_entry.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/recording/trial_digests.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

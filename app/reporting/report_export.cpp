@@ -7,9 +7,9 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 #include "db/connection/connection.h"
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,9 +8,9 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_seed.h"
 

@@ -11,7 +11,7 @@
 #include "app/access/session_context.h"
 #include "assessment/attempt/measured_trial.h"
 #include "assessment/rating/assignment.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

@@ -12,7 +12,7 @@
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/rating/sheet_check.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -16,9 +16,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/tissue_model.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

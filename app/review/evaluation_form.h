@@ -11,7 +11,7 @@
 #include "assessment/rating/rubric.h"
 #include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

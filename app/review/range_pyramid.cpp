@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

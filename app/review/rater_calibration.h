@@ -10,7 +10,7 @@
 #include "app/review/blinded_case.h"
 #include "assessment/rating/rubric.h"
 #include "assessment/scoring/instrument.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

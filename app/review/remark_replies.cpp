@@ -6,7 +6,7 @@
 #include "assessment/rating/remark.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -12,8 +12,8 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/ids.h"
-#include "sim/base/time_units.h"
+#include "sim/core/ids.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/cohort_report.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

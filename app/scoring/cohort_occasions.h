@@ -4,7 +4,7 @@
 #include <string>
 
 #include "assessment/study/occasion.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

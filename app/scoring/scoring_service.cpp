@@ -17,10 +17,10 @@
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

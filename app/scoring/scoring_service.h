@@ -11,7 +11,7 @@
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
 #include "assessment/study/occasion.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -19,11 +19,11 @@
 #include "app/access/invitations.h"
 #include "app/access/settings_service.h"
 #include "db/connection/locator.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/file_lock.h"
-#include "sim/base/refusal.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

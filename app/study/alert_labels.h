@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/study/day_board.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

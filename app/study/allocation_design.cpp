@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

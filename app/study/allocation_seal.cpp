@@ -12,9 +12,9 @@
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

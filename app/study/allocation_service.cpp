@@ -18,9 +18,9 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 #include "app/access/session_context.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/allocation_entry.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -16,9 +16,9 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "app/access/session_context.h"
 #include "assessment/people/person.h"
 #include "assessment/rating/campaign.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/tissue_model.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

@@ -16,9 +16,9 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
-#include "sim/base/time_units.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

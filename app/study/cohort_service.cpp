@@ -14,9 +14,9 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

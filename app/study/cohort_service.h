@@ -10,7 +10,7 @@
 #include "app/access/session_context.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

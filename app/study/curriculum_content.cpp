@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/time_units.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/time_units.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {

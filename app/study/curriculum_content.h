@@ -9,7 +9,7 @@
 
 #include "assessment/study/curriculum.h"
 #include "assessment/study/occasion.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

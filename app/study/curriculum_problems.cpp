@@ -11,8 +11,8 @@
 #include "app/study/target_reach.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
 

@@ -10,7 +10,7 @@
 #include "app/access/session_context.h"
 #include "app/study/curriculum_content.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -21,8 +21,8 @@
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -14,8 +14,8 @@
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"
 #include "assessment/study/station_state.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -12,8 +12,8 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/refusal.h"
-#include "sim/base/time_units.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 #include "app/study/allocation_design.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

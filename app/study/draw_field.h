@@ -9,7 +9,7 @@
 #include "app/study/allocation_service.h"
 #include "assessment/people/person.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

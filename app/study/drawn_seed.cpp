@@ -2,7 +2,7 @@
 #include "app/study/drawn_seed.h"
 
 #include "db/repository/base/id_source.h"
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

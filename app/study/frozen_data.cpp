@@ -22,10 +22,10 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/freeze_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 #include "app/access/session_context.h"
 #include "assessment/rating/live_call.h"
 #include "assessment/study/occasion.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/study/occasion_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -20,10 +20,10 @@
 #include "db/repository/rating/paper_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
-#include "sim/base/text_list.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

@@ -16,7 +16,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -12,10 +12,10 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/rubric_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {

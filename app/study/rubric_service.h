@@ -7,8 +7,8 @@
 
 #include "app/access/session_context.h"
 #include "assessment/rating/rubric.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

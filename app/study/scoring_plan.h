@@ -10,7 +10,7 @@
 #include "assessment/people/person.h"
 #include "assessment/rating/sheet_state.h"
 #include "assessment/study/occasion.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

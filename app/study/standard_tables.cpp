@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/base/name_places.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

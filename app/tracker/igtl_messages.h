@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

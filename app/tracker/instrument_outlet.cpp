@@ -18,8 +18,8 @@
 #include "app/tracker/own_address.h"
 #include "app/tracker/tracker_choice.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <thread>
 
-#include "sim/base/live_types.h"
-#include "sim/base/text.h"
+#include "sim/core/live_types.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/build_info.h"
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

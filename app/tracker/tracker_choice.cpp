@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "app/tracker/own_address.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

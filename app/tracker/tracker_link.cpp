@@ -16,9 +16,9 @@
 
 #include "app/tracker/own_address.h"
 #include "app/tracker/tracker_clock.h"
-#include "sim/base/clock.h"
-#include "sim/base/device_sample.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/tracker/igtl_messages.h"
-#include "sim/base/live_types.h"
-#include "sim/base/pose.h"
-#include "sim/base/spsc_ring.h"
-#include "sim/base/text.h"
+#include "sim/core/live_types.h"
+#include "sim/core/pose.h"
+#include "sim/core/spsc_ring.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/ids.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -13,7 +13,7 @@
 #include "assessment/attempt/mastery.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/error.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

@@ -15,8 +15,8 @@
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

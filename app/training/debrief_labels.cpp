@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "assessment/metrics/metric_cards.h"
-#include "sim/base/angle.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio {
 

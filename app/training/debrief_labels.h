@@ -6,7 +6,7 @@
 
 #include "app/training/debrief.h"
 #include "assessment/attempt/pass_rule.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

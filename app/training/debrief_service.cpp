@@ -20,9 +20,9 @@
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/ids.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "assessment/attempt/recorded_detorsion.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/servo/detorsion.h"
 #include "sim/servo/exercise.h"
 #include "sim/servo/trial_rerun.h"

@@ -9,7 +9,7 @@
 
 #include "assessment/metrics/detorsion.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

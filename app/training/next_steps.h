@@ -13,7 +13,7 @@
 #include "assessment/attempt/competence.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

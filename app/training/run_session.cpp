@@ -17,10 +17,10 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

@@ -18,7 +18,7 @@
 #include "assessment/people/consent.h"
 #include "assessment/study/curriculum.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/cohort.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

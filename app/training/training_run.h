@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/clock.h"
-#include "sim/base/ids.h"
+#include "sim/core/clock.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

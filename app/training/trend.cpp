@@ -10,8 +10,8 @@
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "app/training/attempts.h"
 #include "assessment/attempt/competence.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <vector>
 #include <zlib.h>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::web {
 

@@ -11,7 +11,7 @@
 #include "app/study/scoring_plan.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 

@@ -8,9 +8,9 @@
 #include "app/review/sheet_editor.h"
 #include "assessment/rating/sheet_state.h"
 #include "assessment/rating/written_words.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::web {
 

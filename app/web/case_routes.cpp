@@ -16,8 +16,8 @@
 #include "assessment/people/signature.h"
 #include "assessment/rating/written_words.h"
 #include "db/connection/db_error.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::web {
 

@@ -13,7 +13,7 @@
 #include "app/web/web_desk.h"
 #include "assessment/people/signature.h"
 #include "assessment/scoring/index_meaning.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 

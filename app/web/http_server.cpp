@@ -20,7 +20,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

@@ -18,7 +18,7 @@
 #include "app/mail/mailed_invitations.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 

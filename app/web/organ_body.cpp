@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/web/binary_container.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/tissue_look.h"
 

@@ -12,8 +12,8 @@
 #include <QImage>
 
 #include "app/web/binary_container.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/tissue_look.h"
 

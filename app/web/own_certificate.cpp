@@ -16,9 +16,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/private_files.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/private_files.h"
 
 namespace torsio::web {
 

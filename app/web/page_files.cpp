@@ -2,9 +2,9 @@
 #include "app/web/page_files.h"
 
 #include "app/web/binary_container.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::web {
 

@@ -17,7 +17,7 @@
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/rating/written_words.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 

@@ -15,7 +15,7 @@
 #include "app/web/http_message.h"
 #include "app/web/json_body.h"
 #include "app/web/web_sessions.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

@@ -9,7 +9,7 @@
 #include "app/access/signing.h"
 #include "app/web/page_files.h"
 #include "app/web/web_desk.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

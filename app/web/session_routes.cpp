@@ -6,7 +6,7 @@
 #include "app/access/browser_sessions.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 

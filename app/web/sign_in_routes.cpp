@@ -11,7 +11,7 @@
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "app/web/web_texts.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::web {
 

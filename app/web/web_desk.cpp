@@ -11,8 +11,8 @@
 #include "app/access/signing.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::web {
 

@@ -10,7 +10,7 @@
 
 #include <sodium.h>
 
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio::web {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::web {
 

@@ -9,7 +9,7 @@
 #include "app/base/stored_sentence.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/learning_repository.h"
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "app/xapi/lrs_delivery.h"
 #include "app/xapi/lrs_settings.h"
 #include "assessment/people/learning_event.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

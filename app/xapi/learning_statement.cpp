@@ -18,7 +18,7 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/learning_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

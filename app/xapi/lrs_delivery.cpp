@@ -14,9 +14,9 @@
 #include "db/connection/db_error.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/system/learning_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/text.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/text.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

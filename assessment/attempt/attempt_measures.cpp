@@ -8,7 +8,7 @@
 
 #include "assessment/attempt/foreign_measures.h"
 #include "assessment/statistics/quantiles.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

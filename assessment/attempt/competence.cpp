@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "assessment/statistics/cusum.h"
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

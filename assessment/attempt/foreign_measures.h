@@ -5,7 +5,7 @@
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include "assessment/attempt/recorded_detorsion.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/signal.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

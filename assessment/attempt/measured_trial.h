@@ -12,8 +12,8 @@
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/detorsion.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "sim/base/live_types.h"
-#include "sim/base/vec3.h"
+#include "sim/core/live_types.h"
+#include "sim/core/vec3.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

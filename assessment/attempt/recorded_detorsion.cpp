@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "assessment/metrics/signal.h"
-#include "sim/base/contracts.h"
-#include "sim/base/device_sample.h"
+#include "sim/core/contracts.h"
+#include "sim/core/device_sample.h"
 
 namespace torsio {
 

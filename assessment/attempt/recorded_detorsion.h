@@ -8,7 +8,7 @@
 
 #include "assessment/metrics/detorsion.h"
 #include "assessment/statistics/values.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio {
 

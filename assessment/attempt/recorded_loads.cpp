@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/device_sample.h"
+#include "sim/core/device_sample.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "assessment/metrics/signal.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/angle.h"
-#include "sim/base/live_types.h"
+#include "sim/core/angle.h"
+#include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

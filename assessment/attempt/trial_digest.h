@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

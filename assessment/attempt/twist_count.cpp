@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "assessment/attempt/recorded_twists.h"
-#include "sim/base/device_sample.h"
+#include "sim/core/device_sample.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "assessment/metrics/signal.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/tick_period.h"
-#include "sim/base/time_units.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -9,9 +9,9 @@
 
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "sim/base/angle.h"
-#include "sim/base/hollow_pose.h"
-#include "sim/base/staged_turn.h"
+#include "sim/core/angle.h"
+#include "sim/core/hollow_pose.h"
+#include "sim/core/staged_turn.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "assessment/metrics/movement.h"
 #include "assessment/metrics/signal.h"
 #include "assessment/metrics/tracking.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/values.h"
-#include "sim/base/angle.h"
-#include "sim/base/vec3.h"
+#include "sim/core/angle.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

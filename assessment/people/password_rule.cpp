@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "assessment/people/common_passwords.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

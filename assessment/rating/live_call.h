@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "assessment/rating/sheet.h"
 #include "assessment/scoring/instrument.h"
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

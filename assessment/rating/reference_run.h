@@ -5,7 +5,7 @@
 #include <string>
 
 #include "assessment/scoring/instrument.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

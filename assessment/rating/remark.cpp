@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/rating/remark.h"
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

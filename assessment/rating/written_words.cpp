@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

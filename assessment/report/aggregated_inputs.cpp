@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/base/text_list.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

@@ -16,7 +16,7 @@
 #include "assessment/report/report_labels.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/report/study_analysis.h"
-#include "sim/base/text_list.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

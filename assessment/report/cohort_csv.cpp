@@ -13,7 +13,7 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
 #include "assessment/statistics/descriptive.h"
-#include "sim/base/csv_cell.h"
+#include "sim/core/csv_cell.h"
 
 namespace torsio {
 

@@ -15,8 +15,8 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/report/shown_inputs.h"
 #include "assessment/report/study_analysis.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -12,7 +12,7 @@
 #include "assessment/report/report_model.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,8 +8,8 @@
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/quantiles.h"
-#include "sim/base/angle.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/angle.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

@@ -12,7 +12,7 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/quantiles.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 

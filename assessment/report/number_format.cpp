@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

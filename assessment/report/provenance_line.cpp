@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/report/provenance_line.h"
 
-#include "sim/base/text_list.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

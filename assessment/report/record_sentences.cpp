@@ -9,7 +9,7 @@
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/power.h"
-#include "sim/base/text_list.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

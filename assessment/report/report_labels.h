@@ -5,7 +5,7 @@
 #include <string>
 
 #include "assessment/statistics/values.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 // What several sections of the report say alike.
 namespace torsio {

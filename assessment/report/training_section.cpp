@@ -10,7 +10,7 @@
 #include "assessment/report/report_sections.h"
 #include "assessment/report/study_analysis.h"
 #include "assessment/statistics/distributions.h"
-#include "sim/base/text_list.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

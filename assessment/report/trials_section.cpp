@@ -9,7 +9,7 @@
 #include "assessment/report/foreign_tables.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio {
 

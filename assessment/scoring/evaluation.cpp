@@ -8,8 +8,8 @@
 
 #include "assessment/scoring/exact_quotient.h"
 #include "assessment/scoring/exact_statistics.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

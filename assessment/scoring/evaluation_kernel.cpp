@@ -7,7 +7,7 @@
 
 #include "assessment/scoring/exact_quotient.h"
 #include "assessment/scoring/exact_statistics.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_kernel.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

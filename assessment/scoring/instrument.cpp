@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

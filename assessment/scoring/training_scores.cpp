@@ -11,7 +11,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "assessment/scoring/exact_quotient.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

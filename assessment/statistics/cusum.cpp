@@ -9,7 +9,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "assessment/statistics/distributions.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

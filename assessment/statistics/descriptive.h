@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "assessment/statistics/distributions.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

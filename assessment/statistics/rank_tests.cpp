@@ -10,7 +10,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/pair_order.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/rating_scale.h"
-#include "sim/base/error.h"
-#include "sim/base/text.h"
+#include "sim/core/error.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

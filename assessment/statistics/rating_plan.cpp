@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "assessment/statistics/cone.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

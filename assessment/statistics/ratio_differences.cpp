@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

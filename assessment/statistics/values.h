@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/contracts.h"
-#include "sim/base/text.h"
+#include "sim/core/contracts.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <span>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

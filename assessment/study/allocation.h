@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

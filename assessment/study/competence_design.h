@@ -6,8 +6,8 @@
 #include <string>
 
 #include "assessment/study/protocol_terms.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

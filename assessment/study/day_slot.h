@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "sim/base/contracts.h"
-#include "sim/base/random.h"
-#include "sim/base/text_list.h"
+#include "sim/core/contracts.h"
+#include "sim/core/random.h"
+#include "sim/core/text_list.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

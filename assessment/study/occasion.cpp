@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/ids.h"
-#include "sim/base/servo_health.h"
+#include "sim/core/ids.h"
+#include "sim/core/servo_health.h"
 
 namespace torsio {
 

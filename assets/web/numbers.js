@@ -2,7 +2,7 @@
 // Numbers, times and days as the reader writes them.
 import { language, locale } from './texts.js';
 
-/// How finely a load is told, of N and of N m (sim/base/load_decimals.h).
+/// How finely a load is told, of N and of N m (sim/core/load_decimals.h).
 export const kForceDecimals = 2;
 export const kTorqueDecimals = 3;
 

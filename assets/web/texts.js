@@ -45,7 +45,7 @@ export function t(english, ...values) {
   return filledIn(texts[english] || english, values.map(String));
 }
 
-/// As filledIn() of sim/base/text.h: all places in one pass, so that a value may look like a place.
+/// As filledIn() of sim/core/text.h: all places in one pass, so that a value may look like a place.
 export function filledIn(pattern, values) {
   let number = null;
   return pattern.replace(/%([1-9])|\{([^|{}]*)\|([^{}]*)\}/g, (whole, place, one, many) => {

@@ -13,7 +13,7 @@
 
 #include "db/connection/change_watch.h"
 #include "db/connection/connection_state.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

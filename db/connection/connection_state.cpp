@@ -14,8 +14,8 @@
 
 #include "db/connection/change_watch.h"
 #include "db/connection/database_file.h"
-#include "sim/base/contracts.h"
-#include "sim/base/database_trace.h"
+#include "sim/core/contracts.h"
+#include "sim/core/database_trace.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

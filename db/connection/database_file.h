@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "db/connection/connection.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

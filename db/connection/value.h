@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,8 +11,8 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/migrations/record_exchange.h"
-#include "sim/base/contracts.h"
-#include "sim/base/file_io.h"
+#include "sim/core/contracts.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

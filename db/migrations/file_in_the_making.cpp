@@ -4,7 +4,7 @@
 #include <system_error>
 #include <vector>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

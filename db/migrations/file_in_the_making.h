@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/base/file_lock.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio {
 

@@ -16,10 +16,10 @@
 #include "db/migrations/record_exchange.h"
 #include "db/repository/base/copy_register.h"
 #include "db/repository/base/row_ledger.h"
-#include "sim/base/clock.h"
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
+#include "sim/core/clock.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
 
 // Outside any namespace, as Qt demands: a static library's resources register only when asked.
 static void registerMigrationFiles() {

@@ -9,7 +9,7 @@
 #endif
 
 #include "db/migrations/file_in_the_making.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/vec3.h"
 #include "sim/baseline/swept_solid.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include "sim/base/refusal.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

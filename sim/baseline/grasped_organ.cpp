@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/refusal.h"
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/spring_calibration.h"
 #include "sim/baseline/xpbd_frames.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "sim/base/tissue_model.h"
 #include "sim/baseline/elastic_body.h"
 #include "sim/baseline/lattice_surface.h"
+#include "sim/core/tissue_model.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/tissue/twist/twist_model.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

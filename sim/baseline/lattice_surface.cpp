@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 
 namespace torsio {

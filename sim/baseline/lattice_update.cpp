@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/view/cpu_features.h"
 #include "sim/tissue/view/twist_kernels.h"
 #include "sim/tissue/view/twist_kernels_buffer.h"

@@ -8,8 +8,8 @@
 
 #include <Eigen/Dense>
 
-#include "sim/base/error.h"
 #include "sim/baseline/stress_laws.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

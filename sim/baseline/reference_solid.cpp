@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "sim/base/angle.h"
-#include "sim/base/refusal.h"
 #include "sim/baseline/twist_simulation.h"
+#include "sim/core/angle.h"
+#include "sim/core/refusal.h"
 #include "sim/tissue/rod/rod_energy.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"

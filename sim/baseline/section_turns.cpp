@@ -5,8 +5,8 @@
 
 #include <Eigen/Dense>
 
-#include "sim/base/portable_math.h"
 #include "sim/baseline/reference_solid.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/base/portable_math.h"
 #include "sim/baseline/equilibrium.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/Dense>
 
-#include "sim/base/contracts.h"
-#include "sim/base/refusal.h"
+#include "sim/core/contracts.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

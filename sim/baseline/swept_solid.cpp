@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <string>
 
-#include "sim/base/error.h"
-#include "sim/base/refusal.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

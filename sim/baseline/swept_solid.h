@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
 
 namespace torsio {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

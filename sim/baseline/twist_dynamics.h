@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/vec3.h"
 #include "sim/baseline/elastic_body.h"
 #include "sim/baseline/swept_solid.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "sim/base/device_sample.h"
-#include "sim/base/vec3.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/base/device_sample.h"
-#include "sim/base/text.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/text.h"
 #include "sim/device/safety/tick_statistics.h"
 
 namespace torsio {

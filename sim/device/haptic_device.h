@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/device/device_state.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <array>
 #include <bit>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

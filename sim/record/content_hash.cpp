@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_bytes.h"
 

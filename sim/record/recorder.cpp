@@ -6,10 +6,10 @@
 #include <exception>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
 #include "sim/record/spill_place.h"
 #include "sim/record/trial_file.h"
 

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/base/spsc_ring.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"

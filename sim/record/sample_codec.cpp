@@ -9,9 +9,9 @@
 
 #include <zstd.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/record/column_codec.h"
 
 namespace torsio {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/ids.h"
-#include "sim/base/live_types.h"
-#include "sim/base/servo_health.h"
-#include "sim/base/tick_period.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/ids.h"
+#include "sim/core/live_types.h"
+#include "sim/core/servo_health.h"
+#include "sim/core/tick_period.h"
+#include "sim/core/tissue_model.h"
 
 namespace torsio {
 

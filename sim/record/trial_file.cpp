@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_bytes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/record/trial_seed.h"
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

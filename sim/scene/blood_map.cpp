@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/tissue/perfusion/tissue_colour.h"
 #include "sim/tissue/twist/twist_model_tables.h"

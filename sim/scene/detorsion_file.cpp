@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {

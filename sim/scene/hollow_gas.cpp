@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "sim/tissue/section/polygon.h"

@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
-#include "sim/base/refusal.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/wall_places.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/staged_turn.h"
+#include "sim/core/staged_turn.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/hollow_reach.h"
 #include "sim/scene/organ_state.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/angle.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/portable_math.h"
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio {
 

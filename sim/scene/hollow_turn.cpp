@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio {

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/scene/hollow_skin.h"
 #include "sim/tissue/view/twist_kernels.h"
 

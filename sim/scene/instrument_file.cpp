@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene_file.h"
 

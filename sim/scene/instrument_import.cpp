@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/mesh/mesh_thinning.h"

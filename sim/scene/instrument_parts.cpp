@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/pose.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_cut.h"
 #include "sim/geometry/mesh/mesh_holes.h"

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

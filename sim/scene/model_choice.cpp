@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -10,9 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/scene/organ_warnings_json.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/error.h"
-#include "sim/base/text.h"
+#include "sim/core/error.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

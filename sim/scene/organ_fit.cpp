@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/short_number.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/lattice/branch_finder.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_thinning.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_holes.h"
 #include "sim/geometry/mesh/mesh_import.h"

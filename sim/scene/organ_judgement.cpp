@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/pose.h"
-#include "sim/base/short_number.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/pose.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/tissue/rod/fold_check.h"

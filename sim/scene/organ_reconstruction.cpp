@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/short_number.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/imaging/apart/scan_process.h"
 

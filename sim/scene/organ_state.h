@@ -3,9 +3,9 @@
 
 #include <type_traits>
 
-#include "sim/base/hollow_pose.h"
-#include "sim/base/live_types.h"
-#include "sim/base/rod_pose.h"
+#include "sim/core/hollow_pose.h"
+#include "sim/core/live_types.h"
+#include "sim/core/rod_pose.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {

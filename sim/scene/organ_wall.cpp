@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/imaging/surface/scan_request.h"
 
 namespace torsio {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/index.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/index.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/rod/rod_solve.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/hollow_organ.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/live_types.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/live_types.h"
+#include "sim/core/tissue_model.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"

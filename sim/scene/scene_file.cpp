@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/detorsion_file.h"
 #include "sim/scene/json_fields.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/material.h"

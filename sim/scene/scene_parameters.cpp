@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_warnings_json.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_skin.h"
 #include "sim/scene/rod_organ.h"

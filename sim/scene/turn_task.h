@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/tissue/rod/landmark_turn.h"
 
 namespace torsio {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/beside_answer.h"
-#include "sim/base/vec3.h"
+#include "sim/core/beside_answer.h"
+#include "sim/core/vec3.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/servo/exercise.h"
 
 namespace torsio {

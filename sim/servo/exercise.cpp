@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "sim/base/error.h"
-#include "sim/base/hollow_pose.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/hollow_pose.h"
+#include "sim/core/portable_math.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/indentation.h"
 

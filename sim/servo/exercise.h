@@ -6,9 +6,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "sim/base/angle.h"
-#include "sim/base/live_types.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/angle.h"
+#include "sim/core/live_types.h"
+#include "sim/core/tick_period.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/beside_tissue.h"
 #include "sim/servo/contact_coupling.h"

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <thread>
 
-#include "sim/base/contracts.h"
-#include "sim/base/float_mode.h"
-#include "sim/base/tissue_model.h"
+#include "sim/core/contracts.h"
+#include "sim/core/float_mode.h"
+#include "sim/core/tissue_model.h"
 
 namespace torsio {
 

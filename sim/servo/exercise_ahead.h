@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/detorsion.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/hollow_pose.h"
-#include "sim/base/rod_pose.h"
+#include "sim/core/hollow_pose.h"
+#include "sim/core/rod_pose.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/exercise_ahead.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "sim/base/device_sample.h"
-#include "sim/base/live_types.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/tissue/rod/rod_step.h"

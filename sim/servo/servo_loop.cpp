@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/float_mode.h"
-#include "sim/base/live_of_sample.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/float_mode.h"
+#include "sim/core/live_of_sample.h"
 
 namespace torsio {
 

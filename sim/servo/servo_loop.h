@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/base/beside_link.h"
-#include "sim/base/latest_value.h"
-#include "sim/base/live_types.h"
-#include "sim/base/spsc_ring.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/beside_link.h"
+#include "sim/core/latest_value.h"
+#include "sim/core/live_types.h"
+#include "sim/core/spsc_ring.h"
+#include "sim/core/tick_period.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/servo/servo_thread.h"
 
-#include "sim/base/contracts.h"
-#include "sim/base/deadline.h"
+#include "sim/core/contracts.h"
+#include "sim/core/deadline.h"
 
 namespace torsio {
 

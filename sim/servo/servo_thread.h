@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <thread>
 
-#include "sim/base/servo_health.h"
+#include "sim/core/servo_health.h"
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/servo_watchdog.h"
 #include "sim/servo/timing_histogram.h"

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/deadline.h"
+#include "sim/core/contracts.h"
+#include "sim/core/deadline.h"
 
 namespace torsio {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "sim/base/device_sample.h"
-#include "sim/base/live_types.h"
-#include "sim/base/vec3.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/live_types.h"
+#include "sim/core/vec3.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/query/deformed_surface.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/wrung_surface.h"

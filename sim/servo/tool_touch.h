@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "sim/base/angle.h"
-#include "sim/base/device_sample.h"
+#include "sim/core/angle.h"
+#include "sim/core/device_sample.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/query/deformed_surface.h"
 #include "sim/geometry/query/surface_point.h"

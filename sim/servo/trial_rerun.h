@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/spsc_ring.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/device/haptic_device.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"

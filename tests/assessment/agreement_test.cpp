@@ -10,8 +10,8 @@
 
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/reliability.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {

@@ -14,7 +14,7 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"
 

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

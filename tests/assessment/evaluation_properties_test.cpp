@@ -12,7 +12,7 @@
 
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_kernel.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/scoring/evaluation.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 namespace {

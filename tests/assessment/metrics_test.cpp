@@ -15,7 +15,7 @@
 #include "assessment/metrics/signal.h"
 #include "assessment/metrics/tracking.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {

@@ -10,7 +10,7 @@
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/rank_tests.h"
 #include "assessment/statistics/reliability.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

@@ -9,8 +9,8 @@
 #include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rasch.h"
 #include "assessment/statistics/rating_scale.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {

@@ -34,7 +34,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/large_record.h"

@@ -10,7 +10,7 @@
 #include "app/recording/recorded_run.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 #include "sim/scene/scene.h"

@@ -14,8 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/deadline.h"
+#include "sim/core/contracts.h"
+#include "sim/core/deadline.h"
 #include "sim/device/process/device_relay.h"
 #endif
 

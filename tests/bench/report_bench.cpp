@@ -25,7 +25,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/bench/large_study.h"
 

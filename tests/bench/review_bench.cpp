@@ -24,7 +24,7 @@
 
 #include "app/gui/physician/replay_panel.h"
 #include "app/recording/pipeline.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/record/memory_trial_sink.h"
 
 namespace {

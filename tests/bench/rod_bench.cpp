@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/sim/tissue/rod/rod_organs.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"

@@ -28,7 +28,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/recorded_run.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"

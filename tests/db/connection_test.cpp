@@ -8,7 +8,7 @@
 
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

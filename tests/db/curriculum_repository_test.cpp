@@ -5,8 +5,8 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/study/competence_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

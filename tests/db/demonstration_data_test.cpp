@@ -12,7 +12,7 @@
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

@@ -6,7 +6,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -6,7 +6,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/system/schema_tables.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

@@ -22,7 +22,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"

@@ -11,7 +11,7 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/clock.h"
+#include "sim/core/clock.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
 #include "tests/db/sample_record.h"

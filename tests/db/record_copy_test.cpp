@@ -13,7 +13,7 @@
 #include "db/repository/system/demonstration_data.h"
 #include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
 

@@ -9,7 +9,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

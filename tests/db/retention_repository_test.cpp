@@ -12,8 +12,8 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "db/connection/connection.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

@@ -10,7 +10,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

@@ -23,7 +23,7 @@
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/demonstration_data.h"
 #include "db/repository/system/schema_tables.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
 

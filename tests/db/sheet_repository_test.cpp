@@ -10,8 +10,8 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -5,8 +5,8 @@
 
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

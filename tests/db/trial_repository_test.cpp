@@ -15,7 +15,7 @@
 #include "db/repository/base/stored_term.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"

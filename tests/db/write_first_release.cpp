@@ -12,7 +12,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/db/full_record.h"
 #include "tests/sim/servo/recorded_bar.h"

@@ -3,7 +3,7 @@
 // byte says how the file is named.
 #include <array>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 #include "tests/fuzz/fuzz_file.h"
 

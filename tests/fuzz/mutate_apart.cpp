@@ -12,8 +12,8 @@
 #include <unistd.h>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/apart/mesh_process.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "tests/support/dicom_files.h"

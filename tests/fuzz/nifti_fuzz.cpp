@@ -3,7 +3,7 @@
 // whether they are named as a packed file, which may be plain all the same.
 #include <cstdlib>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/imaging/scan/nifti_file.h"
 #include "tests/fuzz/fuzz_file.h"
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/scene/organ_file.h"
 #include "tests/fuzz/fuzz_file.h"

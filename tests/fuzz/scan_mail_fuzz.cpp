@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as the answer of the process that reads scans: an Error or an answer, nothing else. The first
 // byte says which answer was asked for.
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "tests/fuzz/fuzz_file.h"
 

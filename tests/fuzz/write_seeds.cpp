@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "sim/scene/organ_file.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio::testing {
 

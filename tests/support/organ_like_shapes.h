@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "sim/base/portable_math.h"
-#include "tools/organs/marching_tetrahedra.h"
+#include "sim/anatomy/marching_tetrahedra.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio::testing {
 

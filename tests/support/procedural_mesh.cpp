@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio::testing {
 

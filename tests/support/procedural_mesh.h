@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::testing {

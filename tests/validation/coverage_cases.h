@@ -9,7 +9,7 @@
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/missing_marks.h"
 #include "assessment/statistics/values.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio::coverage {
 

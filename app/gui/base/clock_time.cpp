@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "sim/base/clock_text.h"
-#include "sim/base/time_units.h"
+#include "sim/core/clock_text.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 
 namespace torsio::gui {
 
-// As sim/base/clock_text.h, for screens: a moment of a recording and how long it is go by tenths, so that a
+// As sim/core/clock_text.h, for screens: a moment of a recording and how long it is go by tenths, so that a
 // moment that one person chose is the same to another; clocks that run, and what is planned, by seconds. Any
 // thread.
 

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QWidget>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initTranslations() {

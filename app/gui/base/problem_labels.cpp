@@ -2,7 +2,7 @@
 #include "app/gui/base/problem_labels.h"
 
 #include "app/gui/base/translated_text.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

@@ -7,9 +7,9 @@
 
 #include <QString>
 
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio::gui {
 

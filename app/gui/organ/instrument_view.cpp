@@ -10,8 +10,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "sim/base/angle.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/pose.h"
 
 namespace torsio::gui {
 

@@ -17,7 +17,7 @@
 #include "app/gui/scene/view_turn.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {

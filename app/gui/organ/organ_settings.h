@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/scene/organ_import.h"
 
 class QCheckBox;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_steps.h"

@@ -6,7 +6,7 @@
 
 #include "app/gui/widgets/card.h"
 #include "app/training/questions.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QPushButton;
 class QVBoxLayout;

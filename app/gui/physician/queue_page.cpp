@@ -25,7 +25,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -18,9 +18,9 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

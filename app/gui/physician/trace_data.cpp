@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "assessment/attempt/recorded_loads.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/perfusion/tissue_colour.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/review/range_pyramid.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio::gui {
 

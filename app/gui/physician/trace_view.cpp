@@ -12,7 +12,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

@@ -29,8 +29,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/picture.h"
-#include "sim/base/angle.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

@@ -21,7 +21,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio::gui {
 

@@ -29,9 +29,9 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/report/pdf_report.h"
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

@@ -16,7 +16,7 @@
 #include "app/recording/trial_store.h"
 #include "app/recording/unstored_trials.h"
 #include "assessment/attempt/trial_listing.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio::gui {
 

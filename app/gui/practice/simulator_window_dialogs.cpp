@@ -16,7 +16,7 @@
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {

@@ -8,7 +8,7 @@
 #include "app/gui/simulator/shown_tool.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/picture.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

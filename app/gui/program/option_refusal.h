@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

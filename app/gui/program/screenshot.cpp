@@ -19,8 +19,8 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/picture.h"
 #include "app/recording/recorded_run.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/device/virtual/pointer_device.h"
 
 namespace torsio::gui {

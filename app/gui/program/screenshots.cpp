@@ -31,8 +31,8 @@
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
 #include "assessment/people/account.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

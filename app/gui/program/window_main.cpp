@@ -23,8 +23,8 @@
 #include "app/gui/widgets/icons.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

@@ -14,8 +14,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_import.h"
 

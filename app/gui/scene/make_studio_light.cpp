@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "app/gui/scene/studio_light.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 int main(int argc, char** argv) {
   constexpr int kPixelsAcross = 256;

@@ -12,7 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene_file.h"
 
 namespace torsio::gui {

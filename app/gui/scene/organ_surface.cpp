@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "app/gui/scene/view_frame.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {

@@ -9,7 +9,7 @@
 
 #include <QByteArray>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::gui {
 

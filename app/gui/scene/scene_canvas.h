@@ -17,7 +17,7 @@
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 class QQuickItem;
 class QQuickWidget;

@@ -14,8 +14,8 @@
 #include "app/gui/scene/scene_canvas.h"
 #include "app/gui/scene/view_scene.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/live_types.h"
-#include "sim/base/pose.h"
+#include "sim/core/live_types.h"
+#include "sim/core/pose.h"
 #include "sim/scene/organ_state.h"
 
 namespace torsio::gui {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {

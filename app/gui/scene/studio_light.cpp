@@ -8,8 +8,8 @@
 
 #include <qfloat16.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::gui {
 

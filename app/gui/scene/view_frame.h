@@ -4,7 +4,7 @@
 #include <QQuaternion>
 #include <QVector3D>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio::gui {
 

@@ -14,7 +14,7 @@
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/surroundings.h"
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/skin/tissue_skin.h"

@@ -13,7 +13,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "assessment/people/password_rule.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

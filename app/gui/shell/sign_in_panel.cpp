@@ -13,7 +13,7 @@
 #include "app/gui/shell/head_notice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -21,9 +21,9 @@
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/angle.h"
-#include "sim/base/hollow_pose.h"
-#include "sim/base/time_units.h"
+#include "sim/core/angle.h"
+#include "sim/core/hollow_pose.h"
+#include "sim/core/time_units.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 

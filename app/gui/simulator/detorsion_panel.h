@@ -9,7 +9,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
 

@@ -17,8 +17,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/angle.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/angle.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio::gui {
 

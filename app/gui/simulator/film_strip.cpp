@@ -15,7 +15,7 @@
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/report/typeface.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {

@@ -13,7 +13,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/simulator/tool_tilt.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio::gui {
 

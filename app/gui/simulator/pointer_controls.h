@@ -9,7 +9,7 @@
 #include <QPointF>
 
 #include "app/gui/simulator/pointer_keys.h"
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 #include "sim/device/virtual/pointer_device.h"
 
 class QKeyEvent;

@@ -13,8 +13,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/load_decimals.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/load_decimals.h"
+#include "sim/core/tick_period.h"
 #include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {

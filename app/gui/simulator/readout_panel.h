@@ -4,7 +4,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 class QLabel;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

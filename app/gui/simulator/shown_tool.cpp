@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "app/gui/scene/scene_view.h"
-#include "sim/base/angle.h"
-#include "sim/base/hollow_pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/hollow_pose.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/surface_proxy.h"
 

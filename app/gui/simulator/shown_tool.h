@@ -3,7 +3,7 @@
 
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 namespace torsio::gui {
 

@@ -10,10 +10,10 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/parking_place.h"
 #include "app/recording/recording_host.h"
-#include "sim/base/clock.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/clock.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/tick_period.h"
 #include "sim/servo/tool_touch.h"
 
 namespace torsio::gui {

@@ -5,7 +5,7 @@
 #include "app/devices/haptic_station.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

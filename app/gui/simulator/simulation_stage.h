@@ -9,7 +9,7 @@
 #include "app/recording/beside_playback.h"
 #include "app/recording/recorded_run.h"
 #include "app/recording/trial_playback.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/device/virtual/pointer_device.h"
 
 namespace torsio::gui {

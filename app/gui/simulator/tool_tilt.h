@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/base/pose.h"
-#include "sim/base/vec3.h"
+#include "sim/core/pose.h"
+#include "sim/core/vec3.h"
 
 namespace torsio::gui {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio::gui {

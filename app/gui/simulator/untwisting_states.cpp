@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/gui/simulator/scripted_twist.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

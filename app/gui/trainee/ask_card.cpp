@@ -16,7 +16,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

@@ -23,9 +23,9 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/recording/expert_run.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/load_decimals.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 

@@ -27,8 +27,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "sim/base/ids.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/ids.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

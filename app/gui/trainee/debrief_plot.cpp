@@ -14,8 +14,8 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/angle.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

@@ -17,7 +17,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

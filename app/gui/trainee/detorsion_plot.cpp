@@ -13,7 +13,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {

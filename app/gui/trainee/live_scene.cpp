@@ -10,7 +10,7 @@
 
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/simulator/pointer_controls.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

@@ -25,7 +25,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

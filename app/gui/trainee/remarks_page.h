@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/training/remarks.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QLabel;
 class QListWidget;

@@ -34,7 +34,7 @@
 #include "app/recording/station_writer.h"
 #include "app/recording/unstored_trials.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

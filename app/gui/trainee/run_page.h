@@ -12,7 +12,7 @@
 #include "app/tracker/tracked_recording.h"
 #include "app/training/run_session.h"
 #include "assessment/attempt/twist_count.h"
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 class QLabel;
 class QProgressBar;

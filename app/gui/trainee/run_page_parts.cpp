@@ -21,7 +21,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 

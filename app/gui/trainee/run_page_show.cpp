@@ -25,7 +25,7 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/number_text.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {

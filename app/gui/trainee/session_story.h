@@ -10,7 +10,7 @@
 #include <QImage>
 
 #include "app/training/debrief.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

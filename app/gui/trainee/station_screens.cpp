@@ -20,7 +20,7 @@
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/training/attempts.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 

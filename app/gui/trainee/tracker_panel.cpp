@@ -19,7 +19,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/tracker/tracker_choice.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio::gui {
 

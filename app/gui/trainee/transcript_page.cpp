@@ -25,8 +25,8 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "sim/base/error.h"
-#include "sim/base/file_lock.h"
+#include "sim/core/error.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio::gui {
 

@@ -3,7 +3,7 @@
 
 #include <QFrame>
 
-#include "sim/base/live_types.h"
+#include "sim/core/live_types.h"
 
 class QLabel;
 class QPushButton;

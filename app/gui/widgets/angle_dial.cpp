@@ -9,7 +9,7 @@
 #include <QPainterPath>
 
 #include "app/gui/widgets/number_text.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 
 namespace torsio::gui {
 

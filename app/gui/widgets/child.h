@@ -4,7 +4,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::gui {
 

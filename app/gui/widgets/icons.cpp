@@ -7,7 +7,7 @@
 #include <QSvgRenderer>
 
 #include "app/gui/widgets/theme.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initIconResources() {

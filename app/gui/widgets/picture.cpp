@@ -8,8 +8,8 @@
 #include <QGuiApplication>
 #include <QImage>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::web {
 

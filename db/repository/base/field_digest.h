@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "sim/base/digest.h"
-#include "sim/base/ids.h"
+#include "sim/core/digest.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

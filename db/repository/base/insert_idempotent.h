@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "db/connection/connection.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 
 #include "assessment/people/learning_event.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -14,7 +14,7 @@
 #include "db/repository/base/rows_before.h"
 #include "db/repository/base/sealed_row.h"
 #include "db/repository/base/touched_rows.h"
-#include "sim/base/clock.h"
+#include "sim/core/clock.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

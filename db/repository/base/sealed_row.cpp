@@ -8,8 +8,8 @@
 
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/value_digest.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

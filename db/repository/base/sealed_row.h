@@ -11,7 +11,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/base/seal_rules.h"
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

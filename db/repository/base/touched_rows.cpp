@@ -10,8 +10,8 @@
 
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/sealed_row.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

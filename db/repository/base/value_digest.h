@@ -2,7 +2,7 @@
 #pragma once
 
 #include "db/connection/value.h"
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

@@ -8,9 +8,9 @@
 
 #include "assessment/people/password_rule.h"
 #include "db/connection/row_reader.h"
-#include "sim/base/digest.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "assessment/people/account.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/password.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

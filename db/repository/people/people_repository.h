@@ -10,7 +10,7 @@
 #include "assessment/people/consent.h"
 #include "assessment/people/person.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,8 +11,8 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/people/server_roles.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

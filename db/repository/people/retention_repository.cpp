@@ -8,9 +8,9 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/people/person_rules.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

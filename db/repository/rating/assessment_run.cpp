@@ -2,7 +2,7 @@
 #include "db/repository/rating/assessment_run.h"
 
 #include "db/connection/row_reader.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -2,7 +2,7 @@
 #include "db/repository/rating/assignment_rows.h"
 
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "assessment/rating/sheet.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

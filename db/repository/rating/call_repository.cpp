@@ -2,8 +2,8 @@
 #include "db/repository/rating/call_repository.h"
 
 #include "db/connection/row_reader.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

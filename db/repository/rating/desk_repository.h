@@ -14,7 +14,7 @@
 #include "assessment/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

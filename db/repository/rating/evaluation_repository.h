@@ -12,7 +12,7 @@
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/assessment_run.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

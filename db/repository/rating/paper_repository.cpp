@@ -2,7 +2,7 @@
 #include "db/repository/rating/paper_repository.h"
 
 #include "db/connection/row_reader.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

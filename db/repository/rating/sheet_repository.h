@@ -12,7 +12,7 @@
 #include "assessment/rating/sheet_state.h"
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "assessment/study/competence_design.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

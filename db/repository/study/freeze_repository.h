@@ -9,7 +9,7 @@
 
 #include "assessment/study/cohort.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "db/connection/row_reader.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/ids.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

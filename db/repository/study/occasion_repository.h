@@ -6,7 +6,7 @@
 
 #include "assessment/study/occasion.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 
@@ -21,7 +21,7 @@ class OccasionRepository {
   void add(const Occasion& occasion);
   /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
   [[nodiscard]] std::set<std::string> usedBy(const CohortId& cohortId) const;
-  /// Tells whether a cohort was imported with recordings of other equipment (sim/base/foreign_recording.h);
+  /// Tells whether a cohort was imported with recordings of other equipment (sim/core/foreign_recording.h);
   /// those of a tracker belong to a phase of its own curriculum.
   [[nodiscard]] bool cameFromElsewhere(const CohortId& cohortId) const;
 

@@ -7,7 +7,7 @@
 
 #include "assessment/study/day_slot.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "assessment/study/cohort.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

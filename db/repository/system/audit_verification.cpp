@@ -12,7 +12,7 @@
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/seal_verification.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {

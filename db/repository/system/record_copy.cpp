@@ -11,7 +11,7 @@
 #include "db/repository/base/row_ledger.h"
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

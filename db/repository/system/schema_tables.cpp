@@ -10,7 +10,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/sealed_row.h"
 #include "db/repository/base/value_digest.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

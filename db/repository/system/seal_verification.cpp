@@ -10,7 +10,7 @@
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

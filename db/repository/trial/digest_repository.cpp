@@ -6,9 +6,9 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/learning_events.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

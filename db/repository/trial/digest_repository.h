@@ -11,7 +11,7 @@
 
 #include "assessment/attempt/trial_digest.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

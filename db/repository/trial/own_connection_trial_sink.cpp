@@ -7,7 +7,7 @@
 #include "db/connection/locator.h"
 #include "db/repository/base/row_ledger.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

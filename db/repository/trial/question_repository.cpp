@@ -5,7 +5,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/trial/newest_of_remark.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/trial/newest_of_remark.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "db/connection/row_reader.h"
-#include "sim/base/servo_health.h"
+#include "sim/core/servo_health.h"
 
 namespace torsio {
 

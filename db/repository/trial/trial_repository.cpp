@@ -15,11 +15,11 @@
 #include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
 #include "db/repository/trial/servo_health_columns.h"
-#include "sim/base/clock.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/foreign_recording.h"
-#include "sim/base/ids.h"
+#include "sim/core/clock.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {

@@ -14,7 +14,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/device/drivers/device_list.h"
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/controller/game_controller.h"
 #include "sim/device/inverse3/inverse3_driver.h"
 #include "sim/device/process/device_process.h"

@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/device/hdapi/hdapi_errors.h"
 
 namespace torsio {

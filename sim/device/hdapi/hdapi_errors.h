@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 #include "sim/device/hdapi/hdapi_abi.h"
 
 namespace torsio {

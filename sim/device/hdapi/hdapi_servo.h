@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/base/clock.h"
-#include "sim/base/latest_value.h"
-#include "sim/base/live_types.h"
-#include "sim/base/spsc_ring.h"
+#include "sim/core/clock.h"
+#include "sim/core/latest_value.h"
+#include "sim/core/live_types.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/device/device_mail.h"
 #include "sim/device/device_state.h"
 #include "sim/device/hdapi/button_filter.h"

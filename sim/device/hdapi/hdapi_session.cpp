@@ -9,8 +9,8 @@
 #include <thread>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/error.h"
+#include "sim/core/tick_period.h"
 #include "sim/device/hdapi/hdapi_border.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/clock.h"
-#include "sim/base/text.h"
+#include "sim/core/clock.h"
+#include "sim/core/text.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_abi.h"
 #include "sim/device/hdapi/hdapi_servo.h"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/clock.h"
-#include "sim/base/contracts.h"
-#include "sim/base/deadline.h"
+#include "sim/core/angle.h"
+#include "sim/core/clock.h"
+#include "sim/core/contracts.h"
+#include "sim/core/deadline.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/inverse3/inverse3_device.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/device_sample.h"
+#include "sim/core/device_sample.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/inverse3/web_socket.h"
 
 namespace torsio {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/base/text_packing.h"
+#include "sim/core/text_packing.h"
 #include "sim/device/process/device_channel.h"
 
 namespace torsio {

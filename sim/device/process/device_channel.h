@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 #include "sim/device/device_driver.h"
 #include "sim/device/device_mail.h"
 #include "sim/device/hdapi/hdapi_library.h"

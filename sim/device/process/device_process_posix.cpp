@@ -14,8 +14,8 @@
 #include <thread>
 #include <unistd.h>
 
-#include "sim/base/deadline.h"
-#include "sim/base/error.h"
+#include "sim/core/deadline.h"
+#include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/hdapi/hdapi_errors.h"
 #include "sim/device/process/device_channel.h"

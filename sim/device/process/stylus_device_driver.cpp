@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/process/device_process.h"
 
 namespace torsio {

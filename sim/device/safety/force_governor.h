@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/live_types.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/live_types.h"
+#include "sim/core/tick_period.h"
 #include "sim/device/safety/force_rise.h"
 
 namespace torsio {

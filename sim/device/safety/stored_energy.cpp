@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

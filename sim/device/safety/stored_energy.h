@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/live_types.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/live_types.h"
+#include "sim/core/tick_period.h"
 
 namespace torsio {
 

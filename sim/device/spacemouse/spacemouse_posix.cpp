@@ -14,7 +14,7 @@
 #define SPNAV_CONFIG_H_  // NOLINT(readability-identifier-naming)
 #include <spnav.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/spacemouse/spacemouse.h"
 #include "sim/device/steering/steered_device.h"
 #include "sim/device/virtual/pointer_device.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/spacemouse/spacemouse.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/device_sample.h"
+#include "sim/core/device_sample.h"
 
 namespace torsio {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
-#include "sim/base/clock.h"
-#include "sim/base/contracts.h"
+#include "sim/core/clock.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

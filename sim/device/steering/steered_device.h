@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "sim/base/latest_value.h"
-#include "sim/base/spsc_ring.h"
+#include "sim/core/latest_value.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/device/device_driver.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/steering/rate_steering.h"

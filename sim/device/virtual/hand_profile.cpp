@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "sim/base/angle.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

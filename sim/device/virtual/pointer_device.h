@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/base/latest_value.h"
+#include "sim/core/latest_value.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {

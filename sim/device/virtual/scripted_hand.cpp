@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/hollow_pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/hollow_pose.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/virtual/hand_profile.h"
 

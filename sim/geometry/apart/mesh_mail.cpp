@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "sim/base/text_packing.h"
+#include "sim/core/text_packing.h"
 #include "sim/geometry/apart/helper_process.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_reader.h"
 
 namespace torsio {

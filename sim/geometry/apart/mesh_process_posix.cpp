@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/geometry/apart/mesh_process.h"
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/side_branch.h"
 #include "sim/geometry/mesh/surface_topology.h"
 

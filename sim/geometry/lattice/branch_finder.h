@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/rounded_end.h"
 #include "sim/geometry/mesh/flat_faces.h"
 

@@ -8,9 +8,9 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/level_loops.h"
 
 namespace torsio {

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/straight_axis.h"
 
 namespace torsio {

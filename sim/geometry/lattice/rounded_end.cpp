@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/level_loops.h"
 
 namespace torsio {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/lattice_field.h"
 #include "sim/geometry/lattice/side_branch.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/lattice/centreline.h"
 #include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/mesh/triangle_mesh.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/lattice/centreline.h"
 #include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/lattice/section_lattice.h"

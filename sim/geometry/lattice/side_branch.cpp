@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/mesh/surface_topology.h"
 

@@ -10,7 +10,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/mesh/flat_faces.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/surface_topology.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 

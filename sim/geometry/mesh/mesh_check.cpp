@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_pieces.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/text.h"
-#include "sim/base/vec3.h"
+#include "sim/core/text.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "sim/base/contracts.h"
-#include "sim/base/file_io.h"
+#include "sim/core/contracts.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/text_lines.h"
 
 namespace torsio {

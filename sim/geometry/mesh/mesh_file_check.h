@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

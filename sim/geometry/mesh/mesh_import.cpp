@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_reader.h"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

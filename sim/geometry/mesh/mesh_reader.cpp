@@ -19,8 +19,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 #include "sim/geometry/mesh/text_lines.h"
 

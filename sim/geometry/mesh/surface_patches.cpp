@@ -11,7 +11,7 @@
 
 #include <queue>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

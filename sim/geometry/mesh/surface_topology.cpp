@@ -9,7 +9,7 @@
 
 #include <queue>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/geometry/mesh/triangle_mesh.h"
 
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/query/nearest_to_segment.h"

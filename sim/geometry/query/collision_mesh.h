@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/mesh/surface_patches.h"
 #include "sim/geometry/mesh/triangle_mesh.h"

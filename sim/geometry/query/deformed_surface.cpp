@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/query/nearest_to_segment.h"
 
 namespace torsio {

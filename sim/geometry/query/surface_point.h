@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "sim/base/error.h"
-#include "sim/base/text_packing.h"
+#include "sim/core/error.h"
+#include "sim/core/text_packing.h"
 #include "sim/geometry/apart/helper_process.h"
 #include "sim/geometry/apart/mesh_mail.h"
 

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "sim/imaging/apart/scan_process.h"
 

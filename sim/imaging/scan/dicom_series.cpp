@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
-#include "sim/base/text_list.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
+#include "sim/core/text_list.h"
 #include "sim/imaging/scan/dicom_slice.h"
 #include "sim/imaging/scan/dicom_stack.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 

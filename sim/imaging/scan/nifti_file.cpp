@@ -11,7 +11,7 @@
 #include <vector>
 #include <zlib.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/imaging/scan/nifti_header.h"
 
 namespace torsio {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/imaging/scan/scan_volume.h"
 
 namespace torsio {

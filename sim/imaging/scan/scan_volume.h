@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/text.h"
-#include "sim/base/vec3.h"
+#include "sim/core/text.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/imaging/surface/grid_axes.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/imaging/scan/scan_volume.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/iso_surface.h"
 
 namespace torsio {

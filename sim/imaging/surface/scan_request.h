@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/error.h"
-#include "sim/base/vec3.h"
+#include "sim/core/error.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/imaging/scan/scan_volume.h"
 #include "sim/imaging/surface/work_grid.h"

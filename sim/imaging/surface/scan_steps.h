@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 #include "sim/imaging/surface/scan_surface.h"
 
 namespace torsio {

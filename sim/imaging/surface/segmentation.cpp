@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
-#include "sim/base/text_list.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
+#include "sim/core/text_list.h"
 #include "sim/imaging/surface/scan_table.h"
 
 namespace torsio {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/mesh_smoothing.h"

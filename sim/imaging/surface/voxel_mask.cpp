@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "sim/base/error.h"
-#include "sim/base/short_number.h"
+#include "sim/core/error.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/imaging/scan/scan_volume.h"
 
 namespace torsio {

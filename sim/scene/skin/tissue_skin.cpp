@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/skin/tissue_palette.h"
 #include "sim/scene/skin/vessels.h"
 

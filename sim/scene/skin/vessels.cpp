@@ -7,8 +7,8 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
 #include "sim/scene/skin/surface_walk.h"
 
 namespace torsio {

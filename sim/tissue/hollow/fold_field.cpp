@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/angle.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/angle.h"
-#include "sim/base/refusal.h"
+#include "sim/core/angle.h"
+#include "sim/core/refusal.h"
 #include "sim/tissue/hollow/tube_onset.h"
 
 namespace torsio {

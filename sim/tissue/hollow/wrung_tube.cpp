@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/refusal.h"
+#include "sim/core/angle.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "sim/base/angle.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/refusal.h"
+#include "sim/core/angle.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 

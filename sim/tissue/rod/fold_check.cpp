@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "sim/base/contracts.h"
-#include "sim/base/short_number.h"
+#include "sim/core/contracts.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/text.h"
-#include "sim/base/vec3.h"
+#include "sim/core/text.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
 #include "sim/geometry/mesh/triangle_mesh.h"

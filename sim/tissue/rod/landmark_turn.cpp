@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/tissue/rod/landmark_turn.h"
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/base/rod_pose.h"
+#include "sim/core/rod_pose.h"
 
 namespace torsio {
 

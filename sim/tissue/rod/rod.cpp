@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 #include "sim/tissue/rod/landmark_turn.h"
 #include "sim/tissue/rod/rod_step.h"
 

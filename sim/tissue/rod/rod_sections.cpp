@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/index.h"
-#include "sim/base/refusal.h"
+#include "sim/core/index.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/index.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/index.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/rod/rod_algebra.h"
 
 namespace torsio {

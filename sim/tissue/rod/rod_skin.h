@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/base/rod_pose.h"
-#include "sim/base/vec3.h"
+#include "sim/core/rod_pose.h"
+#include "sim/core/vec3.h"
 #include "sim/tissue/rod/rod_sections.h"
 
 namespace torsio {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
 #include "sim/tissue/rod/rod_element.h"
 #include "sim/tissue/rod/rod_step.h"
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/LU>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

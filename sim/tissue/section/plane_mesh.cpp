@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/base/contracts.h"
-#include "sim/base/index.h"
+#include "sim/core/contracts.h"
+#include "sim/core/index.h"
 
 namespace torsio {
 

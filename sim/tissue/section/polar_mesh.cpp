@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/index.h"
+#include "sim/core/index.h"
 
 namespace torsio {
 

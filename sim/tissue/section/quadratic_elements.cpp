@@ -7,8 +7,8 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "sim/base/contracts.h"
-#include "sim/base/index.h"
+#include "sim/core/contracts.h"
+#include "sim/core/index.h"
 
 namespace torsio {
 

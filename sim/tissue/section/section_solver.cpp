@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/index.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/index.h"
 #include "sim/tissue/section/boundary_elements.h"
 #include "sim/tissue/section/boundary_values.h"
 #include "sim/tissue/section/plane_mesh.h"

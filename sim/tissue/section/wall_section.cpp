@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/refusal.h"
-#include "sim/base/short_number.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/refusal.h"
+#include "sim/core/short_number.h"
 #include "sim/tissue/section/section_outline.h"
 
 namespace torsio {

@@ -11,11 +11,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/index.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/refusal.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/index.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 

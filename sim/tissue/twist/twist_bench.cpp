@@ -8,8 +8,8 @@
 #include <ctime>
 #include <functional>
 
-#include "sim/base/contracts.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/contracts.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/twist/twist_bench_platform.h"
 #include "sim/tissue/twist/twist_model_view.h"
 #include "sim/tissue/view/twist_kernels.h"

@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 

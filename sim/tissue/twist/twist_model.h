@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/base/vec3.h"
+#include "sim/core/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/reference/paper_formulation.h"
 #include "sim/tissue/section/section_solver.h"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

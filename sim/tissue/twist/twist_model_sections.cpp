@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/index.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/index.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/contracts.h"
-#include "sim/base/index.h"
+#include "sim/core/contracts.h"
+#include "sim/core/index.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 #include "sim/tissue/view/twist_kernels.h"

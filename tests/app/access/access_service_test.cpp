@@ -10,7 +10,7 @@
 #include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/db/test_database.h"
 

@@ -10,7 +10,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

@@ -75,7 +75,7 @@
 #include "app/training/transcript.h"
 #include "app/training/trend.h"
 #include "app/xapi/learning_records.h"
-#include "sim/base/clock.h"
+#include "sim/core/clock.h"
 
 namespace torsio::testing {
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 namespace {

@@ -10,7 +10,7 @@
 #include "assessment/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

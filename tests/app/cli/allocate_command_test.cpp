@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/maintenance/signing_key.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/table_commands.h"
 
 namespace torsio {

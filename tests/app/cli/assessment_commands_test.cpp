@@ -13,7 +13,7 @@
 
 #include "app/base/assets.h"
 #include "app/recording/pipeline.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/table_commands.h"
 

@@ -8,7 +8,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 
 namespace torsio {

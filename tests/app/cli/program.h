@@ -6,7 +6,7 @@
 #include <string>
 #include <sys/wait.h>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::test {
 

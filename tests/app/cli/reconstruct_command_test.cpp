@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "tests/app/cli/program.h"
 #include "tests/support/dicom_files.h"

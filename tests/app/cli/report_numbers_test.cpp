@@ -21,9 +21,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/support/cohort_numbers.h"
 

@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "tests/app/cli/program.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "db/repository/people/access_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/xapi/xapi_centre.h"
 

@@ -15,7 +15,7 @@
 
 #include "app/comparison/comparison_files.h"
 #include "app/comparison/comparison_report.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio {

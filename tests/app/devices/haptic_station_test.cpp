@@ -13,7 +13,7 @@
 
 #include "app/base/assets.h"
 #include "app/devices/device_monitor.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio {

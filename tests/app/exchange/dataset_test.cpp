@@ -13,9 +13,9 @@
 #include "app/exchange/export_set.h"
 #include "app/exchange/trajectory.h"
 #include "assessment/report/cohort_csv.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/exchange/foreign_readers.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio::testing {

@@ -17,10 +17,10 @@
 #include "app/exchange/table_files.h"
 #include "app/exchange/workbook.h"
 #include "assessment/report/cohort_csv.h"
-#include "sim/base/csv_cell.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/file_lock.h"
+#include "sim/core/csv_cell.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio {
 namespace {

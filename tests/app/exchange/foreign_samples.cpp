@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::testing {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/base/pose.h"
+#include "sim/core/pose.h"
 
 namespace torsio::testing {
 

@@ -22,7 +22,7 @@
 #include "assessment/people/audit_entry.h"
 #include "assessment/people/retention.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -39,7 +39,7 @@
 #include "assessment/report/cohort_report.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/support/demonstration_cohort.h"
 

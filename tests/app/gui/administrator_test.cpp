@@ -46,8 +46,8 @@
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/file_io.h"
-#include "sim/base/ids.h"
+#include "sim/core/file_io.h"
+#include "sim/core/ids.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -37,7 +37,7 @@
 #include "assessment/people/retention.h"
 #include "assessment/report/report_model.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/app/gui/field_hints.h"
 #include "tests/support/fake_mail_server.h"

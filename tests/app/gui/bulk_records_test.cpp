@@ -31,7 +31,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/scoring_plan.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/gui/administrator_desk.h"
 #include "tests/app/people/commit_roster.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui::testing {
 

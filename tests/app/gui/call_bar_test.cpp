@@ -40,7 +40,7 @@
 #include "app/study/scoring_plan.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

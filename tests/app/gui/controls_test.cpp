@@ -15,7 +15,7 @@
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/simulator/validity_button.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/hollow_bar.h"
 

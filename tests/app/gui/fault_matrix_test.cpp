@@ -21,8 +21,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "tests/app/gui/fault_places.h"
 #include "tests/app/gui/fault_run.h"
 

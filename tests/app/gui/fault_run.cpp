@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "sim/device/hdapi/hdapi_border.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/fault_places.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {

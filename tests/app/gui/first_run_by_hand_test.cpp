@@ -19,7 +19,7 @@
 
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/live_scene.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
 

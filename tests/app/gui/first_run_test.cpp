@@ -24,8 +24,8 @@
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/preferences.h"
 #include "assessment/people/account.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/shown_screen.h"
 
 namespace torsio::gui {

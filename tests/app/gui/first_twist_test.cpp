@@ -15,7 +15,7 @@
 #include "app/gui/trainee/session_story.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/support/training_centre.h"
 

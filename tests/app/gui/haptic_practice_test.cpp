@@ -7,7 +7,7 @@
 
 #include "app/devices/haptic_station.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "tests/app/gui/bar_view.h"
 #include "tests/support/fakehd/fakehd_control.h"

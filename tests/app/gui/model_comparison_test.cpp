@@ -20,8 +20,8 @@
 #include "app/gui/practice/marker_editor.h"
 #include "app/gui/practice/marker_labels.h"
 #include "app/gui/scene/scene_view.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

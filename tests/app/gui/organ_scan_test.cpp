@@ -14,7 +14,7 @@
 #include "app/gui/organ/scan_panel.h"
 #include "app/gui/organ/slice_view.h"
 #include "app/gui/widgets/child.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "tests/app/gui/organ_desk.h"
 #include "tests/support/procedural_mesh.h"

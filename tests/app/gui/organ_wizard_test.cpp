@@ -29,7 +29,7 @@
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"
 #include "app/organs/person_arm.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"

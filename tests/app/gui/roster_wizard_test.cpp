@@ -15,7 +15,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -14,7 +14,7 @@
 #include "app/gui/widgets/child.h"
 #include "assessment/attempt/trial_listing.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/gui/trainee_station.h"
 
 namespace torsio::gui {

@@ -24,7 +24,7 @@
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
 #include "tests/app/gui/bar_view.h"
@@ -140,7 +140,7 @@ class FromTheFront {
   OrbitCamera camera_;
 };
 
-// Ends of centrelines, of assets/organs/README.md, tools/organs and assets/scenes.
+// Ends of centrelines, of assets/organs/README.md, sim/anatomy and assets/scenes.
 TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
   const FromTheFront stomach("stomach");
 

@@ -21,7 +21,7 @@
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/stress_legend.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/skin/surface_walk.h"
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/skin/vessels.h"

@@ -30,7 +30,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/gui/shell_window.h"
 #include "tests/app/gui/shown_screen.h"
 #include "tests/support/stored_rows.h"

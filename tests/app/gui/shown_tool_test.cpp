@@ -13,7 +13,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

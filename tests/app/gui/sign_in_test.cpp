@@ -21,7 +21,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/shell_window.h"
 #include "tests/app/gui/shown_screen.h"
 

@@ -20,7 +20,7 @@
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/support/cohort_numbers.h"
 

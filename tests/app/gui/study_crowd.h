@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assessment/study/demonstration_marks.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui::testing {

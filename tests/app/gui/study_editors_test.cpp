@@ -28,7 +28,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/consent.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

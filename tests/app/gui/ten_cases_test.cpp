@@ -12,7 +12,7 @@
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/case_sheet.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
 #include "tests/app/support/review_centre.h"

@@ -11,7 +11,7 @@
 #include "app/gui/simulator/trial_recording.h"
 #include "app/recording/recorded_run.h"
 #include "app/recording/trial_playback.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"

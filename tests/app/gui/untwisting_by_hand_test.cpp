@@ -26,8 +26,8 @@
 #include "app/gui/widgets/child.h"
 #include "app/recording/recorded_run.h"
 #include "assessment/metrics/detorsion.h"
-#include "sim/base/angle.h"
-#include "sim/base/staged_turn.h"
+#include "sim/core/angle.h"
+#include "sim/core/staged_turn.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/exercise.h"
 

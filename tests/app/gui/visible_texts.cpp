@@ -16,7 +16,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/data_table.h"
-#include "sim/base/text.h"
+#include "sim/core/text.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page_id.h"
 #include "app/gui/program/all_pages.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -27,7 +27,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/picture.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

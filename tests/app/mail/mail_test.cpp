@@ -6,7 +6,7 @@
 #include "app/mail/mail_message.h"
 #include "app/mail/mail_settings.h"
 #include "app/mail/smtp_client.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/fake_mail_server.h"
 

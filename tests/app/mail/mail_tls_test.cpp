@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/mail/smtp_client.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/support/fake_mail_server.h"
 
 namespace torsio {

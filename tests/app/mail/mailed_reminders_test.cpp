@@ -10,7 +10,7 @@
 
 #include "app/access/audit_service.h"
 #include "app/mail/mail_settings.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/fake_mail_server.h"
 

@@ -8,9 +8,9 @@
 #include "app/people/consent_service.h"
 #include "app/people/roster_accounts.h"
 #include "assessment/people/account.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

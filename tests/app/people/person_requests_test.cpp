@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

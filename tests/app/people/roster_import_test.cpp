@@ -7,7 +7,7 @@
 #include "assessment/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/people/commit_roster.h"
 #include "tests/app/support/study_centre.h"
 

@@ -20,7 +20,7 @@
 #include "db/connection/locator.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/people/commit_roster.h"
 #include "tests/app/support/study_centre.h"

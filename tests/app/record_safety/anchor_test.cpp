@@ -7,7 +7,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"

@@ -14,7 +14,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/db/full_record.h"
 
 namespace torsio {

@@ -17,7 +17,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/demonstration_data.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/db/full_record.h"
 
 namespace torsio {

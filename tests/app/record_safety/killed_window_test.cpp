@@ -14,8 +14,8 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/digest.h"
-#include "sim/base/file_io.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
 #include "tests/app/record_safety/killed_maintenance.h"
 #include "tests/db/full_record.h"
 

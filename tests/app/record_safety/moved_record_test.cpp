@@ -14,8 +14,8 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 #include "tests/app/record_safety/killed_maintenance.h"
 
 namespace torsio {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is about people is for the owner of the record alone, and what was erased is not left on the disk.
-#include "sim/base/private_files.h"
+#include "sim/core/private_files.h"
 
 #include <chrono>
 #include <csignal>
@@ -20,7 +20,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/record_safety/killed_program.h"
 #include "tests/db/full_record.h"

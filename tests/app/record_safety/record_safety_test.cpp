@@ -15,7 +15,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/migrations/record_exchange.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"

@@ -20,7 +20,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/record_safety/killed_program.h"
 #include "tests/db/full_record.h"

@@ -13,7 +13,7 @@
 #include "app/maintenance/demonstration_removal.h"
 #include "app/maintenance/maintenance_desk.h"
 #include "app/maintenance/person_package.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/expert_run.h"
-#include "sim/base/staged_turn.h"
+#include "sim/core/staged_turn.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"

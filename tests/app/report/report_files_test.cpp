@@ -25,9 +25,9 @@
 #include "app/report/graphics_application.h"
 #include "app/report/pdf_file.h"
 #include "app/report/pdf_report.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/file_lock.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
 
 namespace torsio {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/report/wording.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/provenance_line.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

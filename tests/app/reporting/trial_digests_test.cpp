@@ -16,7 +16,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/reporting/small_study.h"
 

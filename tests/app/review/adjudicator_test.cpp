@@ -16,8 +16,8 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/review_centre.h"
 

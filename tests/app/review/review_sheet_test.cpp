@@ -23,8 +23,8 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"
 
 namespace torsio {

@@ -12,7 +12,7 @@
 #include "app/review/case_sheet.h"
 #include "assessment/rating/written_words.h"
 #include "db/connection/connection.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/review_centre.h"
 
 namespace torsio {

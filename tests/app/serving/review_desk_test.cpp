@@ -17,8 +17,8 @@
 
 #include "app/access/invitations.h"
 #include "db/connection/locator.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

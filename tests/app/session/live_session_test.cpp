@@ -19,9 +19,9 @@
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/db/test_database.h"
 

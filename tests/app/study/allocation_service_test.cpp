@@ -11,8 +11,8 @@
 #include "app/study/cohort_service.h"
 #include "assessment/study/allocation_entry.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

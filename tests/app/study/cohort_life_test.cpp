@@ -10,8 +10,8 @@
 #include "app/study/reassignment.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

@@ -12,9 +12,9 @@
 #include "db/connection/db_error.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

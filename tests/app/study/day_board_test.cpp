@@ -19,9 +19,9 @@
 #include "assessment/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/six_trainees.h"
 #include "tests/app/support/study_centre.h"
 

@@ -9,8 +9,8 @@
 
 #include "app/study/cohort_service.h"
 #include "app/study/day_board.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

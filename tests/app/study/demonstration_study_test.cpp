@@ -35,7 +35,7 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 
 #include "app/study/rubric_service.h"
 #include "assessment/rating/criteria_mean.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

@@ -19,7 +19,7 @@
 #include "assessment/rating/campaign.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/six_trainees.h"

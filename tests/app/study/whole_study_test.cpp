@@ -23,8 +23,8 @@
 #include "assessment/study/curriculum.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 #include "tests/app/support/six_trainees.h"
 #include "tests/app/support/study_centre.h"
 

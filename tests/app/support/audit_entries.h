@@ -8,7 +8,7 @@
 #include "assessment/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::testing {
 

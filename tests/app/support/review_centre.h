@@ -12,7 +12,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

@@ -15,7 +15,7 @@
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio::testing {

@@ -16,8 +16,8 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/ids.h"
-#include "sim/base/time_units.h"
+#include "sim/core/ids.h"
+#include "sim/core/time_units.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

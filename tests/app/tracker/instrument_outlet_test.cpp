@@ -11,7 +11,7 @@
 #include <QTcpServer>
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "tests/support/fake_tracker.h"
 
 namespace torsio {

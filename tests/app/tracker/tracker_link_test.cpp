@@ -13,8 +13,8 @@
 
 #include "app/tracker/tracked_recording.h"
 #include "assessment/attempt/foreign_measures.h"
-#include "sim/base/clock.h"
-#include "sim/base/foreign_recording.h"
+#include "sim/core/clock.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
 #include "tests/support/fake_tracker.h"

@@ -9,8 +9,8 @@
 #include "app/training/transcript.h"
 #include "app/training/trend.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio {

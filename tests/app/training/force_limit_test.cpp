@@ -22,7 +22,7 @@
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/training/hostile_run.h"
 

@@ -13,8 +13,8 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/training_centre.h"
 

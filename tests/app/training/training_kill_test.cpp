@@ -13,7 +13,7 @@
 #include "app/training/run_session.h"
 #include "assessment/study/cohort.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/base/tick_period.h"
+#include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/support/training_centre.h"

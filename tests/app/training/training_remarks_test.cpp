@@ -17,8 +17,8 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/base/clock.h"
-#include "sim/base/error.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/training_centre.h"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/time_units.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 namespace {

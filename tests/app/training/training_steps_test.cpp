@@ -9,7 +9,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "db/repository/trial/digest_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio {

@@ -19,8 +19,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/file_io.h"
-#include "sim/base/random.h"
+#include "sim/core/file_io.h"
+#include "sim/core/random.h"
 #include "tests/app/record_safety/killed_program.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/served_desk.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "tests/app/web/served_desk.h"
 
 namespace torsio::web {

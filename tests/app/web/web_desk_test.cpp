@@ -18,7 +18,7 @@
 #include "app/web/http_server.h"
 #include "assessment/people/account.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/served_desk.h"
 #include "tests/app/web/web_client.h"

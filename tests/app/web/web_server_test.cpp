@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "app/web/http_server.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "tests/app/web/web_client.h"
 
 namespace torsio::web {

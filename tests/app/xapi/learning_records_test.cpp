@@ -20,7 +20,7 @@
 #include "db/repository/system/learning_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/app/xapi/xapi_centre.h"
 
 namespace torsio {

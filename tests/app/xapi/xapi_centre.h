@@ -9,7 +9,7 @@
 
 #include "app/xapi/lrs_delivery.h"
 #include "assessment/people/learning_event.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 #include "tests/app/support/training_centre.h"
 #include "tests/support/test_lrs.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "sim/base/portable_math.h"
 #include "sim/baseline/elastic_body.h"
 #include "sim/baseline/swept_solid.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
 #include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/spring_lattice.h"
+#include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
 
 namespace torsio {

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
 #include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/reference_solid.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
 
 namespace torsio {

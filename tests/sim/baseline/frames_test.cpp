@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/xpbd_frames.h"
+#include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
 
 namespace torsio {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
 #include "sim/baseline/equilibrium.h"
+#include "sim/core/error.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

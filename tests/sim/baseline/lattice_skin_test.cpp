@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio {

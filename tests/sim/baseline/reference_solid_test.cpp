@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/error.h"
 #include "sim/baseline/corotational_tetrahedra.h"
+#include "sim/core/error.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/sim/baseline/bars.h"
 #include "tests/sim/tissue/rod/rod_shapes.h"

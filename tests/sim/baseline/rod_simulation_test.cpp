@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/baseline/twist_simulation.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

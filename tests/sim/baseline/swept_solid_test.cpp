@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
 
 namespace torsio {

@@ -17,8 +17,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/deadline.h"
-#include "sim/base/error.h"
+#include "sim/core/deadline.h"
+#include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/process/device_channel.h"
 #include "tests/support/fakehd/record_file.h"

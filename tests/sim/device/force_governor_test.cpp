@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

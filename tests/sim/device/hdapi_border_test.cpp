@@ -2,8 +2,8 @@
 // Cases B1 to B2 and K1 to K3 of the haptics plan: buttons, pose and roll at the border.
 #include <cmath>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <thread>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

@@ -2,7 +2,7 @@
 // Cases S1 to S5 and E1 to E8 of the haptics plan: the servo loop and everything that can go wrong in it.
 #include <numeric>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

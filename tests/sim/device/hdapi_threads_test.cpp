@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "sim/base/latest_value.h"
+#include "sim/core/latest_value.h"
 #include "tests/sim/device/hdapi_bench.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"

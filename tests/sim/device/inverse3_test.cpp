@@ -15,9 +15,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/deadline.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/deadline.h"
+#include "sim/core/error.h"
 #include "sim/device/inverse3/inverse3_device.h"
 #include "sim/device/inverse3/inverse3_driver.h"
 #include "sim/device/process/device_process.h"

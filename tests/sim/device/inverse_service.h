@@ -17,8 +17,8 @@
 #include <QWebSocketServer>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/deadline.h"
-#include "sim/base/vec3.h"
+#include "sim/core/deadline.h"
+#include "sim/core/vec3.h"
 
 namespace torsio::testing {
 

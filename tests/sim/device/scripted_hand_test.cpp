@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 namespace {

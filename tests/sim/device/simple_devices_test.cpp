@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/device/virtual/replay_device.h"

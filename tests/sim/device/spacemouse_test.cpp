@@ -24,7 +24,7 @@
 #define SPNAV_CONFIG_H_  // NOLINT(readability-identifier-naming)
 #include <spnav.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/device/steering/rate_steering.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

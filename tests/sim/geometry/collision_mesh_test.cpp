@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "assessment/people/person.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 #include "tests/sim/geometry/shapes.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/fcl_model.h"

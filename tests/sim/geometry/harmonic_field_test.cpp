@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 #include "sim/geometry/lattice/level_loops.h"
 #include "tests/support/procedural_mesh.h"
 

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "tests/sim/geometry/shapes.h"
 
 namespace torsio {

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 namespace {

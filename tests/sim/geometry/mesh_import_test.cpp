@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/random.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "tests/sim/geometry/shapes.h"

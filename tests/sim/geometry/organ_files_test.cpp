@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/file_io.h"
-#include "sim/base/portable_math.h"
+#include "sim/anatomy/shipped_files.h"
+#include "sim/core/angle.h"
+#include "sim/core/file_io.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/query/collision_mesh.h"
-#include "tools/organs/shipped_files.h"
 
 namespace torsio {
 namespace {

@@ -4,17 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/anatomy/curves.h"
+#include "sim/anatomy/forearm.h"
+#include "sim/anatomy/marching_tetrahedra.h"
+#include "sim/anatomy/remesh.h"
+#include "sim/anatomy/stomach.h"
+#include "sim/anatomy/tube.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "tests/sim/geometry/shapes.h"
-#include "tools/organs/curves.h"
-#include "tools/organs/forearm.h"
-#include "tools/organs/marching_tetrahedra.h"
-#include "tools/organs/remesh.h"
-#include "tools/organs/stomach.h"
-#include "tools/organs/tube.h"
 
 namespace torsio {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"

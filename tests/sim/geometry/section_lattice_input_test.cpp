@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "tests/support/procedural_mesh.h"
 

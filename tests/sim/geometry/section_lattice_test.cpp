@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

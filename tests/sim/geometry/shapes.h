@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::testing {

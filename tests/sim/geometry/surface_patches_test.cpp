@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/geometry/query/deformed_surface.h"
 #include "tests/sim/geometry/shapes.h"

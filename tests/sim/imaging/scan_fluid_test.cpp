@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "tests/support/procedural_mesh.h"

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "sim/imaging/apart/scan_process.h"

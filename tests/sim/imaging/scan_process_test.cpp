@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/trial_file.h"
 #include "tests/sim/record/samples.h"

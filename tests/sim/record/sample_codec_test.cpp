@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/contracts.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "sim/record/column_codec.h"
 #include "tests/sim/record/samples.h"
 

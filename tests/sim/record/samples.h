@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/live_types.h"
-#include "sim/base/random.h"
+#include "sim/core/live_types.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

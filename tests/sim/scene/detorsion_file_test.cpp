@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"

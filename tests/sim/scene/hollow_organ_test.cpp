@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/wall_places.h"
 #include "sim/tissue/hollow/tube_onset.h"

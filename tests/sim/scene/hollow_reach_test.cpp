@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/scene_file.h"
 #include "sim/tissue/view/twist_kernels.h"
 

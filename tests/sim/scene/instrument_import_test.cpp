@@ -13,10 +13,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/pose.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/geometry/mesh/mesh_import.h"

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/anatomy/forearm.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/scene_file.h"
 #include "tests/support/organ_like_shapes.h"
 #include "tests/support/procedural_mesh.h"
-#include "tools/organs/forearm.h"
 
 namespace torsio {
 namespace {

@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/organ_file.h"

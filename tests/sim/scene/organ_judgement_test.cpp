@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_holes.h"

@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/file_io.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/file_io.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/organ_import.h"

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/pose.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/fold_check.h"
 #include "sim/tissue/rod/rod_sections.h"

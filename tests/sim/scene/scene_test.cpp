@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/scene/scene.h"
 #include "tests/support/procedural_mesh.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/beside_link.h"
+#include "sim/core/beside_link.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"

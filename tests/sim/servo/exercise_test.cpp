@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "sim/servo/indentation.h"
 #include "tests/sim/servo/bar_scene.h"
 

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/spsc_ring.h"
+#include "sim/core/angle.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/record/memory_trial_sink.h"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
 #include "sim/device/haptic_device.h"
 #include "sim/servo/servo_loop.h"
 #include "tests/sim/servo/bar_scene.h"

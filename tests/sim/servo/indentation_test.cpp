@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
+#include "sim/core/portable_math.h"
 
 namespace torsio {
 namespace {

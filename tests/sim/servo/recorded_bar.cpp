@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/ids.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/ids.h"
+#include "sim/core/portable_math.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/file_io.h"
-#include "sim/base/spsc_ring.h"
+#include "sim/core/file_io.h"
+#include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"

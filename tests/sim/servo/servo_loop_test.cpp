@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"

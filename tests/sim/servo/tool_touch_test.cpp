@@ -15,9 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/people/person.h"
-#include "sim/base/angle.h"
-#include "sim/base/file_io.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/file_io.h"
+#include "sim/core/random.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/hollow_map.h"
 #include "tests/sim/servo/bar_scene.h"

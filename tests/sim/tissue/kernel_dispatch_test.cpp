@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 #include "sim/tissue/view/cpu_features.h"
 #include "sim/tissue/view/twist_kernels.h"
 #include "sim/tissue/view/twist_kernels_buffer.h"

@@ -15,9 +15,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/tissue/section/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"
 

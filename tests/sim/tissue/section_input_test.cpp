@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"

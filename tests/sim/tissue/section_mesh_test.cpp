@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/section/plane_mesh.h"
 #include "sim/tissue/section/polar_mesh.h"
 #include "sim/tissue/section/polygon.h"

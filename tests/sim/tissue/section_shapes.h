@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/base/portable_math.h"
-#include "sim/base/random.h"
+#include "sim/core/portable_math.h"
+#include "sim/core/random.h"
 #include "sim/tissue/section/polygon.h"
 
 namespace torsio::shapes {

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "tests/sim/tissue/twist_bars.h"
 #include "tests/support/allocation_count.h"
 

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/reference/paper_formulation.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/pose.h"
 #include "sim/tissue/twist/twist_model_view.h"
 #include "tests/sim/tissue/twist_bars.h"
 #include "tests/support/allocation_count.h"

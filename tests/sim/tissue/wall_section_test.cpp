@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/tissue/section/section_solver.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "sim/base/contracts.h"
+#include "sim/core/contracts.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio {
 class SessionContext;

@@ -18,7 +18,7 @@
 #include "app/gui/administrator/base/barcode.h"
 #include "app/gui/administrator/base/centre_headline.h"
 #include "app/report/typeface.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 

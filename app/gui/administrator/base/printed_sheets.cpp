@@ -15,7 +15,7 @@
 #include "app/gui/administrator/base/centre_headline.h"
 #include "app/report/typeface.h"
 #include "assessment/rating/rubric.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 

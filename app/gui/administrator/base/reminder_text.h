@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "app/study/reminders.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

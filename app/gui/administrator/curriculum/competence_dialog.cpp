@@ -21,8 +21,8 @@
 #include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "app/recording/competence_text.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

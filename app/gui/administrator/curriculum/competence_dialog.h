@@ -6,7 +6,7 @@
 #include <QDialog>
 
 #include "app/recording/competence_service.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QComboBox;
 class QDoubleSpinBox;

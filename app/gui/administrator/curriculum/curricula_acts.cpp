@@ -21,7 +21,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/study/occasion_service.h"
 #include "assessment/study/curriculum.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

@@ -22,7 +22,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/study/curriculum_content.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

@@ -23,9 +23,9 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
-#include "sim/base/load_decimals.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/load_decimals.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

@@ -18,7 +18,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

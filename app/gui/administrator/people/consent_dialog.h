@@ -8,7 +8,7 @@
 #include <QDialog>
 
 #include "assessment/people/consent.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QComboBox;
 class QDateEdit;

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "app/people/roster_import.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

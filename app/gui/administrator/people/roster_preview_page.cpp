@@ -16,7 +16,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

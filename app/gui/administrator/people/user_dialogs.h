@@ -9,7 +9,7 @@
 #include <QStringList>
 
 #include "app/access/access_service.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QWidget;
 

@@ -28,7 +28,7 @@
 #include "app/reporting/coded_tables.h"
 #include "app/study/frozen_data.h"
 #include "assessment/report/cohort_report.h"
-#include "sim/base/file_io.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 

@@ -11,8 +11,8 @@
 #include "app/mail/mail_settings.h"
 #include "app/mail/mailed_reminders.h"
 #include "app/study/reminders.h"
-#include "sim/base/ids.h"
-#include "sim/base/text.h"
+#include "sim/core/ids.h"
+#include "sim/core/text.h"
 
 class QLabel;
 class QLineEdit;

@@ -20,8 +20,8 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/base/error.h"
-#include "sim/base/file_io.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::gui {
 

@@ -27,7 +27,7 @@
 #include "app/study/reassignment.h"
 #include "app/study/rubric_service.h"
 #include "assessment/people/person.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 

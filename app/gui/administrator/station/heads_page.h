@@ -7,7 +7,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/maintenance/station_heads.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 class QLabel;
 class QLineEdit;

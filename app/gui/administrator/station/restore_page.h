@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/maintenance/record_restore.h"
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 
 class QGridLayout;
 class QLabel;

@@ -7,7 +7,7 @@
 
 #include "app/maintenance/retention.h"
 #include "assessment/people/retention.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QLabel;
 class QPushButton;

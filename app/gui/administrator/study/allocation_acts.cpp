@@ -21,7 +21,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

@@ -23,8 +23,8 @@
 #include "app/study/cohort_service.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/error.h"
-#include "sim/base/ids.h"
+#include "sim/core/error.h"
+#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

@@ -11,7 +11,7 @@
 #include "app/gui/base/page.h"
 #include "app/study/allocation_service.h"
 #include "assessment/study/allocation_entry.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QCheckBox;
 class QComboBox;

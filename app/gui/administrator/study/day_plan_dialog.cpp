@@ -28,7 +28,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/study/day_plan.h"
-#include "sim/base/time_units.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -12,7 +12,7 @@
 #include <QTime>
 
 #include "assessment/study/day_slot.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QDateEdit;
 class QLabel;

@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QPushButton;
 

@@ -9,7 +9,7 @@
 
 #include "app/study/cohort_service.h"
 #include "assessment/study/cohort.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QWidget;
 

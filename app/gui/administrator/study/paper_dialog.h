@@ -8,7 +8,7 @@
 
 #include "app/study/paper_sheets.h"
 #include "assessment/rating/sheet_check.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QCheckBox;
 class QDoubleSpinBox;

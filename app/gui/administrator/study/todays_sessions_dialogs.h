@@ -8,7 +8,7 @@
 #include <QStringList>
 
 #include "app/study/cohort_service.h"
-#include "sim/base/ids.h"
+#include "sim/core/ids.h"
 
 class QWidget;
 

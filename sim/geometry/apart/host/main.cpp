@@ -6,7 +6,7 @@
 #include <new>
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/apart/helper_host.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/geometry/mesh/mesh_reader.h"

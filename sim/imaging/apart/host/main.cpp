@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "sim/base/error.h"
+#include "sim/core/error.h"
 #include "sim/geometry/apart/helper_host.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/imaging/apart/scan_mail.h"

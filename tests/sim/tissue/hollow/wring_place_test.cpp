@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "tests/support/allocation_count.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "tests/support/allocation_count.h"
 

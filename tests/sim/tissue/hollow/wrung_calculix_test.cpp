@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "sim/tissue/hollow/wring_table.h"
 

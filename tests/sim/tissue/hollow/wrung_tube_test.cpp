@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/error.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "sim/tissue/hollow/wring_table.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/digest.h"
+#include "sim/core/digest.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/random.h"
+#include "sim/core/random.h"
 #include "sim/tissue/rod/rod_step.h"
 #include "sim/tissue/rod/rod_system.h"
 #include "tests/sim/tissue/rod/rod_organs.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "sim/base/angle.h"
-#include "sim/base/random.h"
+#include "sim/core/angle.h"
+#include "sim/core/random.h"
 #include "tests/sim/tissue/rod/rod_organs.h"
 
 namespace torsio {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/error.h"
+#include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "tests/support/procedural_mesh.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/angle.h"
-#include "sim/base/pose.h"
+#include "sim/core/angle.h"
+#include "sim/core/pose.h"
 #include "sim/tissue/rod/rod.h"
 
 namespace torsio {

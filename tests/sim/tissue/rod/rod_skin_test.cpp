@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
-#include "sim/base/portable_math.h"
+#include "sim/core/angle.h"
+#include "sim/core/portable_math.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/procedural_mesh.h"

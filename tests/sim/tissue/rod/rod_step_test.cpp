@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/angle.h"
+#include "sim/core/angle.h"
 #include "sim/tissue/rod/rod_contact.h"
 #include "sim/tissue/rod/rod_energy.h"
 #include "sim/tissue/rod/rod_solve.h"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "sim/anatomy/curves.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+
+namespace torsio {
+
+/// Half axes of one section along e1 and e2.
+struct SectionSize {
+  double e1 = 0.0;
+  double e2 = 0.0;
+};
+
+/// Heights of the half ellipsoids that close the two ends, as a share of the half axis there.
+struct Domes {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+/// A closed tube of elliptic sections on `frames`, both ends closed by `domes`. `bump(share, angle)` in file
+/// units is added along the section's radius; share 0..1 is the arc length from the first end, angle is
+/// measured from e1 to e2. Lengths as in `frames`. Sections do not cross as long as the radius of curvature
+/// exceeds the half axis.
+[[nodiscard]] TriangleMesh closedTube(const std::vector<CurveFrame>& frames, std::size_t around,
+                                      const Domes& domes,
+                                      const std::function<SectionSize(double share)>& size,
+                                      const std::function<double(double share, double angle_rad)>& bump);
+
+/// Computes the texture coordinates of a surface about `frames` (TubeOrgan::texture), in the unit of the
+/// frames: the share of the length from the first frame, and of a turn from e1 over e2.
+[[nodiscard]] std::vector<std::array<float, 2>> textureAlong(const TriangleMesh& surface,
+                                                             const std::vector<CurveFrame>& frames);
+
+}  // namespace torsio

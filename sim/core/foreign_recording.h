@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "sim/core/ids.h"
+
+namespace torsio {
+
+/// The scene of a recording that other equipment made: path, rotation and jaw of an instrument in a frame of
+/// its own. No organ answered, nothing was felt, and there is nothing to compute again.
+inline constexpr std::string_view kForeignScene = "foreign";
+/// What stands in place of the model's name in tables and reports.
+inline constexpr std::string_view kForeignModel = "foreign recording";
+/// The one key of the parameters of such a recording: source, frame, unit, how it was read.
+inline constexpr const char* kForeignParameters = "foreign";
+
+/// Whether a recording of this scene came from other equipment. Any thread.
+[[nodiscard]] inline bool isForeign(const SceneId& scene) {
+  return scene.text() == kForeignScene;
+}
+
+}  // namespace torsio

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "sim/core/angle.h"
+
+namespace torsio {
+
+/// What one hand turns without letting go: 70 degrees of pronation and 85 of supination.
+inline constexpr double kHandTurn_rad = radians(155.0);
+
+/// Most marks of the jaw that a trial keeps.
+inline constexpr int kMostTissueMarks = 32;
+
+/// How a hand may look whether blood flows. Each costs time and is wrong by a stated error.
+enum class FlowCheck : std::uint8_t {
+  kNone = 0,
+  kLook = 1,     ///< at the colour and the pulsation of the vessels
+  kTouch = 2,    ///< for the pulse
+  kDoppler = 3,  ///< with a probe
+};
+
+/// What a check of the blood flow has said last.
+struct FlowReading {
+  FlowCheck running = FlowCheck::kNone;  ///< begun and not yet done
+  FlowCheck done = FlowCheck::kNone;     ///< the last that was done; its answer follows
+  double flow = 0.0;                     ///< 0 .. 1, as it was told: true flow with the check's error
+  std::int64_t done_us = -1;             ///< servo time; -1: none yet
+  std::int64_t ready_us = -1;            ///< when the one that runs is done
+  std::int32_t count = 0;                ///< checks done in this trial
+  friend constexpr bool operator==(const FlowReading&, const FlowReading&) = default;
+};
+
+/// A place where the jaw has hurt the wall; it stays.
+struct TissueMark {
+  double arc_m = 0.0;      ///< of the organ at rest
+  double round_rad = 0.0;  ///< round the section at rest, from e1 of SectionLattice::frameAt
+  std::int64_t tick = 0;
+  bool torn = false;  ///< through the wall; else bruised
+  friend constexpr bool operator==(const TissueMark&, const TissueMark&) = default;
+};
+
+/// How a hollow organ fares: recorded with each tick. Of an organ without a wall all as at rest.
+struct HollowReading {
+  double pressure_Pa = 0.0;  ///< of the content, over outside
+  double patency = 1.0;      ///< free cross-section of the narrowest place: 1 open, 0 closed
+  double flow = 1.0;         ///< of blood, against that of the untwisted organ
+  double dose = 0.0;         ///< of ischaemia: from 1 on the tissue is lost
+  friend constexpr bool operator==(const HollowReading&, const HollowReading&) = default;
+};
+
+/// How a hollow organ that came twisted lies and fares. Trivially copyable. The angle of its mobile part
+/// stands in TwistState::graspAngle_rad.
+struct HollowPose {
+  bool present = false;    ///< false: the scene knows no wall
+  double start_rad = 0.0;  ///< angle with which the trial began, signed
+  HollowReading reading;
+  double congestion = 0.0;  ///< 0 .. 1: veins shut, artery open
+  double saturation = 0.0;  ///< of the tissue's haemoglobin, 0 .. 1: for its colour
+  double scaled_s = 0.0;    ///< time of the tissue: that of the hand by the scene's time scale
+  double jaw_Pa = 0.0;      ///< of the jaw on the wall
+  bool clipped = false;     ///< a clip or an assistant holds the mobile part
+  bool venting = false;     ///< the content leaves
+  bool leaking = false;     ///< the wall is torn: the content leaves for good
+  FlowReading check;
+  int markCount = 0;
+  std::array<TissueMark, kMostTissueMarks> marks{};
+  friend constexpr bool operator==(const HollowPose&, const HollowPose&) = default;
+};
+
+static_assert(std::is_trivially_copyable_v<HollowPose>);
+
+}  // namespace torsio
