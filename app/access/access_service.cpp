@@ -8,13 +8,13 @@
 #include "app/access/person_text.h"
 #include "app/access/signing.h"
 #include "app/access/two_people.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

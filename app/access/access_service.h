@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/account.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/audit_service.h"
 
-#include "assessment/people/account.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/person.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"

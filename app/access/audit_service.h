@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 
 namespace torsio {
 

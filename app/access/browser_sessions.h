@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <QFileInfo>
 #include <QRandomGenerator>
 
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/database_file.h"
 #include "db/connection/locator.h"

@@ -9,7 +9,7 @@
 
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -8,6 +8,7 @@
 #include <QSysInfo>
 
 #include "app/base/build_info.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
@@ -16,7 +17,6 @@
 #include "db/repository/people/server_roles.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/access/operation.h"
-#include "assessment/people/account.h"
-#include "assessment/people/audit_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_terms.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "assessment/people/signature.h"
+#include "assessment/domain/people/signature.h"
 #include "sim/core/error.h"
 
 namespace torsio {

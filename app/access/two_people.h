@@ -8,7 +8,7 @@
 
 #include "app/access/access_service.h"
 #include "app/access/session_context.h"
-#include "assessment/people/duty.h"
+#include "assessment/domain/people/duty.h"
 #include "sim/core/error.h"
 
 namespace torsio {

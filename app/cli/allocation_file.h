@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/study/allocation.h"
+#include "assessment/domain/study/allocation.h"
 
 namespace torsio::cli {
 

@@ -15,7 +15,7 @@
 #include "app/cli/json_output.h"
 #include "app/maintenance/signing_key.h"
 #include "app/maintenance/station_anchor.h"
-#include "assessment/study/allocation.h"
+#include "assessment/domain/study/allocation.h"
 #include "sim/core/clock.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"

@@ -13,7 +13,7 @@
 #include "app/maintenance/anchor.h"
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/station_anchor.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/base/assets.h"
 #include "app/cli/commands.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/baseline/grasped_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/rod_bench.h"

@@ -13,7 +13,7 @@
 #include "app/comparison/comparison_report.h"
 #include "app/comparison/comparison_run.h"
 #include "app/report/pdf_report.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"

@@ -13,7 +13,7 @@
 #include "app/cli/progress_line.h"
 #include "app/demonstration/demonstration.h"
 #include "app/report/wording.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
 
 namespace torsio::cli {

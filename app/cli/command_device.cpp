@@ -12,7 +12,7 @@
 #include "app/cli/commands.h"
 #include "app/devices/device_check.h"
 #include "app/devices/device_monitor.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
 

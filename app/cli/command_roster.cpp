@@ -13,7 +13,7 @@
 #include "app/cli/maintenance_options.h"
 #include "app/maintenance/maintenance_desk.h"
 #include "app/people/roster_undo.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 
 namespace torsio::cli {
 

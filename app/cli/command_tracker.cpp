@@ -19,7 +19,7 @@
 #include "app/tracker/instrument_outlet.h"
 #include "app/tracker/tracker_choice.h"
 #include "app/tracker/tracker_link.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 #include "sim/core/live_of_sample.h"

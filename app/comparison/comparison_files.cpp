@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/csv_table.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/file_io.h"
 
 namespace torsio {

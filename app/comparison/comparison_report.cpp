@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/load_decimals.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/comparison/comparison_run.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 namespace torsio {
 

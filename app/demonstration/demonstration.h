@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/base/progress.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -7,10 +7,10 @@
 #include "app/demonstration/demonstration.h"
 #include "app/demonstration/demonstration_desk.h"
 #include "app/demonstration/demonstration_station.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

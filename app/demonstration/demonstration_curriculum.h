@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/demonstration/demonstration_people.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

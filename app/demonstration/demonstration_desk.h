@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/rubric.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/demonstration_marks.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/scoring/demonstration_marks.h"
 
 namespace torsio {
 

@@ -8,9 +8,10 @@
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/recording/pipeline.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -19,7 +20,6 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

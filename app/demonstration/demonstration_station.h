@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "app/demonstration/demonstration_curriculum.h"
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

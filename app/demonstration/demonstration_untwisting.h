@@ -7,7 +7,7 @@
 
 #include "app/demonstration/demonstration_people.h"
 #include "app/recording/pipeline.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/devices/servo_labels.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"

@@ -8,7 +8,7 @@
 
 #include <QSettings>
 
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
 

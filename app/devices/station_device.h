@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/devices/device_readiness.h"
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 #include "sim/core/text.h"
 
 namespace torsio {

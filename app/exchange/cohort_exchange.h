@@ -14,7 +14,7 @@
 #include "app/exchange/table_files.h"
 #include "app/exchange/workbook.h"
 #include "app/reporting/report_data.h"
-#include "assessment/report/analysed_cohort.h"
+#include "assessment/results/analysed_cohort.h"
 
 namespace torsio {
 
@@ -52,7 +52,7 @@ void nameRequest(SessionContext& session, const std::string& cohort, const std::
                  ExchangeRequest& request);
 
 /// Reads what is asked for. Nobody is named; marks and means that are not to be shown yet are left out as in
-/// the report (assessment/report/shown_inputs.h). kReportExportCoded and kResultsCompute. Throws
+/// the report (assessment/results/shown_inputs.h). kReportExportCoded and kResultsCompute. Throws
 /// Error{kBadParameter} for an unknown cohort, data set or a key that is too short.
 [[nodiscard]] ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request,
                                         TrialDigests& digests, const ProgressCallback& progress = {});

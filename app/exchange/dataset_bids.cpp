@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exchange/trajectory.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scoring/cohort_occasions.h"
-#include "assessment/people/person.h"
-#include "assessment/report/shown_inputs.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/results/shown_inputs.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"

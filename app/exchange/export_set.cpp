@@ -5,7 +5,7 @@
 #include <charconv>
 #include <utility>
 
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/exchange/export_table.h"
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio {
 

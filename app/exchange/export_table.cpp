@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/contracts.h"
 
 namespace torsio {

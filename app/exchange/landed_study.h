@@ -12,8 +12,8 @@
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "app/study/cohort_service.h"
-#include "assessment/scoring/instrument.h"
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

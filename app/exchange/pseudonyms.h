@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <utility>
 
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/core/device_sample.h"

@@ -8,7 +8,7 @@
 
 #include "app/base/progress.h"
 #include "app/exchange/export_table.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 
 namespace torsio {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/record_copy.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/record_copy.h"
 #include "sim/core/text.h"
 
 namespace torsio {

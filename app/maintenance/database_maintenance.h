@@ -9,7 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/migrations/backup.h"
 
 namespace torsio {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/maintenance/others_at_work.h"
 
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/error.h"
 

@@ -10,6 +10,7 @@
 
 #include "app/maintenance/copies.h"
 #include "app/maintenance/guarded_erase.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
 #include "db/migrations/file_in_the_making.h"
@@ -21,7 +22,6 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/ids.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -19,6 +19,7 @@
 #include "app/maintenance/database_maintenance.h"
 #include "app/maintenance/maintenance_desk.h"
 #include "app/maintenance/others_at_work.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
@@ -27,7 +28,6 @@
 #include "db/repository/people/person_data.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,11 +5,11 @@
 
 #include "app/access/two_people.h"
 #include "app/maintenance/guarded_erase.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/maintenance/station_anchor.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -7,12 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/consent_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 

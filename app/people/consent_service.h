@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/consent.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/consent.h"
 
 namespace torsio {
 

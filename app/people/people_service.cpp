@@ -14,14 +14,14 @@
 #include "app/access/person_text.h"
 #include "app/base/csv_table.h"
 #include "app/people/person_codes.h"
-#include "assessment/people/consent.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/consent.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

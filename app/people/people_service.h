@@ -9,8 +9,8 @@
 
 #include "app/access/session_context.h"
 #include "app/base/csv_style.h"
-#include "assessment/people/person.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/person_request.h"
+#include "assessment/domain/people/person_request.h"
 
 namespace torsio {
 

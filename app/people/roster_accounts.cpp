@@ -8,7 +8,7 @@
 
 #include "app/access/person_text.h"
 #include "app/access/two_people.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio {
 

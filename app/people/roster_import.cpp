@@ -11,7 +11,7 @@
 #include "app/people/import_record.h"
 #include "app/people/person_codes.h"
 #include "app/people/roster_rows.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

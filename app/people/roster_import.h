@@ -12,7 +12,7 @@
 #include "app/access/session_context.h"
 #include "app/base/csv_table.h"
 #include "app/base/progress.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
 namespace torsio {

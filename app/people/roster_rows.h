@@ -8,7 +8,7 @@
 
 #include "app/people/people_service.h"
 #include "app/people/roster_import.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 
 #include "app/people/import_record.h"
 #include "app/people/people_service.h"
-#include "assessment/people/audit_entry.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"

@@ -8,12 +8,12 @@
 #include "app/recording/competence_text.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

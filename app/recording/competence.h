@@ -12,10 +12,10 @@
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/mastery.h"
 #include "assessment/attempt/pass_rule.h"
-#include "assessment/report/cohort_report.h"
-#include "assessment/study/curriculum.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/protocol_terms.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio {
 

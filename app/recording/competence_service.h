@@ -7,8 +7,8 @@
 
 #include "app/access/session_context.h"
 #include "assessment/attempt/competence.h"
+#include "assessment/domain/ids.h"
 #include "assessment/statistics/standard_setting.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,8 +11,8 @@
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/report/cohort_report.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/results/cohort_report.h"
 #include "sim/core/live_types.h"
 #include "sim/record/trial.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "assessment/attempt/trial_listing.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/device/haptic_device.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"

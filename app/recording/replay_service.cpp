@@ -7,11 +7,11 @@
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "assessment/attempt/measured_trial.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/servo/replay_trial.h"
 
 namespace torsio {

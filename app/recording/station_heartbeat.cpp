@@ -2,12 +2,12 @@
 #include "app/recording/station_heartbeat.h"
 
 #include "app/base/build_info.h"
-#include "assessment/study/station_state.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/trial/station_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/id_source.h"

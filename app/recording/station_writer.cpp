@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "app/recording/station_heartbeat.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/db_error.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

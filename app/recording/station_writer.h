@@ -10,7 +10,7 @@
 
 #include "app/access/session_context.h"
 #include "app/devices/station_device.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

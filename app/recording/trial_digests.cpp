@@ -11,15 +11,15 @@
 #include "app/recording/measuring_ahead.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 #include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "app/recording/kept_digests.h"
-#include "assessment/report/cohort_report.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio {
 

@@ -6,10 +6,10 @@
 #include <QStandardPaths>
 
 #include "app/access/session_context.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/file_io.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

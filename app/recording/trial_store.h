@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

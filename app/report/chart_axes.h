@@ -9,7 +9,7 @@
 
 #include "app/report/chart_style.h"
 #include "app/report/wording.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 class QBarCategoryAxis;
 class QCategoryAxis;

@@ -5,7 +5,7 @@
 
 #include "app/report/chart_style.h"
 #include "app/report/wording.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 class QChart;
 class QGraphicsWidget;

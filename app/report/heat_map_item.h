@@ -6,7 +6,7 @@
 
 #include "app/report/chart_style.h"
 #include "app/report/wording.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 namespace torsio {
 

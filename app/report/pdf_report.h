@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/report/wording.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/report/cohort_report.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/results/cohort_report.h"
 #include "sim/core/text.h"
 
 namespace torsio {

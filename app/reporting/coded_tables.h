@@ -7,8 +7,8 @@
 
 #include "app/access/session_context.h"
 #include "app/base/csv_style.h"
-#include "assessment/people/audit_entry.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/audit_entry.h"
 
 namespace torsio {
 

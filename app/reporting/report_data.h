@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/recording/trial_digests.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/pdf_report.h"
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
 #include "db/connection/connection.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reporting/report_names.h"
 
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/refusal.h"

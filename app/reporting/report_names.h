@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

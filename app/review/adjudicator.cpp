@@ -12,10 +12,11 @@
 
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -24,7 +25,6 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/study/occasion.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/occasion.h"
 
 namespace torsio {
 

@@ -3,14 +3,14 @@
 
 #include "app/recording/detorsion_rules.h"
 #include "app/recording/kept_digests.h"
-#include "assessment/rating/blinded_due.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/blinded_due.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_seed.h"
 

@@ -10,8 +10,8 @@
 
 #include "app/access/session_context.h"
 #include "assessment/attempt/measured_trial.h"
-#include "assessment/rating/assignment.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

@@ -3,15 +3,15 @@
 
 #include "app/review/blinded_case.h"
 #include "app/study/remark_revision.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/remark.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/remark.h"
+#include "assessment/domain/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -10,9 +10,10 @@
 
 #include "app/access/signing.h"
 #include "app/review/sheet_editor.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/call_repository.h"
@@ -22,7 +23,6 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

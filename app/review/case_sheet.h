@@ -9,10 +9,10 @@
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 #include "app/review/watch_log.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/rating/sheet_check.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/sheet_check.h"
 
 namespace torsio {
 
@@ -44,7 +44,7 @@ struct OpenedSheet {
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
-/// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
+/// Checks a sheet against its rubric with the rules of assessment/domain/rating. Pure.
 [[nodiscard]] SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live,
                                     const WatchLog& watched, const ViewingRules& rules);
 

@@ -8,10 +8,11 @@
 
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
@@ -19,7 +20,6 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

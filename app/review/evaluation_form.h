@@ -8,10 +8,10 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/scoring/instrument.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio {
 

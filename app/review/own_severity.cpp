@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
 #include "assessment/statistics/reliability.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"

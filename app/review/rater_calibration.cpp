@@ -6,7 +6,8 @@
 #include <set>
 
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/rating/reference_run.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/reference_run.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
@@ -15,7 +16,6 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "assessment/rating/remark.h"
+#include "assessment/domain/rating/remark.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/core/error.h"

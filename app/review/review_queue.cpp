@@ -8,11 +8,11 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/rater_calibration.h"
-#include "assessment/rating/assignment.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/ids.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

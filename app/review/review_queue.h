@@ -7,7 +7,7 @@
 
 #include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
-#include "assessment/rating/live_call.h"
+#include "assessment/domain/rating/live_call.h"
 
 namespace torsio {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/rating/sheet_check.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/sheet_check.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include "app/access/session_context.h"
 #include "app/review/case_sheet.h"
 #include "app/review/watch_log.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

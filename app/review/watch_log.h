@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio {
 

@@ -10,15 +10,16 @@
 #include <utility>
 
 #include "app/base/build_info.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/campaign.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/study/allocation.h"
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
@@ -27,7 +28,6 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

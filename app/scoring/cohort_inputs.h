@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/scoring/scoring_service.h"
-#include "assessment/report/cohort_report.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio {
 

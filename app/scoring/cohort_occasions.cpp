@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

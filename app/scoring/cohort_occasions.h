@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "assessment/study/occasion.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/occasion.h"
 
 namespace torsio {
 

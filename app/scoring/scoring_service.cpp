@@ -9,8 +9,9 @@
 
 #include "app/base/build_info.h"
 #include "app/scoring/cohort_occasions.h"
-#include "assessment/rating/mark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/assessment_run.h"
@@ -20,7 +21,6 @@
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

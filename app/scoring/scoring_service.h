@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/campaign.h"
-#include "assessment/rating/mark.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/occasion.h"
+#include "assessment/results/cohort_report.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
-#include "assessment/study/occasion.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

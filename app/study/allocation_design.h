@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/person.h"
-#include "assessment/study/allocation.h"
-#include "assessment/study/allocation_entry.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/allocation_entry.h"
 
 namespace torsio {
 

@@ -9,11 +9,11 @@
 #include "app/study/allocation_design.h"
 #include "app/study/allocation_service.h"
 #include "app/study/draw_field.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

@@ -13,13 +13,13 @@
 #include "app/study/cohort_service.h"
 #include "app/study/draw_field.h"
 #include "app/study/drawn_seed.h"
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

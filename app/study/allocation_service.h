@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/study/allocation.h"
-#include "assessment/study/allocation_entry.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/allocation_entry.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/campaign.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/campaign.h"
 #include "sim/core/tissue_model.h"
 
 namespace torsio {

@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study/day_plan.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

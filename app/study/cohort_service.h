@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/protocol_terms.h"
 
 namespace torsio {
 

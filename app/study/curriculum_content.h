@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/curriculum.h"
-#include "assessment/study/occasion.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/occasion.h"
 #include "sim/core/text.h"
 
 namespace torsio {

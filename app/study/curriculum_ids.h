@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 

@@ -9,8 +9,8 @@
 
 #include "app/study/curriculum_content.h"
 #include "app/study/target_reach.h"
+#include "assessment/domain/study/curriculum.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/study/curriculum.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene.h"

@@ -9,8 +9,8 @@
 
 #include "app/access/session_context.h"
 #include "app/study/curriculum_content.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 

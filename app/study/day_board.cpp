@@ -12,8 +12,9 @@
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
 #include "app/study/day_plan.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/live_call.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/live_call.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -22,7 +23,6 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
-#include "assessment/study/day_slot.h"
-#include "assessment/study/occasion.h"
-#include "assessment/study/protocol_terms.h"
-#include "assessment/study/station_state.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/day_slot.h"
+#include "assessment/domain/study/occasion.h"
+#include "assessment/domain/study/protocol_terms.h"
+#include "assessment/domain/study/station_state.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/slot_repository.h"

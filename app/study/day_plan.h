@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/study/day_slot.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/day_slot.h"
 
 namespace torsio {
 

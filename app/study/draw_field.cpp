@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "app/study/allocation_design.h"
+#include "assessment/domain/ids.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/study/allocation_service.h"
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
 
 namespace torsio {
 

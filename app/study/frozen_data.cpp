@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/access/signing.h"
-#include "assessment/people/account.h"
-#include "assessment/rating/campaign.h"
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/id_source.h"
@@ -24,7 +25,6 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -12,7 +12,8 @@
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
 #include "app/study/day_board.h"
-#include "assessment/rating/assignment.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -20,7 +21,6 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 

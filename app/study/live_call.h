@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/live_call.h"
-#include "assessment/study/occasion.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/study/occasion.h"
 #include "sim/core/text.h"
 
 namespace torsio {

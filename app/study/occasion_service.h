@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "assessment/study/occasion.h"
+#include "assessment/domain/study/occasion.h"
 
 namespace torsio {
 

@@ -9,10 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study/day_board.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/live_call.h"
-#include "assessment/rating/paper_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/rating/paper_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -21,7 +22,6 @@
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 #include "sim/core/text_list.h"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio {
 

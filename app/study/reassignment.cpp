@@ -12,8 +12,8 @@
 
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/sheet_state.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/sheet_state.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

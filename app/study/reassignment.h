@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "assessment/people/person.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 
 namespace torsio {
 

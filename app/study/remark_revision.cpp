@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study/remark_revision.h"
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/remark.h"
+#include "assessment/domain/rating/remark.h"
 
 namespace torsio {
 

@@ -8,15 +8,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/blinded_due.h"
-#include "assessment/rating/live_call.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/blinded_due.h"
+#include "assessment/domain/rating/live_call.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

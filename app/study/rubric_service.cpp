@@ -9,12 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 #include "sim/scene/json_fields.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/rubric.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
 #include "sim/core/text.h"
 
 namespace torsio {

@@ -6,13 +6,13 @@
 
 #include "app/access/session_context.h"
 #include "app/scoring/cohort_occasions.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -13,9 +13,10 @@
 #include "app/study/case_order.h"
 #include "app/study/cohort_service.h"
 #include "app/study/drawn_seed.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/sheet_state.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -25,7 +26,6 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/sheet_state.h"
-#include "assessment/study/occasion.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/study/occasion.h"
 
 namespace torsio {
 

@@ -17,7 +17,7 @@
 #include "app/tracker/igtl_messages.h"
 #include "app/tracker/own_address.h"
 #include "app/tracker/tracker_choice.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 

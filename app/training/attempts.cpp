@@ -7,11 +7,11 @@
 #include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,9 +11,9 @@
 #include "app/access/session_context.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
-#include "assessment/study/curriculum.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/protocol_terms.h"
 
 namespace torsio {
 

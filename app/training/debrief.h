@@ -14,8 +14,8 @@
 #include "app/training/detorsion_story.h"
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/pass_rule.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/core/text.h"
 #include "sim/scene/scene.h"
 

@@ -8,12 +8,12 @@
 #include "app/study/day_board.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -11,9 +11,9 @@
 #include "app/training/attempts.h"
 #include "app/training/training_run.h"
 #include "assessment/attempt/competence.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 

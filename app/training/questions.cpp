@@ -11,8 +11,9 @@
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/remark.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/remark.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -21,7 +22,6 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/remark.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/remark.h"
 
 namespace torsio {
 

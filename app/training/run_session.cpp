@@ -11,7 +11,8 @@
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
@@ -19,7 +20,6 @@
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/tick_period.h"
 
 namespace torsio {

@@ -15,10 +15,10 @@
 #include "app/recording/station_writer.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
-#include "assessment/people/consent.h"
-#include "assessment/study/curriculum.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/consent.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

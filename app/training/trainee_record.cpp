@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "assessment/people/person.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

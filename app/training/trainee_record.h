@@ -6,9 +6,9 @@
 
 #include "app/access/session_context.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "assessment/domain/ids.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/core/clock.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,10 +3,10 @@
 
 #include "app/base/build_info.h"
 #include "app/training/trend.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include "app/access/session_context.h"
 #include "app/training/next_steps.h"
 #include "assessment/attempt/competence.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -7,11 +7,11 @@
 #include "app/recording/competence.h"
 #include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
-#include "assessment/study/curriculum.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

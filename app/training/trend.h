@@ -10,8 +10,8 @@
 #include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "assessment/attempt/competence.h"
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/review/sheet_editor.h"
-#include "assessment/rating/sheet_state.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio::web {
 

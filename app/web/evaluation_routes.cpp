@@ -11,8 +11,8 @@
 #include "app/web/router.h"
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
-#include "assessment/people/signature.h"
-#include "assessment/scoring/index_meaning.h"
+#include "assessment/domain/people/signature.h"
+#include "assessment/domain/rating/index_meaning.h"
 #include "sim/core/refusal.h"
 
 namespace torsio::web {

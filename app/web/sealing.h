@@ -5,7 +5,7 @@
 
 #include "app/web/case_picture.h"
 #include "app/web/router.h"
-#include "assessment/people/signature.h"
+#include "assessment/domain/people/signature.h"
 
 namespace torsio::web {
 

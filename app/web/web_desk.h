@@ -18,7 +18,7 @@
 #include "app/web/picture_cache.h"
 #include "app/web/router.h"
 #include "app/web/web_sessions.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio::web {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::web {
 

@@ -7,7 +7,7 @@
 #include "app/access/session_context.h"
 #include "app/xapi/lrs_delivery.h"
 #include "app/xapi/lrs_settings.h"
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/people/learning_event.h"
 #include "sim/core/text.h"
 
 namespace torsio {

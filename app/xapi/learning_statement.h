@@ -6,7 +6,7 @@
 
 #include "app/recording/kept_digests.h"
 #include "app/xapi/lrs_settings.h"
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/people/learning_event.h"
 
 namespace torsio {
 

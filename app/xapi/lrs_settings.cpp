@@ -12,7 +12,7 @@
 #include "app/access/settings_service.h"
 #include "app/base/this_computer.h"
 #include "app/exchange/pseudonyms.h"
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/people/learning_event.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "assessment/attempt/attempt_measures.h"
-#include "assessment/study/competence_design.h"
+#include "assessment/domain/study/competence_design.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "assessment/study/protocol_terms.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

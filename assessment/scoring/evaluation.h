@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/rating/instrument.h"
 #include "assessment/scoring/model_ratings.h"
 
 namespace torsio {

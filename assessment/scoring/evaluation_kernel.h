@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/rating/instrument.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/rating/instrument.h"
 
 namespace torsio {
 

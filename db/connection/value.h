@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/study/allocation.h"
+#include "assessment/domain/study/allocation.h"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of numbers of a cohort.
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"
 

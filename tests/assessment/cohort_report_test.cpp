@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 
 #include <algorithm>
 #include <map>
@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assessment/report/aggregated_inputs.h"
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/figure_table.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/aggregated_inputs.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/figure_table.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"

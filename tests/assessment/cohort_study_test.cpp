@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assessment/report/cohort_report.h"
-#include "assessment/report/number_format.h"
-#include "assessment/report/study_analysis.h"
+#include "assessment/results/cohort_report.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/study_analysis.h"
 #include "assessment/statistics/distributions.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"

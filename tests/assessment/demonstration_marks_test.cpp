@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/study/demonstration_marks.h"
+#include "assessment/scoring/demonstration_marks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

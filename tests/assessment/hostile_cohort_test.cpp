@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/cohort_report.h"
-#include "assessment/report/study_analysis.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
+#include "assessment/results/study_analysis.h"
 #include "assessment/statistics/power.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/study/occasion.h"
+#include "assessment/domain/study/occasion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/study/protocol_terms.h"
 
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "assessment/study/competence_design.h"
+#include "assessment/domain/study/competence_design.h"
 
 namespace torsio {
 namespace {

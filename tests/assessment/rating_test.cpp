@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/rating/sheet_check.h"
-#include "assessment/rating/sheet_state.h"
+#include "assessment/domain/rating/sheet_check.h"
+#include "assessment/domain/rating/sheet_state.h"
 
 namespace torsio {
 namespace {

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

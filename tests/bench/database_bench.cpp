@@ -23,6 +23,7 @@
 
 #include <QCoreApplication>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
@@ -34,7 +35,6 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/large_record.h"

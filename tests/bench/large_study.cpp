@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/person.h"
-#include "assessment/rating/mark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio::bench {

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "assessment/people/account.h"
-#include "assessment/people/password_rule.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/password_rule.h"
 #include "db/connection/connection.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"

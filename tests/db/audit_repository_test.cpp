@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/base/audit_repository.h"
 
-#include "assessment/people/audit_entry.h"
-#include "assessment/rating/mark.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/rating/rating_repository.h"

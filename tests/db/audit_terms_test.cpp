@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/people/audit_terms.h"
+#include "assessment/domain/people/audit_terms.h"
 
 #include <algorithm>
 #include <array>

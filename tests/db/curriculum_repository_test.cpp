@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/curriculum_repository.h"
 
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/study/competence_repository.h"

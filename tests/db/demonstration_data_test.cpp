@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/discrepancy_repository.h"
 
-#include "assessment/people/audit_entry.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"

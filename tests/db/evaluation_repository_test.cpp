@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/evaluation_repository.h"
 
-#include "assessment/people/person.h"
-#include "assessment/rating/campaign.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/campaign.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"

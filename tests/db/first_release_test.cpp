@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"

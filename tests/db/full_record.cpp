@@ -6,14 +6,14 @@
 #include <set>
 #include <span>
 
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/campaign.h"
-#include "assessment/rating/live_call.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"

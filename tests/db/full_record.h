@@ -4,9 +4,9 @@
 #include <iosfwd>
 #include <string>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/schema_tables.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/rating/mark.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/backup.h"

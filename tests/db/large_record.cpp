@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/large_record.h"
 
-#include "assessment/people/person.h"
-#include "assessment/rating/mark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "assessment/rating/remark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/rating/remark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/system/setting_repository.h"
 #include "db/repository/trial/digest_repository.h"

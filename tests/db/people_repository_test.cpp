@@ -3,8 +3,8 @@
 
 #include <regex>
 
-#include "assessment/people/consent.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/consent.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/id_source.h"

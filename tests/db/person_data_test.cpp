@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "assessment/people/account.h"
-#include "assessment/people/audit_entry.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/account.h"
-#include "assessment/people/audit_entry.h"
-#include "assessment/people/retention.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/retention.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/rating_repository.h"
 
-#include "assessment/rating/mark.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "tests/db/sample_record.h"

@@ -3,7 +3,7 @@
 // lost or doubled. PostgreSQL only.
 #include <cstdlib>
 
-#include "assessment/rating/mark.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/migrations/migrations.h"

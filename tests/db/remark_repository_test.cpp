@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/remark_repository.h"
 
-#include "assessment/rating/reference_run.h"
-#include "assessment/rating/remark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/self_score.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/remark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/self_score.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

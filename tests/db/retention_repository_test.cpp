@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/retention_repository.h"
 
-#include "assessment/people/person.h"
-#include "assessment/people/retention.h"
-#include "assessment/rating/mark.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/people/retention.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/sample_record.h"
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/random.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"

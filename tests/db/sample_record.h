@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/person.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

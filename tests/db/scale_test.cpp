@@ -6,13 +6,13 @@
 #include <functional>
 #include <iostream>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"
-#include "sim/core/ids.h"
 #include "tests/db/large_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

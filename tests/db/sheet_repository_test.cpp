@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/sheet_repository.h"
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

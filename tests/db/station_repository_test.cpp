@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial/station_repository.h"
 
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/trial/trial_repository.h"

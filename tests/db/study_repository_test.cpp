@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/study_repository.h"
 
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/people/audit_entry.h"
-#include "assessment/rating/mark.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/migrations/schema_check.h"

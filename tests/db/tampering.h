@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/audit_terms.h"
+#include "assessment/domain/people/audit_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"

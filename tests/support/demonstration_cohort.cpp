@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/demonstration_cohort.h"
 
-#include "assessment/study/demonstration_marks.h"
+#include "assessment/scoring/demonstration_marks.h"
 
 namespace torsio::testing {
 

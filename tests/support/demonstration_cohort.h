@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio::testing {
 

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/provenance_line.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/provenance_line.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio::testing {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/trial/station_repository.h"

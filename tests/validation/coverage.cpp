@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/domain/rating/instrument.h"
 #include "assessment/scoring/evaluation_resampling.h"
-#include "assessment/scoring/instrument.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/standard_setting.h"
 #include "tests/validation/coverage_cases.h"

@@ -15,7 +15,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/report/chart_builder.h"
 #include "app/report/printed_minus.h"
-#include "assessment/report/figure_table.h"
+#include "assessment/results/figure_table.h"
 
 namespace torsio::gui {
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/widgets/theme.h"
 #include "app/report/chart_style.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 class QGraphicsWidget;
 

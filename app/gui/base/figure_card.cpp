@@ -19,8 +19,8 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/report/printed_minus.h"
 #include "app/report/printed_value.h"
-#include "assessment/report/figure_table.h"
-#include "assessment/report/provenance_line.h"
+#include "assessment/results/figure_table.h"
+#include "assessment/results/provenance_line.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <QFrame>
 
 #include "app/gui/widgets/theme.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 class QLabel;
 class QPushButton;

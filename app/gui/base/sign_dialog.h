@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "assessment/people/signature.h"
+#include "assessment/domain/people/signature.h"
 
 class QWidget;
 

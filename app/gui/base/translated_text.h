@@ -7,8 +7,8 @@
 
 #include <QString>
 
+#include "assessment/domain/ids.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/text.h"
 
 namespace torsio::gui {

@@ -27,7 +27,7 @@
 #include "app/review/discrepancy_review.h"
 #include "app/review/review_queue.h"
 #include "app/review/viewing_report.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/rating/written_words.h"
 
 namespace torsio::gui {
 

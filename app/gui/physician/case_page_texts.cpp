@@ -19,7 +19,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 
 namespace torsio::gui {
 

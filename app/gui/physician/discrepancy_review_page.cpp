@@ -23,8 +23,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/review/case_sheet.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/written_words.h"
 
 namespace torsio::gui {
 

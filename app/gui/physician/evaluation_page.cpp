@@ -23,9 +23,9 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/scoring/index_meaning.h"
+#include "assessment/domain/rating/index_meaning.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio::gui {
 

@@ -28,7 +28,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/scroll_gap.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::gui {
 

@@ -13,7 +13,7 @@
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QButtonGroup;
 class QLabel;

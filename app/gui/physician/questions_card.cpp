@@ -21,7 +21,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::gui {
 

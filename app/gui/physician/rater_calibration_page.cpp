@@ -22,8 +22,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio::gui {
 

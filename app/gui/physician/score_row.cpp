@@ -18,8 +18,8 @@
 #include "app/gui/widgets/accessible_role.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/written_words.h"
 
 namespace torsio::gui {
 

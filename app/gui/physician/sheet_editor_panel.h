@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/gui/physician/sheet_panel.h"
-#include "assessment/rating/rubric.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 class QKeyEvent;
 

@@ -9,7 +9,7 @@
 
 #include "app/gui/widgets/theme.h"
 #include "app/review/sheet_editor.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 
 class QFrame;
 class QLabel;

@@ -30,7 +30,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/picture.h"
 #include "app/report/typeface.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/scene/scene.h"

@@ -21,7 +21,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "assessment/people/password_rule.h"
+#include "assessment/domain/people/password_rule.h"
 
 namespace torsio::gui {
 

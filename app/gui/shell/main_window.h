@@ -27,7 +27,7 @@
 #include "app/maintenance/station_anchor.h"
 #include "app/recording/station_writer.h"
 #include "app/xapi/lrs_worker.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 class QLabel;
 class QTemporaryDir;

@@ -24,7 +24,7 @@
 #include "app/maintenance/record_privacy.h"
 #include "app/recording/station_start.h"
 #include "app/recording/station_writer.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio::gui {
 

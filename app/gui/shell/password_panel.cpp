@@ -12,7 +12,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "assessment/people/password_rule.h"
+#include "assessment/domain/people/password_rule.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/recording/recording_spec.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio::gui {

@@ -6,7 +6,7 @@
 
 #include "app/gui/widgets/card.h"
 #include "app/training/questions.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QComboBox;
 class QLabel;

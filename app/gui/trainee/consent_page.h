@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 
 class QCheckBox;
 class QLabel;

@@ -27,7 +27,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/load_decimals.h"
 
 namespace torsio::gui {

@@ -3,7 +3,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/training/debrief.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QBoxLayout;
 class QCheckBox;

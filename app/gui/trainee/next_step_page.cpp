@@ -22,8 +22,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/angle.h"
-#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

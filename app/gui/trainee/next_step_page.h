@@ -6,7 +6,7 @@
 #include "app/gui/base/page.h"
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QLabel;
 class QPushButton;

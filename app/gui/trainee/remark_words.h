@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "assessment/rating/remark.h"
+#include "assessment/domain/rating/remark.h"
 
 class QBoxLayout;
 class QLabel;

@@ -33,7 +33,7 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/recording/station_writer.h"
 #include "app/recording/unstored_trials.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/number_text.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/core/angle.h"
 #include "sim/servo/surface_proxy.h"
 

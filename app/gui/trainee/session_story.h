@@ -10,7 +10,7 @@
 #include <QImage>
 
 #include "app/training/debrief.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::gui {
 

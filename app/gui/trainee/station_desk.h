@@ -13,8 +13,8 @@
 #include "app/gui/trainee/session_story.h"
 #include "app/tracker/instrument_outlet.h"
 #include "app/tracker/tracker_link.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/clock.h"
-#include "sim/core/ids.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {

@@ -20,7 +20,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio::gui {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/audit_entry.h"
-#include "assessment/people/audit_terms.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/audit_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

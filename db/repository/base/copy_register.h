@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/record_copy.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/record_copy.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

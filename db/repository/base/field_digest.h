@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "assessment/domain/ids.h"
 #include "sim/core/digest.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

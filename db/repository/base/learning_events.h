@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/learning_event.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

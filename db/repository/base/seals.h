@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

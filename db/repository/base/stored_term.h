@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {

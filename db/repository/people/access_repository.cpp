@@ -6,11 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include "assessment/people/password_rule.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

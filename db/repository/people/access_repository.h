@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/account.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/password.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

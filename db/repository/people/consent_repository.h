@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

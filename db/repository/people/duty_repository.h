@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/duty.h"
+#include "assessment/domain/people/duty.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio {
 

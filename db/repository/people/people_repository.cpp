@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/people_repository.h"
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/consent.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/consent.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

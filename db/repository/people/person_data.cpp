@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/people/server_roles.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

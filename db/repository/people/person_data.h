@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

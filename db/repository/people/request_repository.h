@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/person_request.h"
+#include "assessment/domain/people/person_request.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

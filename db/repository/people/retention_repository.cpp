@@ -6,10 +6,10 @@
 #include <map>
 #include <string_view>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/retention.h"
+#include "assessment/domain/people/retention.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

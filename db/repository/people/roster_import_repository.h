@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "assessment/people/signature.h"
+#include "assessment/domain/people/signature.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/sheet.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

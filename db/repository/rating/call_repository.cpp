@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/call_repository.h"
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/live_call.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/live_call.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/assignment_rows.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/campaign.h"
-#include "assessment/rating/mark.h"
-#include "assessment/rating/reference_run.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/rating/mark.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/rating/campaign.h"
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/assessment_run.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

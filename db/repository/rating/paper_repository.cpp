@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/paper_repository.h"
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "assessment/rating/paper_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/paper_entry.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "assessment/rating/mark.h"
+#include "assessment/domain/rating/mark.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 
-#include "assessment/rating/mark.h"
-#include "assessment/rating/sheet_check.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/sheet_check.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/sheet.h"
-#include "assessment/rating/sheet_state.h"
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/sheet_state.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

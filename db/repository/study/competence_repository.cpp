@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "assessment/study/competence_design.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/competence_design.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <map>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

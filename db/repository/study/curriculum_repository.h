@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/curriculum.h"
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

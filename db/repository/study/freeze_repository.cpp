@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

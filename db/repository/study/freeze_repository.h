@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "assessment/study/occasion.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/occasion.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "assessment/study/day_slot.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/day_slot.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

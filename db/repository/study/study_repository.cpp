@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/study_repository.h"
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

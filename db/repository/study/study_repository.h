@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/schema_tables.h"

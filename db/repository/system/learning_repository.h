@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/learning_event.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "assessment/people/audit_terms.h"
+#include "assessment/domain/people/audit_terms.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/migrations/schema_check.h"

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/row_seal.h"
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <limits>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/learning_events.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "assessment/attempt/trial_digest.h"
+#include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/trial/newest_of_remark.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/remark.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/remark.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/trial/newest_of_remark.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "assessment/rating/reference_run.h"
-#include "assessment/rating/remark.h"
-#include "assessment/rating/self_score.h"
-#include "assessment/scoring/instrument.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/remark.h"
+#include "assessment/domain/rating/self_score.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"
 
 namespace torsio {

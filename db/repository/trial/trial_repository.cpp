@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
@@ -19,7 +20,6 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/ids.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {

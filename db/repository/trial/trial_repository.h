@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
 #include "db/connection/connection.h"
-#include "sim/core/ids.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

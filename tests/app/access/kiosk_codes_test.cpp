@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/settings_service.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/access_service.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
 #include "sim/core/time_units.h"

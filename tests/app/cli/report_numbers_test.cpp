@@ -15,7 +15,7 @@
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
 #include "app/scoring/scoring_service.h"
-#include "assessment/report/number_format.h"
+#include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"

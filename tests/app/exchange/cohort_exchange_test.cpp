@@ -8,7 +8,7 @@
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/frozen_data.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"

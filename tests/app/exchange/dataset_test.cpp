@@ -12,7 +12,7 @@
 #include "app/base/csv_table.h"
 #include "app/exchange/export_set.h"
 #include "app/exchange/trajectory.h"
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"

@@ -16,7 +16,7 @@
 #include "app/base/csv_table.h"
 #include "app/exchange/table_files.h"
 #include "app/exchange/workbook.h"
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"

@@ -12,7 +12,7 @@
 
 #include "app/exchange/export_set.h"
 #include "app/exchange/table_files.h"
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"

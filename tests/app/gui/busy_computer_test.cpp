@@ -5,7 +5,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/servo_health.h"
 #include "sim/core/spsc_ring.h"

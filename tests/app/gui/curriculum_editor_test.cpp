@@ -33,7 +33,7 @@
 #include "app/recording/competence_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -23,7 +23,7 @@
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/preferences.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/shown_screen.h"

@@ -9,7 +9,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
-#include "assessment/people/learning_event.h"
+#include "assessment/domain/people/learning_event.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "tests/app/gui/maintenance_window.h"

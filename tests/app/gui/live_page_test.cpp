@@ -22,7 +22,7 @@
 #include "app/review/sheet_editor.h"
 #include "app/study/cohort_service.h"
 #include "app/study/live_call.h"
-#include "assessment/rating/sheet_check.h"
+#include "assessment/domain/rating/sheet_check.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/page_clock.h"
 #include "tests/app/gui/visible_texts.h"

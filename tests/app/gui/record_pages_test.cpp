@@ -39,9 +39,9 @@
 #include "app/serving/review_desk.h"
 #include "app/study/cohort_service.h"
 #include "app/study/occasion_service.h"
-#include "assessment/people/consent.h"
-#include "assessment/people/retention.h"
-#include "assessment/study/allocation_entry.h"
+#include "assessment/domain/people/consent.h"
+#include "assessment/domain/people/retention.h"
+#include "assessment/domain/study/allocation_entry.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui {

@@ -14,7 +14,7 @@
 
 #include "app/gui/physician/said_line.h"
 #include "app/gui/widgets/child.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {

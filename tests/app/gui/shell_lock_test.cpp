@@ -16,8 +16,8 @@
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "assessment/people/account.h"
-#include "assessment/people/signature.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/signature.h"
 #include "tests/app/gui/shell_window.h"
 #include "tests/app/gui/shown_screen.h"
 

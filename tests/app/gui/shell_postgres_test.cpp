@@ -16,7 +16,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "tests/app/gui/shown_screen.h"
 #include "tests/db/test_database.h"
 

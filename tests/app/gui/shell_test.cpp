@@ -26,7 +26,7 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/maintenance/demonstration_removal.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/people/people_repository.h"

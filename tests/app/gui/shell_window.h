@@ -13,7 +13,7 @@
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/page.h"
 #include "app/gui/shell/main_window.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "tests/app/gui/founded_centre.h"
 #include "tests/app/gui/shown_screen.h"
 

@@ -17,7 +17,7 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/widgets/theme.h"
 #include "app/maintenance/demonstration_removal.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "assessment/study/demonstration_marks.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/scoring/demonstration_marks.h"
 #include "tests/app/gui/administrator_desk.h"
 
 namespace torsio::gui::testing {

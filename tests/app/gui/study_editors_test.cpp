@@ -27,7 +27,7 @@
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/rubric_service.h"
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 

@@ -10,9 +10,9 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "assessment/people/person.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rubric_repository.h"

@@ -7,7 +7,7 @@
 
 #include "app/people/consent_service.h"
 #include "app/people/roster_accounts.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"

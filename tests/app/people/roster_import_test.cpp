@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/people/people_service.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/error.h"

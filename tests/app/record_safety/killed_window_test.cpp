@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/access/first_run.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/connection/row_reader.h"

@@ -8,7 +8,7 @@
 
 #include "app/access/session_context.h"
 #include "app/maintenance/copies.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "app/report/wording.h"
-#include "assessment/report/cohort_csv.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

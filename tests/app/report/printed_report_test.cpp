@@ -18,8 +18,8 @@
 
 #include "app/report/chart_builder.h"
 #include "app/report/pdf_report.h"
-#include "assessment/report/cohort_report.h"
-#include "assessment/report/figure_table.h"
+#include "assessment/results/cohort_report.h"
+#include "assessment/results/figure_table.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"
 

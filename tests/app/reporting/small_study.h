@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/reporting/report_data.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/ids.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/small_study.h"
 #include "tests/app/support/study_centre.h"

@@ -14,7 +14,7 @@
 #include "app/review/own_severity.h"
 #include "app/review/rater_calibration.h"
 #include "app/review/review_queue.h"
-#include "assessment/rating/campaign.h"
+#include "assessment/domain/rating/campaign.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"

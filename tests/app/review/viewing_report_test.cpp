@@ -10,7 +10,7 @@
 
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
-#include "assessment/rating/written_words.h"
+#include "assessment/domain/rating/written_words.h"
 #include "db/connection/connection.h"
 #include "sim/core/error.h"
 #include "tests/app/support/review_centre.h"

@@ -9,10 +9,10 @@
 #include "app/demonstration/demonstration_people.h"
 #include "app/people/people_service.h"
 #include "app/study/cohort_service.h"
-#include "assessment/study/allocation_entry.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

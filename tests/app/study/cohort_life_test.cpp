@@ -9,7 +9,7 @@
 #include "app/study/day_plan.h"
 #include "app/study/reassignment.h"
 #include "app/study/scoring_plan.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"

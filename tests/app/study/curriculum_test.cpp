@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 #include "db/connection/db_error.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 
 #include <functional>
 
 #include <gtest/gtest.h>
 
 #include "app/study/rubric_service.h"
-#include "assessment/rating/criteria_mean.h"
+#include "assessment/domain/rating/criteria_mean.h"
 #include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 

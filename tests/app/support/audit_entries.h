@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
-#include "sim/core/ids.h"
 
 namespace torsio::testing {
 

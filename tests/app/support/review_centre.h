@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/access/session_context.h"
-#include "assessment/rating/sheet.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/ids.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

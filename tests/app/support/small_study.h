@@ -6,7 +6,7 @@
 #include "app/recording/trial_digests.h"
 #include "app/study/allocation_service.h"
 #include "app/study/cohort_service.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio::testing {

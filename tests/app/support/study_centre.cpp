@@ -6,7 +6,7 @@
 #include "app/people/people_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/system/setting_repository.h"

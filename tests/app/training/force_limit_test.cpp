@@ -21,7 +21,7 @@
 #include "app/training/debrief.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/recorded_loads.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/core/random.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/training/hostile_run.h"

@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "app/training/remarks.h"
-#include "assessment/rating/assignment.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/training_centre.h"
 

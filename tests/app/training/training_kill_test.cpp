@@ -11,7 +11,7 @@
 #include "app/recording/recorded_run.h"
 #include "app/recording/unstored_trials.h"
 #include "app/training/run_session.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"

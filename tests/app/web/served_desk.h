@@ -12,7 +12,7 @@
 #include "app/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/web_client.h"

@@ -15,7 +15,7 @@
 #include "app/access/invitations.h"
 #include "app/access/two_people.h"
 #include "app/web/web_sessions.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/setting_repository.h"

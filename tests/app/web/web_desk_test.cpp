@@ -16,7 +16,7 @@
 #include "app/base/assets.h"
 #include "app/review/case_sheet.h"
 #include "app/web/http_server.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"

@@ -12,7 +12,7 @@
 
 #include "app/recording/competence.h"
 #include "app/xapi/learning_statement.h"
-#include "assessment/rating/remark.h"
+#include "assessment/domain/rating/remark.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/study/curriculum_repository.h"

@@ -7,9 +7,9 @@
 
 #include "app/recording/competence.h"
 #include "app/xapi/lrs_settings.h"
-#include "assessment/people/account.h"
-#include "assessment/people/consent.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/consent.h"
+#include "assessment/domain/people/person.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"

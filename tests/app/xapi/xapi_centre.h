@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 
 #include "app/xapi/lrs_delivery.h"
-#include "assessment/people/learning_event.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/learning_event.h"
 #include "tests/app/support/training_centre.h"
 #include "tests/support/test_lrs.h"
 

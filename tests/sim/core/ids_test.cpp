@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 #include <map>
 #include <string>

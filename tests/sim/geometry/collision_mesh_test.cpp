@@ -12,7 +12,7 @@
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
 
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "sim/core/portable_math.h"
 #include "sim/core/random.h"
 #include "tests/sim/geometry/shapes.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/portable_math.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/record/trial.h"
 #include "tests/sim/servo/bar_scene.h"
 

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "sim/core/angle.h"
 #include "sim/core/file_io.h"
 #include "sim/core/random.h"

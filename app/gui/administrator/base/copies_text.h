@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio {
 class SessionContext;

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 
 namespace torsio::gui {
 

@@ -14,7 +14,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/centre_headline.h"
 #include "app/report/typeface.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 #include "sim/core/file_io.h"
 
 namespace torsio::gui {

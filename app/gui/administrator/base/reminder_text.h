@@ -7,7 +7,7 @@
 #include <QString>
 
 #include "app/study/reminders.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::gui {
 

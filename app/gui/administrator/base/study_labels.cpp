@@ -8,8 +8,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/training/debrief_labels.h"
+#include "assessment/domain/rating/sheet_state.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/rating/sheet_state.h"
 
 namespace torsio::gui {
 

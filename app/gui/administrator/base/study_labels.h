@@ -8,10 +8,10 @@
 #include <QString>
 
 #include "app/study/scoring_plan.h"
-#include "assessment/rating/sheet_state.h"
-#include "assessment/study/allocation.h"
-#include "assessment/study/occasion.h"
-#include "assessment/study/protocol_terms.h"
+#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/occasion.h"
+#include "assessment/domain/study/protocol_terms.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <QDialog>
 
 #include "app/recording/competence_service.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QComboBox;
 class QDoubleSpinBox;

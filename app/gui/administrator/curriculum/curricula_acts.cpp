@@ -20,8 +20,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/occasion_service.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio::gui {
 

@@ -26,8 +26,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/occasion_service.h"
-#include "assessment/study/curriculum.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/curriculum_service.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QComboBox;
 class QLabel;

@@ -7,7 +7,7 @@
 #include <QTabWidget>
 
 #include "app/study/curriculum_content.h"
-#include "assessment/study/curriculum.h"
+#include "assessment/domain/study/curriculum.h"
 
 class QCheckBox;
 class QDoubleSpinBox;

@@ -7,8 +7,8 @@
 
 #include <QDialog>
 
-#include "assessment/people/consent.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/consent.h"
 
 class QComboBox;
 class QDateEdit;

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 
 class QComboBox;
 class QLabel;

@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/people/people_service.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 
 class QWidget;
 

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "assessment/people/person_request.h"
+#include "assessment/domain/people/person_request.h"
 
 class QPushButton;
 

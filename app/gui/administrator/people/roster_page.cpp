@@ -31,7 +31,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/maintenance/person_package.h"
 #include "app/people/person_requests.h"
-#include "assessment/people/consent.h"
+#include "assessment/domain/people/consent.h"
 
 namespace torsio::gui {
 

@@ -9,7 +9,7 @@
 #include <QStringList>
 
 #include "app/access/access_service.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QWidget;
 

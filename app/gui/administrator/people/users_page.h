@@ -12,7 +12,7 @@
 #include "app/access/two_people.h"
 #include "app/gui/base/page.h"
 #include "app/serving/review_desk.h"
-#include "assessment/people/account.h"
+#include "assessment/domain/people/account.h"
 
 class QPushButton;
 

@@ -9,7 +9,7 @@
 #include <QTextBrowser>
 
 #include "app/report/wording.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 namespace torsio::gui {
 

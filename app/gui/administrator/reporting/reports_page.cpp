@@ -27,7 +27,7 @@
 #include "app/report/wording.h"
 #include "app/reporting/coded_tables.h"
 #include "app/study/frozen_data.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 #include "sim/core/file_io.h"
 
 namespace torsio::gui {

@@ -18,7 +18,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "assessment/report/cohort_report.h"
+#include "assessment/results/cohort_report.h"
 
 namespace torsio::gui {
 

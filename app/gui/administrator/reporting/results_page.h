@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/reporting/report_data.h"
-#include "assessment/report/report_model.h"
+#include "assessment/results/report_model.h"
 
 class QComboBox;
 class QLabel;

@@ -17,7 +17,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/report/printed_minus.h"
-#include "assessment/report/cohort_csv.h"
+#include "assessment/results/cohort_csv.h"
 
 namespace torsio::gui {
 

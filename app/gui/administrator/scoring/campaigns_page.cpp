@@ -14,8 +14,8 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/campaign.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/campaign.h"
 
 namespace torsio::gui {
 

@@ -10,7 +10,7 @@
 
 #include "app/review/rater_calibration.h"
 #include "app/study/rubric_service.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -17,8 +17,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
-#include "assessment/people/person.h"
-#include "assessment/rating/sheet_state.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/sheet_state.h"
 
 namespace torsio::gui {
 

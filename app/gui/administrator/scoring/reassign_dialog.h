@@ -8,7 +8,7 @@
 
 #include "app/people/people_service.h"
 #include "app/study/scoring_plan.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QWidget;
 

@@ -11,7 +11,7 @@
 #include "app/mail/mail_settings.h"
 #include "app/mail/mailed_reminders.h"
 #include "app/study/reminders.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
 class QLabel;

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "app/study/rubric_service.h"
-#include "assessment/rating/rubric.h"
+#include "assessment/domain/rating/rubric.h"
 
 class QBoxLayout;
 class QComboBox;

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 
 namespace torsio::gui {
 

@@ -9,7 +9,7 @@
 #include "app/people/people_service.h"
 #include "app/review/adjudicator.h"
 #include "app/study/scoring_plan.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QWidget;
 

@@ -26,7 +26,7 @@
 #include "app/people/people_service.h"
 #include "app/study/reassignment.h"
 #include "app/study/rubric_service.h"
-#include "assessment/people/person.h"
+#include "assessment/domain/people/person.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

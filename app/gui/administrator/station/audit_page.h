@@ -11,7 +11,7 @@
 #include "app/access/audit_service.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/table_choice.h"
-#include "assessment/people/audit_entry.h"
+#include "assessment/domain/people/audit_entry.h"
 
 class QComboBox;
 class QDateEdit;

@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/maintenance/retention.h"
-#include "assessment/people/retention.h"
+#include "assessment/domain/people/retention.h"
 
 class QWidget;
 

@@ -6,8 +6,8 @@
 #include <QWidget>
 
 #include "app/maintenance/retention.h"
-#include "assessment/people/retention.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/retention.h"
 
 class QLabel;
 class QPushButton;

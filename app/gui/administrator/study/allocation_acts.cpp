@@ -20,8 +20,8 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/study/cohort_service.h"
-#include "assessment/study/cohort.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 
 namespace torsio::gui {
 

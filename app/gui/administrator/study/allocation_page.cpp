@@ -21,10 +21,10 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/study/cohort_service.h"
-#include "assessment/study/allocation.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/cohort.h"
 #include "sim/core/error.h"
-#include "sim/core/ids.h"
 
 namespace torsio::gui {
 

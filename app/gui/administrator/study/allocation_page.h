@@ -10,8 +10,8 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/allocation_service.h"
-#include "assessment/study/allocation_entry.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/allocation_entry.h"
 
 class QCheckBox;
 class QComboBox;

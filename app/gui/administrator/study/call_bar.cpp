@@ -25,7 +25,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/study/reminders.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 namespace torsio::gui {
 

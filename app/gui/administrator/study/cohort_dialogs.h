@@ -9,7 +9,7 @@
 
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 
 class QComboBox;
 class QDialogButtonBox;

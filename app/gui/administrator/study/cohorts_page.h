@@ -6,7 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/study/cohort_service.h"
-#include "assessment/study/cohort.h"
+#include "assessment/domain/study/cohort.h"
 
 class QCheckBox;
 class QLabel;

@@ -11,8 +11,8 @@
 #include <QStringList>
 #include <QTime>
 
-#include "assessment/study/day_slot.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/day_slot.h"
 
 class QDateEdit;
 class QLabel;

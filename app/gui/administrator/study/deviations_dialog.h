@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QPushButton;
 

@@ -8,8 +8,8 @@
 #include <QString>
 
 #include "app/study/cohort_service.h"
-#include "assessment/study/cohort.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 
 class QWidget;
 

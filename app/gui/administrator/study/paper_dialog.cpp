@@ -21,8 +21,8 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "assessment/rating/sheet_check.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/sheet_check.h"
 
 namespace torsio::gui {
 

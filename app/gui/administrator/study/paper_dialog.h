@@ -7,8 +7,8 @@
 #include <QDialog>
 
 #include "app/study/paper_sheets.h"
-#include "assessment/rating/sheet_check.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/sheet_check.h"
 
 class QCheckBox;
 class QDoubleSpinBox;

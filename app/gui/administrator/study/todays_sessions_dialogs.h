@@ -8,7 +8,7 @@
 #include <QStringList>
 
 #include "app/study/cohort_service.h"
-#include "sim/core/ids.h"
+#include "assessment/domain/ids.h"
 
 class QWidget;
 

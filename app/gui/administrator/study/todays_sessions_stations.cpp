@@ -11,7 +11,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/fold_line.h"
-#include "assessment/study/station_state.h"
+#include "assessment/domain/study/station_state.h"
 
 namespace torsio::gui {
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/domain/people/common_passwords.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+namespace torsio {
+
+namespace {
+
+/// Letters that are a password's own, below which it is no more than its common words.
+constexpr std::size_t kFewestOwnLetters = 6;
+
+/// Words of the passwords that leaked lists have most often, and what is near at hand here. Not a dictionary:
+/// a sentence of plain words is a good password.
+constexpr std::string_view kWords[] = {
+    "password",   "passwort", "passwords", "passw0rd",   "passphrase", "passcode",      "pass",
+    "mima",       "letmein",  "welcome",   "willkommen", "admin",      "administrator", "root",
+    "guest",      "login",    "signin",    "logmein",    "default",    "changeme",      "changeit",
+    "secret",     "geheim",   "topsecret", "master",     "access",     "system",        "server",
+    "computer",   "internet", "test",      "testing",    "tester",     "demo",          "sample",
+    "qwertyuiop", "qwerty",   "qwertz",    "qwert",      "azerty",     "asdfghjkl",     "asdfgh",
+    "asdf",       "zxcvbnm",  "zxcvbn",    "zxcv",       "qazwsx",     "qaz",           "wsx",
+    "edc",        "rfv",      "tgb",       "yhn",        "ujm",        "abcdefgh",      "abcdef",
+    "abcd",       "abc",      "iloveyou",  "loveyou",    "lovely",     "love",          "woaini",
+    "sunshine",   "princess", "monkey",    "dragon",     "football",   "baseball",      "basketball",
+    "soccer",     "hockey",   "superman",  "batman",     "spiderman",  "starwars",      "pokemon",
+    "naruto",     "matrix",   "mustang",   "ferrari",    "mercedes",   "porsche",       "liverpool",
+    "arsenal",    "chelsea",  "barcelona", "michael",    "jordan",     "jennifer",      "jessica",
+    "michelle",   "daniel",   "andrew",    "thomas",     "charlie",    "george",        "joshua",
+    "hannah",     "maggie",   "ashley",    "nicole",     "amanda",     "hunter",        "buster",
+    "ginger",     "pepper",   "cookie",    "cheese",     "chocolate",  "banana",        "shadow",
+    "killer",     "trustno",  "whatever",  "freedom",    "flower",     "angel",         "hello",
+    "summer",     "winter",   "spring",    "autumn",     "january",    "february",      "march",
+    "april",      "june",     "july",      "august",     "september",  "october",       "november",
+    "december",   "monday",   "hospital",  "clinic",     "doctor",     "surgeon",       "surgery",
+    "physician",  "trainee",  "torsio",
+};
+
+/// As letters alone.
+constexpr std::string_view kSentences[] = {
+    "correcthorsebatterystaple",
+    "thequickbrownfoxjumpsoverthelazydog",
+    "thequickbrownfox",
+    "tobeornottobethatisthequestion",
+    "tobeornottobe",
+    "maytheforcebewithyou",
+    "loremipsumdolorsitamet",
+    "loremipsumdolor",
+    "iloveyouverymuch",
+    "onceuponatime",
+    "onceuponatimethere",
+    "happybirthdaytoyou",
+    "twinkletwinklelittlestar",
+    "maryhadalittlelamb",
+    "youshallnotpass",
+    "winteriscoming",
+    "openthisdoorplease",
+    "thisismypassword",
+    "thisisapassword",
+    "thisisnotapassword",
+    "ihavenopassword",
+    "idontknowmypassword",
+    "iforgotmypassword",
+    "franzjagtimkomplettverwahrlostentaxi",
+};
+
+char unmasked(char c) {
+  switch (c) {
+    case '@':
+    case '4':
+      return 'a';
+    case '0':
+      return 'o';
+    case '1':
+    case '!':
+      return 'i';
+    case '3':
+      return 'e';
+    case '$':
+    case '5':
+      return 's';
+    case '7':
+      return 't';
+    default:
+      return c;
+  }
+}
+
+bool isOwn(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || (static_cast<unsigned char>(c) & 0x80U) != 0;
+}
+
+std::string lettersOf(const std::string& text) {
+  std::string letters;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(letters), isOwn);
+  return letters;
+}
+
+/// The longest words first, so that none leaves its own end behind.
+const std::vector<std::string_view>& wordsByLength() {
+  static const std::vector<std::string_view> kSorted = [] {
+    std::vector<std::string_view> words(std::begin(kWords), std::end(kWords));
+    std::stable_sort(words.begin(), words.end(),
+                     [](std::string_view a, std::string_view b) { return a.size() > b.size(); });
+    return words;
+  }();
+  return kSorted;
+}
+
+/// Hardly a letter is left once the common words are taken out; some of them were there.
+bool isMadeOfWords(std::string text) {
+  bool found = false;
+  for (const std::string_view word : wordsByLength()) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
+      std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), word.size(), ' ');
+      found = true;
+    }
+  }
+  return found && lettersOf(text).size() < kFewestOwnLetters;
+}
+
+}  // namespace
+
+bool isCommonPassword(const std::string& password) {
+  std::string plain = password;
+  std::transform(plain.begin(), plain.end(), plain.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string bare = plain;
+  std::transform(bare.begin(), bare.end(), bare.begin(), unmasked);
+  return std::any_of(std::begin(kSentences), std::end(kSentences),
+                     [letters = lettersOf(plain)](std::string_view one) { return letters == one; }) ||
+         isMadeOfWords(plain) || isMadeOfWords(bare);
+}
+
+}  // namespace torsio

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/domain/rating/instrument.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kMaxSteps = 1'000'000;
+constexpr double kWeightTolerance = 1e-12;  // of the sum, when weights come as doubles
+
+std::string pointsText(std::int64_t steps, const ScoreScale& scale) {
+  const bool negative = steps < 0;
+  const std::int64_t magnitude = negative ? -steps : steps;
+  std::string text = (negative ? "-" : "") + std::to_string(magnitude / scale.stepsPerPoint);
+  const std::int64_t rest = magnitude % scale.stepsPerPoint;
+  if (rest != 0) {
+    text += "+" + std::to_string(rest) + "/" + std::to_string(scale.stepsPerPoint);
+  }
+  return text;
+}
+
+std::string rangeText(const ScoreScale& scale) {
+  return pointsText(scale.lo, scale) + " to " + pointsText(scale.hi, scale) + " in steps of 1/" +
+         std::to_string(scale.stepsPerPoint);
+}
+
+[[noreturn]] void refuseScore(const std::string& value, const Text& why, const ScoreScale& scale,
+                              const std::string& where) {
+  throw Error(ErrorCode::kBadData, Text::verbatim("score \"%1\" %2", value, why), where,
+              Text::verbatim("Give a score from %1.", rangeText(scale)));
+}
+
+std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
+                          const std::string& where) {
+  if (!isOnScale(steps, scale)) {
+    refuseScore(text, Text::verbatim("lies outside the scale"), scale, where);
+  }
+  return steps;
+}
+
+/// The value as numerator / 10^decimals, or nothing when the text is not [+-]digits[.digits].
+struct Decimal {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+};
+
+std::optional<Decimal> parseDecimal(std::string_view text) {
+  bool negative = false;
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+    negative = text.front() == '-';
+    text.remove_prefix(1);
+  }
+  Decimal value;
+  bool digits = false;
+  bool point = false;
+  for (const char c : text) {
+    if (c == '.' && !point) {
+      point = true;
+      continue;
+    }
+    if (c < '0' || c > '9') {
+      return std::nullopt;
+    }
+    digits = true;
+    if (value.numerator > std::numeric_limits<std::int64_t>::max() / 100 ||
+        value.denominator > 1'000'000'000'000) {
+      return std::nullopt;
+    }
+    value.numerator = value.numerator * 10 + (c - '0');
+    if (point) {
+      value.denominator *= 10;
+    }
+  }
+  if (!digits) {
+    return std::nullopt;
+  }
+  if (negative) {
+    value.numerator = -value.numerator;
+  }
+  return value;
+}
+
+void checkWeights(const std::vector<std::int64_t>& weights, const std::string& of) {
+  std::int64_t sum = 0;
+  for (const std::int64_t weight : weights) {
+    if (weight < 0) {
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("a weight of the %1 is negative", of), of,
+                  Text::verbatim("Give weights of 0 or more."));
+    }
+    sum += weight;
+  }
+  if (sum != kWeightSum_milli) {
+    throw Error(ErrorCode::kBadParameter,
+                Text::verbatim("the weights of the %1 sum to %2/1000 instead of 1", of, sum), of,
+                Text::verbatim("Correct the weights; they are never rescaled silently."));
+  }
+}
+
+}  // namespace
+
+void validateScale(const ScoreScale& scale) {
+  const bool sound = scale.lo < scale.hi && scale.stepsPerPoint >= 1 && scale.stepsPerPoint <= 1000 &&
+                     scale.lo >= -kMaxSteps && scale.hi <= kMaxSteps;
+  if (!sound) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the scale of the scores is not usable"),
+                Text::tr("scale"),
+                Text::tr("Give a lowest mark below the highest, and 1 to 1000 steps a point"));
+  }
+}
+
+std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale, const std::string& where) {
+  const std::string shown(text);
+  const std::optional<Decimal> value = parseDecimal(text);
+  if (!value) {
+    refuseScore(shown, Text::verbatim("is not a decimal number with a point"), scale, where);
+  }
+  // Beyond any scale; the multiplication below could overflow.
+  if (value->numerator / value->denominator > kMaxSteps ||
+      value->numerator / value->denominator < -kMaxSteps) {
+    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+  }
+  const std::int64_t whole = value->numerator / value->denominator;
+  const std::int64_t rest = value->numerator % value->denominator;
+  if ((rest * scale.stepsPerPoint) % value->denominator != 0) {
+    if (value->numerator > 0 && whole * scale.stepsPerPoint >= scale.hi) {
+      refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+    }
+    refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
+  }
+  const std::int64_t steps = whole * scale.stepsPerPoint + rest * scale.stepsPerPoint / value->denominator;
+  return checkedSteps(steps, shown, scale, where);
+}
+
+std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::string& where) {
+  const std::string shown = std::to_string(points);
+  if (!std::isfinite(points)) {
+    refuseScore(shown, Text::verbatim("is not a finite number"), scale, where);
+  }
+  const double scaled = points * static_cast<double>(scale.stepsPerPoint);
+  if (std::abs(scaled) > static_cast<double>(2 * kMaxSteps)) {
+    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+  }
+  const std::int64_t steps = static_cast<std::int64_t>(std::llround(scaled));
+  if (pointsFromSteps(steps, scale) != points) {
+    refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
+  }
+  return checkedSteps(steps, shown, scale, where);
+}
+
+void validateInstrument(const EvaluationInstrument& instrument) {
+  validateScale(instrument.scale);
+  if (instrument.classes.empty() || instrument.indices.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("the instrument has no rater class or no index"),
+                Text::verbatim("instrument"), Text::verbatim("Define at least one of each."));
+  }
+  std::set<std::string> names;
+  std::vector<std::int64_t> classWeights;
+  for (const RaterClass& raterClass : instrument.classes) {
+    if (!names.insert(raterClass.id).second) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("two rater classes are called \"%1\"", raterClass.id),
+                  Text::verbatim("classes"), Text::verbatim("Give each class its own identifier."));
+    }
+    classWeights.push_back(raterClass.weight_milli);
+  }
+  names.clear();
+  std::vector<std::int64_t> indexWeights;
+  for (const EvaluationIndex& index : instrument.indices) {
+    if (!names.insert(index.id).second) {
+      throw Error(ErrorCode::kBadParameter, Text::verbatim("two indices are called \"%1\"", index.id),
+                  Text::verbatim("indices"), Text::verbatim("Give each index its own identifier."));
+    }
+    indexWeights.push_back(index.weight_milli);
+  }
+  checkWeights(classWeights, "rater classes");
+  checkWeights(indexWeights, "indices");
+}
+
+std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights) {
+  std::vector<std::int64_t> milli;
+  double sum = 0.0;
+  for (const double weight : weights) {
+    if (!std::isfinite(weight) || weight < 0.0 || weight > 1.0) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("weight %1 is not between 0 and 1", std::to_string(weight)),
+                  Text::verbatim("weights"), Text::verbatim("Give weights from 0 to 1 that sum to 1."));
+    }
+    sum += weight;
+    const std::int64_t rounded = static_cast<std::int64_t>(std::llround(weight * 1000.0));
+    if (std::abs(weight - static_cast<double>(rounded) / 1000.0) > kWeightTolerance) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text::verbatim("weight %1 is no multiple of 0.001", std::to_string(weight)),
+                  Text::verbatim("weights"),
+                  Text::verbatim("Round the weights to thousandths so that they sum to 1."));
+    }
+    milli.push_back(rounded);
+  }
+  if (std::abs(sum - 1.0) > kWeightTolerance) {
+    throw Error(
+        ErrorCode::kBadParameter, Text::verbatim("the weights sum to %1 instead of 1", std::to_string(sum)),
+        Text::verbatim("weights"), Text::verbatim("Correct the weights; they are never rescaled silently."));
+  }
+  return milli;
+}
+
+EvaluationInstrument paperInstrument() {
+  EvaluationInstrument instrument;
+  instrument.classes = {
+      {"A", "interns", 200}, {"B", "deputy chief physicians", 300}, {"C", "chief physicians", 500}};
+  instrument.indices = {{"effectiveness", "Effectiveness", 150},
+                        {"force_feedback", "Force feedback", 150},
+                        {"real_time", "Real-time performance", 150},
+                        {"stability", "System stability", 150},
+                        {"deformation_efficiency", "Deformation efficiency", 100},
+                        {"fidelity", "Fidelity", 100},
+                        {"fluency", "Image fluency", 100},
+                        {"telepresence", "Telepresence", 50},
+                        {"texture", "Texture", 50}};
+  return instrument;
+}
+
+}  // namespace torsio

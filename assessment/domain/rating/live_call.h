@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "assessment/domain/ids.h"
+
+namespace torsio {
+
+/// One trainee called to the real arm at one occasion: from then on the raters' live sheets of this case are
+/// open.
+struct LiveCall {
+  LiveCallId id{};
+  EnrolmentId enrolmentId{};
+  std::string occasionCode{};
+  std::string room{};
+  std::string calledBy{};  ///< user id
+  std::int64_t calledUtc_us = 0;
+  std::optional<std::int64_t> endedUtc_us{};  ///< empty: the trainee is at the arm
+  bool cancelled = false;                     ///< somebody else stood there: the sheets are closed again
+};
+
+/// What a rater is told of a call: nothing says who, which group or which stage.
+struct CallNotice {
+  AssignmentId assignmentId{};
+  std::string room{};
+  std::int64_t calledUtc_us = 0;
+  bool open = false;  ///< the trainee is at the arm now
+};
+
+}  // namespace torsio

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/study/protocol_terms.h"
+
+namespace torsio {
+
+/// One row of the sheet behind a mark: a score on the scale of its rubric row, or why there is none.
+struct MarkRow {
+  RubricRevisionId rubricRevisionId{};
+  std::string rowCode{};
+  std::optional<std::int64_t> score_steps{};
+  std::string notAssessableReason{};
+  friend bool operator==(const MarkRow&, const MarkRow&) = default;
+};
+
+/// One submitted mark of the training study: one rater, one trainee, one occasion. Sealed by the
+/// database: a correction is a new version with a reason.
+struct SubmittedMark {
+  MarkId id{};
+  EnrolmentId enrolmentId{};
+  RaterId raterId{};
+  std::string occasionCode{};  ///< "pre", "mid", "post"
+  std::int64_t version = 1;
+  TrialId trialId{};                          ///< the recording that was judged; empty: live, on the real arm
+  std::optional<std::int64_t> score_steps{};  ///< empty: not assessable, with a reason
+  ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};  ///< paper section 6: 1 to 10
+  std::string notAssessableReason{};
+  std::string comment{};
+  AssignmentId assignmentId{};  ///< the request that it answers; empty: entered without one
+  std::vector<MarkRow> rows{};  ///< written by submit(); read by SheetRepository::submitted()
+  std::string amendReason{};    ///< from version 2 on
+  std::int64_t submittedUtc_us = 0;
+  bool demonstration = false;
+  std::string traineeCode{};       ///< filled when read
+  std::string raterCode{};         ///< filled when read
+  std::string groupCode{};         ///< filled when read
+  std::int64_t numberInGroup = 0;  ///< filled when read
+};
+
+/// The newest version of one rater's mark about a case, with its rows.
+struct CaseMark {
+  MarkId markId{};
+  AssignmentId assignmentId{};
+  RaterId raterId{};
+  std::int64_t version = 1;
+  std::optional<std::int64_t> score_steps{};
+  ScoreScale scale{};
+  std::vector<SheetRow> rows{};
+};
+
+/// What was decided about a mark that lies apart from the others.
+struct DiscrepancyDecision {
+  AssignmentId assignmentId{};
+  std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
+  DiscrepancyChoice choice = DiscrepancyChoice::kKeep;
+  std::string reason{};
+  std::string decidedBy{};
+  std::int64_t decidedUtc_us = 0;
+};
+
+}  // namespace torsio

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/instrument.h"
+
+namespace torsio {
+
+/// A run with the mark of a panel, for rater calibration.
+struct ReferenceRun {
+  TrialId trialId{};
+  std::int64_t position = 0;
+  RubricRevisionId rubricRevisionId{};
+  double panel_steps = 0.0;  ///< mean of the panel, steps of the rubric's overall scale
+  std::int64_t panelRaters = 1;
+  std::string setBy{};
+  std::int64_t setUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// A reference run that is given to nobody any more.
+struct ReferenceWithdrawal {
+  TrialId trialId{};
+  std::string reason{};
+  std::string withdrawnBy{};
+  std::int64_t withdrawnUtc_us = 0;
+};
+
+/// A rater's score of a reference trial before the real ones. Append-only.
+struct CalibrationScore {
+  CalibrationScoreId id{};
+  RaterId raterId{};
+  TrialId referenceTrialId{};
+  RubricRevisionId rubricRevisionId{};  ///< empty: the overall mark only
+  std::int64_t score_steps = 0;
+  ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};
+  double panelOffset_steps = 0.0;  ///< rater minus panel
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+}  // namespace torsio

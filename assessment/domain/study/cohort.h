@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/protocol_terms.h"
+
+namespace torsio {
+
+/// The centre that owns this record; one row.
+struct Centre {
+  CentreId id{};
+  std::string name{};
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// People who go through a study together.
+struct Cohort {
+  CohortId id{};
+  std::string name{};  ///< unique
+  std::string description{};
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+  CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: follows none yet
+  CohortState state = CohortState::kDraft;    ///< filled when read
+  /// Planned: smaller differences of scores, in points, do not matter; above 0. Empty: none was planned.
+  std::optional<double> equivalenceMargin{};
+};
+
+/// An arm of the study (paper section 6: 40 min virtual; 20 + 20 min; 40 min real).
+struct StudyGroup {
+  GroupId id{};
+  CohortId cohortId{};
+  std::int64_t number = 0;  ///< 1, 2, 3
+  std::string code{};       ///< "G1"
+  std::string label{};      ///< "40 min virtual"
+  ArmId armId{};            ///< filled when read: what it goes through; empty: no curriculum yet
+};
+
+/// One person in one cohort, with the group they were allocated to.
+struct Enrolment {
+  EnrolmentId id{};
+  CohortId cohortId{};
+  TraineeId traineeId{};
+  GroupId groupId{};               ///< empty before allocation
+  std::int64_t numberInGroup = 0;  ///< 1 ..; 0 before allocation
+  EnrolmentState state = EnrolmentState::kEnrolled;
+  std::int64_t enrolledUtc_us = 0;
+  bool demonstration = false;
+  std::string traineeCode{};  ///< filled when read
+  std::string groupCode{};    ///< filled when read; empty before allocation
+};
+
+/// Time that was spent training or resting. Append-only.
+struct Exposure {
+  ExposureId id{};
+  EnrolmentId enrolmentId{};
+  PhaseId phaseId{};  ///< empty: outside any phase
+  ExposureKind kind = ExposureKind::kVirtual;
+  std::int64_t startedUtc_us = 0;
+  std::int64_t duration_us = 0;
+  std::string recordedBy{};
+  bool demonstration = false;
+};
+
+/// Something that did not go by the protocol. Append-only.
+struct ProtocolDeviation {
+  DeviationId id{};
+  CohortId cohortId{};
+  EnrolmentId enrolmentId{};  ///< empty: the whole cohort
+  std::string kind{};         ///< "device failed", "late", "swapped" ...
+  std::string description{};
+  std::int64_t happenedUtc_us = 0;
+  std::string reportedBy{};
+  std::int64_t reportedUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// A trial of a cohort that has no closing row: it is running, or was interrupted and not closed yet.
+struct RunningTrial {
+  TrialId trialId{};
+  EnrolmentId enrolmentId{};
+  std::string station{};
+  std::string phaseLabel{};
+  std::int64_t startedUtc_us = 0;
+};
+
+/// A named state of a cohort's data. Append-only.
+struct DataFreeze {
+  FreezeId id{};
+  CohortId cohortId{};
+  std::string name{};         ///< unique in the record
+  std::string contentHash{};  ///< BLAKE2b-256 over what went into it
+  std::string manifestJson{};
+  std::string createdBy{};
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+}  // namespace torsio

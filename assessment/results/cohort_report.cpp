@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/results/cohort_report.h"
+
+#include <future>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assessment/results/aggregated_inputs.h"
+#include "assessment/results/analysed_cohort.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/csv_rows.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_sections.h"
+#include "assessment/results/shown_inputs.h"
+#include "assessment/results/study_analysis.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+void checkInputs(const CohortInputs& in) {
+  const auto refuse = [](Phrase what) {
+    throw Error(ErrorCode::kBadData, what, Text::tr("cohort report"),
+                Text::tr("Check the data that the report is made from."));
+  };
+  if (in.ratings.size() != in.evaluations.size() && !(in.unfinishedEvaluation && in.evaluations.empty())) {
+    refuse(Text::tr("ratings and evaluations name different models"));
+  }
+  for (const ModelEvaluation& model : in.evaluations) {
+    if (model.indices.size() != in.instrument.indices.size()) {
+      refuse(Text::tr("an evaluation lacks an index"));
+    }
+  }
+  if (!in.evaluations.empty() && in.chiefClass >= in.instrument.classes.size()) {
+    refuse(Text::tr("the class of chief physicians does not exist"));
+  }
+  for (const CohortTrainee& trainee : in.trainees) {
+    if (trainee.group >= in.groups.size()) {
+      refuse(Text::tr("a trainee is in a group that does not exist"));
+    }
+  }
+  for (const TraineeScore& score : in.scores) {
+    if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0) {
+      refuse(Text::tr("a score belongs to a group or an occasion that does not exist"));
+    }
+  }
+  for (const GroupSummary& summary : in.summaries) {
+    if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size()) {
+      refuse(Text::tr("a summary belongs to a group or an occasion that does not exist"));
+    }
+  }
+  for (const TrainingMark& mark : in.trainingMarks) {
+    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size()) {
+      refuse(Text::tr("a mark belongs to a group or an occasion that does not exist"));
+    }
+  }
+  for (const CriterionMark& mark : in.criterionMarks) {
+    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size() ||
+        mark.sheet >= in.sheets.size() || mark.criterion >= in.sheets[mark.sheet].criteria.size()) {
+      refuse(Text::tr("a mark of a criterion belongs to no group, occasion or scoring sheet"));
+    }
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    if (trial.group >= in.groups.size()) {
+      refuse(Text::tr("a run is in a group that does not exist"));
+    }
+  }
+  for (const CohortCompetence& one : in.competence) {
+    if (one.group >= in.groups.size() || !(one.limit > 0.0)) {
+      refuse(Text::tr("a competence verdict is in a group that does not exist, or has no limit"));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Text> commonFlags(const CohortInputs& in) {
+  if (in.demonstration) {
+    return {Text::tr("demonstration data")};
+  }
+  return {};
+}
+
+namespace {
+
+void addCover(const CohortInputs& in, ReportModel& report) {
+  report.title = in.title;
+  report.subtitle = in.demonstration ? Text::tr("Demonstration with simulated people and marks")
+                                     : Text::tr("Surgical twist skills");
+  report.centre = in.centre;
+  report.softwareVersion = in.softwareVersion;
+  report.createdUtc_us = in.createdUtc_us;
+  report.demonstration = in.demonstration;
+  if (in.freeze) {
+    report.facts = {
+        {Text::tr("Frozen data set"), in.freeze->name},
+        {Text::tr("Frozen"), Text::tr("%1 by %2", formatUtc(in.freeze->frozenUtc_us), in.freeze->frozenBy)},
+        {Text::tr("Content hash"), in.freeze->contentHash.substr(0, 32)},
+        {Text::tr("Since then"),
+         in.freeze->unchanged ? Text::tr("unchanged")
+                              : Text::tr("the record has changed, and the numbers are those of today; see "
+                                         "Provenance")}};
+  } else {
+    report.facts = {{Text::tr("Data"), Text::tr("as they were when this report was made; not frozen")}};
+  }
+  const Text identity = in.identity == ReportIdentity::kNamed ? Text::tr("named trainees")
+                        : in.identity == ReportIdentity::kCoded
+                            ? Text::tr("coded")
+                            : Text::tr("aggregated, no line about a single person");
+  report.facts.insert(report.facts.end(),
+                      {{Text::tr("People are shown"), identity},
+                       {Text::tr("Trainees"), std::to_string(in.trainees.size())},
+                       {Text::tr("Groups"), std::to_string(in.groups.size())},
+                       {Text::tr("Recorded runs"), std::to_string(in.trials.size())},
+                       {Text::tr("Evaluated models"), std::to_string(in.evaluations.size())}});
+  report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
+  if (!in.auditHead.empty()) {
+    report.facts.emplace_back(Text::tr("Audit trail"), Text::tr("%1 {entry|entries} at %2", in.auditEntries,
+                                                                formatUtc(in.createdUtc_us)));
+    report.facts.emplace_back(Text::tr("Head of the audit trail"), in.auditHead);
+  }
+}
+
+ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
+                     const std::optional<StudyAnalysis>& study) {
+  ReportModel report;
+  addCover(in, report);
+  if (study) {
+    report.sections.push_back(boardSection(in, *study));
+  }
+  if (!in.simulated.empty()) {
+    ReportSection section;
+    section.title = Text::tr("What was simulated");
+    section.paragraphs = in.simulated;
+    report.sections.push_back(section);
+  }
+  if (!in.trainees.empty()) {
+    report.sections.push_back(participantsSection(in, all));
+  }
+  if (!in.evaluations.empty() || in.unfinishedEvaluation) {
+    report.sections.push_back(evaluationSection(in));
+  }
+  if (!in.scores.empty()) {
+    report.sections.push_back(trainingSection(in));
+  }
+  if (!in.criterionMarks.empty()) {
+    report.sections.push_back(criteriaSection(in));
+  }
+  if (study) {
+    report.sections.push_back(analysisSection(in, *study));
+    if (std::optional<ReportTable> within = withinGroupsTable(in, *study)) {
+      report.sections.back().tables.push_back(std::move(*within));
+    }
+    report.sections.push_back(ratersSection(in, *study));
+    for (ReportTable& table : reliabilityTables(in, *study)) {
+      report.sections.back().tables.push_back(std::move(table));
+    }
+  }
+  if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
+    report.sections.push_back(std::move(learning));
+  }
+  if (!in.competence.empty()) {
+    report.sections.push_back(competenceSection(in));
+  }
+  if (!in.trials.empty()) {
+    report.sections.push_back(trialsSection(in));
+  }
+  if (!in.trainees.empty()) {
+    report.sections.push_back(deviationsSection(in));
+  }
+  if (!in.signatures.empty()) {
+    report.sections.push_back(signaturesSection(in));
+  }
+  report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}));
+  report.sections.push_back(provenanceSection(in));
+  for (ReportSection& section : report.sections) {
+    for (ReportFigure& figure : section.figures) {
+      figure.valuesStand = Text::tr("The program shows them under Results.");
+    }
+  }
+  return report;
+}
+
+std::string hashOf(const std::vector<CohortCsvRow>& rows) {
+  Digest digest;
+  digest.update(cohortCsvText(rows));
+  return digest.hex();
+}
+
+/// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
+void addReference(const CohortInputs& inputs, std::string numbersHash, ReportModel& report) {
+  report.numbersHash = std::move(numbersHash);
+  report.auditHead = inputs.auditHead;
+  report.number = "R-" + std::to_string(inputs.auditEntries) + "-" + report.numbersHash.substr(0, 8);
+  report.facts.emplace_back(Text::tr("Report"), report.number);
+  report.facts.emplace_back(Text::tr("Hash of the table of numbers"), report.numbersHash);
+}
+
+}  // namespace
+
+ReportModel cohortReport(const CohortInputs& inputs) {
+  checkInputs(inputs);
+  return cohortReport(inputs, analysedCohort(inputs));
+}
+
+ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analysed) {
+  checkInputs(inputs);
+  const CohortInputs& in = analysed.shown;
+  std::future<std::string> numbersHash =
+      std::async(std::launch::async, [&analysed] { return hashOf(analysed.rows); });
+  std::vector<Text> left = analysed.left;
+  const bool aggregated = in.identity == ReportIdentity::kAggregated;
+  std::vector<Text> unsaid;
+  ReportModel report = reportOf(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, analysed.study);
+  if (aggregated) {
+    removeIndividuals(report);
+    left.push_back(Text::tr(
+        "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
+        "people beside others.",
+        kSmallestCell));
+  }
+  if (!left.empty()) {
+    ReportSection section;
+    section.title = Text::tr("What is left out");
+    section.paragraphs = std::move(left);
+    const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
+    report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
+  }
+  addReference(inputs, numbersHash.get(), report);
+  return report;
+}
+
+}  // namespace torsio

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands behind the overall marks: the scoring sheets as raters saw them, and what was given for each
+// criterion.
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/csv_rows.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_sections.h"
+#include "assessment/results/shown_inputs.h"
+#include "sim/core/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kMeanDecimals = 1;  // as the scores of the first page
+
+struct Mean {
+  double sum = 0.0;
+  std::int64_t n = 0;
+};
+
+/// Of one trainee at one occasion on one sheet, a mean a criterion over the raters.
+struct TraineeCriteria {
+  std::size_t sheet = 0;
+  std::size_t occasion = 0;
+  std::size_t group = 0;
+  std::string trainee;
+  std::vector<Mean> criteria;
+};
+
+std::optional<double> valueOf(const Mean& mean, std::int64_t fewest) {
+  if (mean.n < fewest) {
+    return std::nullopt;
+  }
+  return mean.sum / static_cast<double>(mean.n);
+}
+
+/// Fewest marks, or trainees, that a mean may have for this reader.
+std::int64_t fewestFor(const CohortInputs& in) {
+  return in.singleMarks ? 1 : kFewestMarks;
+}
+
+/// By sheet, occasion, group, trainee.
+std::vector<TraineeCriteria> traineeCriteria(const CohortInputs& in) {
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::string>, std::vector<Mean>> found;
+  for (const CriterionMark& mark : in.criterionMarks) {
+    std::vector<Mean>& means = found[{mark.sheet, mark.occasion, mark.group, mark.trainee}];
+    means.resize(in.sheets.at(mark.sheet).criteria.size());
+    if (mark.points) {
+      means[mark.criterion].sum += *mark.points;
+      ++means[mark.criterion].n;
+    }
+  }
+  std::vector<TraineeCriteria> all;
+  for (auto& [place, means] : found) {
+    const auto& [sheet, occasion, group, trainee] = place;
+    all.push_back({sheet, occasion, group, trainee, std::move(means)});
+  }
+  return all;
+}
+
+/// The trainee means of each group at each occasion on each sheet, summed.
+std::vector<TraineeCriteria> groupCriteria(const CohortInputs& in,
+                                           const std::vector<TraineeCriteria>& trainees) {
+  std::vector<TraineeCriteria> all;
+  for (const TraineeCriteria& one : trainees) {
+    if (all.empty() || std::tie(all.back().sheet, all.back().occasion, all.back().group) !=
+                           std::tie(one.sheet, one.occasion, one.group)) {
+      all.push_back({one.sheet, one.occasion, one.group, {}, std::vector<Mean>(one.criteria.size())});
+    }
+    for (std::size_t c = 0; c < one.criteria.size(); ++c) {
+      if (const std::optional<double> mean = valueOf(one.criteria[c], fewestFor(in))) {
+        all.back().criteria[c].sum += *mean;
+        ++all.back().criteria[c].n;
+      }
+    }
+  }
+  return all;
+}
+
+Text titleOf(const ReportedSheet& sheet) {
+  return Text::tr("%1, revision %2", sheet.name, sheet.revision);
+}
+
+/// "Twist training, revision 1: proficiency".
+std::string placeOf(const ReportedSheet& sheet, std::size_t criterion) {
+  return sheet.name + ", revision " + std::to_string(sheet.revision) + ": " + sheet.criteria[criterion].code;
+}
+
+/// "1: hesitates; 10: sure".
+Text anchorsOf(const ReportedCriterion& criterion) {
+  std::vector<Text> anchors;
+  for (const ReportedAnchor& anchor : criterion.anchors) {
+    anchors.push_back(Text::verbatim("%1: %2", formatExact(anchor.points), anchor.meaning));
+  }
+  return anchors.empty() ? Text::tr("none") : listed(anchors, Text::tr("%1; %2"));
+}
+
+ReportTable sheetTable(const CohortInputs& in, std::size_t number) {
+  const ReportedSheet& sheet = in.sheets[number];
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-sheet-" + std::to_string(number + 1),
+                          Text::tr("Scoring sheet as the raters saw it: %1", titleOf(sheet)), Text());
+  table.columns = {Text::tr("Criterion"), Text::tr("Scale"), Text::tr("Weight"),
+                   Text::tr("What the marks mean (anchors)")};
+  for (const ReportedCriterion& criterion : sheet.criteria) {
+    table.rows.push_back({criterion.label,
+                          Text::tr("%1 to %2", formatExact(criterion.lowest), formatExact(criterion.highest)),
+                          formatExact(criterion.weight), anchorsOf(criterion)});
+  }
+  table.provenance.formulaVersion.clear();
+  return table;
+}
+
+std::vector<Text> columnsOf(const ReportedSheet& sheet, std::vector<Text> first) {
+  for (const ReportedCriterion& criterion : sheet.criteria) {
+    first.emplace_back(criterion.label);
+  }
+  return first;
+}
+
+/// Adds the means of a group or trainee to the last row of a table, with where they stand in the table of
+/// numbers.
+void addMeans(const CohortInputs& in, const TraineeCriteria& one, ReportTable& table) {
+  std::vector<std::string>& origins = table.origins.emplace_back(3);
+  for (std::size_t c = 0; c < one.criteria.size(); ++c) {
+    const std::optional<double> value = valueOf(one.criteria[c], fewestFor(in));
+    table.rows.back().push_back(value ? Text(formatFixed(*value, kMeanDecimals)) : Text::tr("none"));
+    origins.push_back(value ? numberAddress({.section = "criterion",
+                                             .item = one.trainee.empty() ? "all" : one.trainee,
+                                             .group = in.groups[one.group].name.str(),
+                                             .model = placeOf(in.sheets[one.sheet], c),
+                                             .occasion = in.occasions[one.occasion].str(),
+                                             .statistic = "criterion_mean"})
+                            : std::string());
+  }
+}
+
+ReportTable groupsTable(const CohortInputs& in, std::size_t number,
+                        const std::vector<TraineeCriteria>& groups) {
+  ReportTable table = itemOf<ReportTable>(in, "table-criteria-" + std::to_string(number + 1),
+                                          Text::tr("Criteria by group: %1", titleOf(in.sheets[number])),
+                                          Text::tr("mean over trainees of the mean of their raters"));
+  table.columns =
+      columnsOf(in.sheets[number], {Text::tr("Group"), Text::tr("Occasion"), Text::tr("Trainees")});
+  for (const TraineeCriteria& group : groups) {
+    if (group.sheet != number) {
+      continue;
+    }
+    std::int64_t most = 0;
+    for (const Mean& mean : group.criteria) {
+      most = std::max(most, mean.n);
+    }
+    table.rows.push_back({in.groups[group.group].name, in.occasions[group.occasion], std::to_string(most)});
+    addMeans(in, group, table);
+  }
+  return table;
+}
+
+ReportTable traineesTable(const CohortInputs& in, std::size_t number,
+                          const std::vector<TraineeCriteria>& trainees) {
+  ReportTable table = itemOf<ReportTable>(in, "table-criteria-trainees-" + std::to_string(number + 1),
+                                          Text::tr("Criteria by trainee: %1", titleOf(in.sheets[number])),
+                                          Text::tr("mean over the raters"));
+  table.individual = true;
+  table.columns =
+      columnsOf(in.sheets[number], {Text::tr("Trainee"), Text::tr("Occasion"), Text::tr("Raters")});
+  std::vector<const TraineeCriteria*> sorted;
+  for (const TraineeCriteria& one : trainees) {
+    if (one.sheet == number) {
+      sorted.push_back(&one);
+    }
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const TraineeCriteria* a, const TraineeCriteria* b) {
+    return std::tie(a->group, a->trainee, a->occasion) < std::tie(b->group, b->trainee, b->occasion);
+  });
+  for (const TraineeCriteria* one : sorted) {
+    std::int64_t most = 0;
+    for (const Mean& mean : one->criteria) {
+      most = std::max(most, mean.n);
+    }
+    table.rows.push_back({one->trainee, in.occasions[one->occasion], std::to_string(most)});
+    addMeans(in, *one, table);
+  }
+  table.notes = {
+      in.singleMarks
+          ? Text::tr("What each rater gave for each criterion stands in the table of numbers (CSV), section "
+                     "\"criterion\".")
+          : Text::tr("Means of fewer than %1 marks are left out: a single mark could be read from them.",
+                     kFewestMarks)};
+  return table;
+}
+
+}  // namespace
+
+ReportSection criteriaSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = Text::tr("Criteria of the scoring sheet");
+  const bool whole = std::all_of(in.criterionMarks.begin(), in.criterionMarks.end(),
+                                 [](const CriterionMark& mark) { return mark.points.has_value(); });
+  section.paragraphs = {
+      whole
+          ? Text::tr("Raters gave a mark for each criterion and an overall mark. Scores, comparison and "
+                     "agreement are those of the overall mark; the criteria show what it rests on and enter "
+                     "no test.")
+          : Text::tr("Raters gave an overall mark and one for each criterion that they could assess. Scores, "
+                     "comparison and agreement are those of the overall mark; the criteria show what it "
+                     "rests on and enter no test.")};
+  const std::vector<TraineeCriteria> trainees = traineeCriteria(in);
+  const std::vector<TraineeCriteria> groups = groupCriteria(in, trainees);
+  for (std::size_t i = 0; i < in.sheets.size(); ++i) {
+    section.tables.push_back(sheetTable(in, i));
+    section.tables.push_back(groupsTable(in, i, groups));
+    section.tables.push_back(traineesTable(in, i, trainees));
+  }
+  return section;
+}
+
+void addCriteriaRows(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  CsvRows rows(out);
+  rows.place.section = "scoring_sheet";
+  rows.place.flags = csvFlags(commonFlags(in), {});
+  for (const ReportedSheet& sheet : in.sheets) {
+    rows.place.item = sheet.name;
+    rows.place.index = "revision " + std::to_string(sheet.revision);
+    for (const ReportedCriterion& criterion : sheet.criteria) {
+      rows.place.model = criterion.code;
+      rows.addText("label", criterion.label, 1);
+      rows.add("weight", criterion.weight, 1);
+      rows.add("lowest", criterion.lowest, 1);
+      rows.add("highest", criterion.highest, 1);
+      for (const ReportedAnchor& anchor : criterion.anchors) {
+        rows.addText("anchor_" + formatExact(anchor.points), anchor.meaning, 1);
+      }
+    }
+  }
+  rows.place = {};
+  rows.place.section = "criterion";
+  rows.place.flags = csvFlags(commonFlags(in), {});
+  const std::vector<TraineeCriteria> trainees = traineeCriteria(in);
+  const auto addRow = [&](const TraineeCriteria& one, const std::string& item) {
+    const ReportedSheet& sheet = in.sheets[one.sheet];
+    rows.place.item = item;
+    rows.place.group = in.groups[one.group].name.str();
+    rows.place.occasion = in.occasions[one.occasion].str();
+    for (std::size_t c = 0; c < one.criteria.size(); ++c) {
+      rows.place.model = placeOf(sheet, c);
+      rows.add("criterion_mean", valueOf(one.criteria[c], fewestFor(in)), one.criteria[c].n);
+    }
+  };
+  for (const TraineeCriteria& group : groupCriteria(in, trainees)) {
+    addRow(group, "all");
+  }
+  for (const TraineeCriteria& trainee : trainees) {
+    addRow(trainee, trainee.trainee);
+  }
+  for (const CriterionMark& mark : in.criterionMarks) {
+    rows.place.item = mark.trainee;
+    rows.place.group = in.groups[mark.group].name.str();
+    rows.place.model = placeOf(in.sheets[mark.sheet], mark.criterion);
+    rows.place.index = mark.rater;
+    rows.place.occasion = in.occasions[mark.occasion].str();
+    rows.add("criterion_mark", mark.points, mark.points ? 1 : 0);
+  }
+}
+
+}  // namespace torsio

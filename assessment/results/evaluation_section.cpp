@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_sections.h"
+#include "assessment/statistics/quantiles.h"
+#include "sim/core/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kScoreDecimals = 4;  // Eq. 25 of 20/10/10 raters ends within four decimals
+constexpr int kReadableDecimals = 2;
+
+std::vector<Text> indexNames(const CohortInputs& in) {
+  std::vector<Text> names;
+  for (const EvaluationIndex& index : in.instrument.indices) {
+    names.emplace_back(index.name);
+  }
+  return names;
+}
+
+std::vector<Text> mergedFlags(const CohortInputs& in) {
+  std::vector<Text> flags = commonFlags(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const std::string& flag : model.flags) {
+      if (std::find(flags.begin(), flags.end(), Text(flag)) == flags.end()) {
+        flags.emplace_back(flag);
+      }
+    }
+  }
+  return flags;
+}
+
+/// Marks that a model lacks; each rater was to score every model.
+std::int64_t missingOf(const CohortInputs& in, const ModelRatings& model) {
+  return std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices) - givenMarks(model);
+}
+
+Provenance provenance(const CohortInputs& in, const Text& formula) {
+  Provenance out;
+  out.formula = formula;
+  out.formulaVersion = kEvaluationFormulaVersion;
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const ScoreStatistics& index : model.indices) {
+      out.n += index.n;
+    }
+  }
+  out.missing = missingEvaluationMarks(in);
+  out.flags = mergedFlags(in);
+  return out;
+}
+
+ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& title, FigureKind kind,
+                    const Text& formula) {
+  ReportFigure out;
+  out.id = id;
+  out.title = title;
+  out.kind = kind;
+  out.yLabel = Text::tr("score (points)");
+  out.yMin = pointsFromSteps(in.instrument.scale.lo, in.instrument.scale);
+  out.yMax = pointsFromSteps(in.instrument.scale.hi, in.instrument.scale);
+  out.provenance = provenance(in, formula);
+  return out;
+}
+
+ReportFigure rangesFigure(const CohortInputs& in) {
+  ReportFigure out =
+      figure(in, "figure-15", Text::tr("Lowest, weighted mean and highest score of each index"),
+             FigureKind::kRanges, Text::tr("Eq. 25"));
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const ScoreStatistics& index : model.indices) {
+      series.y.emplace_back(index.m);
+      series.low.push_back(index.min);
+      series.high.push_back(index.max);
+    }
+    out.series.push_back(series);
+  }
+  out.notes = {Text::tr(
+      "Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M.")};
+  return out;
+}
+
+ReportFigure barsFigure(const CohortInputs& in, bool variance) {
+  ReportFigure out = variance ? figure(in, "figure-17",
+                                       Text::tr("Variance of each index about the weighted mean, divisor n"),
+                                       FigureKind::kGroupedBars, Text::tr("Eq. 26"))
+                              : figure(in, "figure-16", Text::tr("Weighted mean score of each index"),
+                                       FigureKind::kGroupedBars, Text::tr("Eq. 25"));
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const ScoreStatistics& index : model.indices) {
+      series.y.emplace_back(variance ? index.s2 : index.m);
+    }
+    out.series.push_back(series);
+  }
+  if (variance) {
+    out.yLabel = Text::tr("variance (points squared)");
+    out.yMin = 0.0;
+    out.yMax = std::nullopt;
+    out.notes = {Text::tr(
+        "Corresponds to Fig. 17 of the paper. The centre is the class-weighted mean M, not the plain mean, "
+        "and every rater counts once; the value is the population variance plus the squared distance between "
+        "the two means.")};
+  } else {
+    out.notes = {Text::tr("Corresponds to Fig. 16 of the paper.")};
+  }
+  return out;
+}
+
+ReportFigure chiefsFigure(const CohortInputs& in) {
+  const Text of = in.instrument.classes[in.chiefClass].name;
+  ReportFigure out =
+      figure(in, "figure-18", Text::tr("Comprehensive score of each rater of the class %1", of),
+             FigureKind::kPoints, Text::tr("Eq. 27 for one rater"));
+  out.xLabel = Text::tr("rater");
+  out.individual = true;
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const RaterComposite& composite : model.composites) {
+      if (composite.raterClass != in.chiefClass) {
+        continue;
+      }
+      const Text rater = composite.rater;
+      auto at = std::find(out.categories.begin(), out.categories.end(), rater);
+      if (at == out.categories.end()) {
+        at = out.categories.insert(out.categories.end(), rater);
+      }
+      series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
+      series.y.push_back(composite.score);
+    }
+    out.series.push_back(series);
+  }
+  out.provenance.n = 0;
+  for (const FigureSeries& series : out.series) {
+    for (const std::optional<double>& y : series.y) {
+      out.provenance.n += y ? 1 : 0;
+    }
+  }
+  out.notes = {Text::tr("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
+  return out;
+}
+
+std::vector<double> completeComposites(const ModelEvaluation& model) {
+  std::vector<double> scores;
+  for (const RaterComposite& composite : model.composites) {
+    if (composite.score) {
+      scores.push_back(*composite.score);
+    }
+  }
+  return scores;
+}
+
+std::optional<BoxSummary> boxOf(const std::vector<double>& values) {
+  const std::optional<BoxNumbers> box = boxNumbers(values);
+  if (!box) {
+    return std::nullopt;
+  }
+  return BoxSummary{box->whiskerLow,  box->q1,   box->median,  box->q3,
+                    box->whiskerHigh, box->mean, box->outliers};
+}
+
+ReportFigure boxesFigure(const CohortInputs& in) {
+  ReportFigure out = figure(in, "figure-19", Text::tr("Comprehensive scores of all raters"),
+                            FigureKind::kBoxes, Text::tr("Eq. 27 for one rater; quantiles of type 7"));
+  out.provenance.n = 0;
+  for (const ModelEvaluation& model : in.evaluations) {
+    out.categories.push_back(model.model);
+    FigureSeries series;
+    series.name = model.model;
+    for (const double score : completeComposites(model)) {
+      series.y.emplace_back(score);
+    }
+    series.box = boxOf(completeComposites(model));
+    out.provenance.n += std::ssize(series.y);
+    out.series.push_back(series);
+  }
+  out.notes = {
+      Text::tr(
+          "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
+          "distribution of the scores that Eq. 27 gives for each single rater."),
+      Text::tr(
+          "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
+          "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate symbol "
+          "is "
+          "the mean.")};
+  return out;
+}
+
+/// Where the classes of raters disagree: class means of every index, one row a model and class.
+ReportFigure classesFigure(const CohortInputs& in) {
+  ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
+                            FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));
+  out.xLabel = Text::tr("index");
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
+      FigureSeries series;
+      series.name = Text::tr("%1, %2", model.model, Text(in.instrument.classes[c].name));
+      for (const ScoreStatistics& index : model.indices) {
+        series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
+      }
+      out.series.push_back(series);
+    }
+  }
+  return out;
+}
+
+ReportTable comprehensiveTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-comprehensive";
+  table.title = Text::tr("Comprehensive score N of each model");
+  table.columns = {Text::tr("Model"),
+                   Text::tr("N (Eq. 27)"),
+                   Text::tr("Raters with all marks"),
+                   Text::tr("Mean of raters, by class weight"),
+                   Text::tr("SE"),
+                   Text::tr("Lowest"),
+                   Text::tr("Lower quartile"),
+                   Text::tr("Median"),
+                   Text::tr("Upper quartile"),
+                   Text::tr("Highest"),
+                   Text::tr("Flags")};
+  for (const ModelEvaluation& model : in.evaluations) {
+    const std::vector<double> composites = completeComposites(model);
+    const std::optional<BoxNumbers> box = boxNumbers(composites);
+    const std::vector<Text> flags(model.flags.begin(), model.flags.end());
+    std::vector<Text> row = {model.model, formatFixed(model.n27, kScoreDecimals),
+                             std::to_string(composites.size())};
+    const bool known = model.compositeStatistics.has_value();
+    row.push_back(known ? Text(formatFixed(model.compositeStatistics->m, kScoreDecimals))
+                        : Text::tr("not defined"));
+    row.push_back(known ? Text(formatFixed(model.compositeStatistics->standardError, kScoreDecimals))
+                        : Text::tr("not defined"));
+    for (const auto part :
+         {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max}) {
+      row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text::tr("not defined"));
+    }
+    row.push_back(listed(flags));
+    table.rows.push_back(row);
+    table.origins.emplace_back(row.size());
+    table.origins.back()[1] =
+        numberAddress({.section = "evaluation", .item = "all", .model = model.model, .statistic = "N_eq27"});
+  }
+  table.notes = {
+      Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
+  table.provenance = provenance(in, Text::tr("Eq. 27"));
+  return table;
+}
+
+ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
+  ReportTable table;
+  table.id = "table-indices-" + model.model;
+  table.title = Text::tr("Model %1: exact values by index", model.model);
+  table.columns = {Text::tr("Index"),       Text::tr("Weight"),     Text::verbatim("n"),
+                   Text::tr("Lowest"),      Text::tr("M (Eq. 25)"), Text::tr("Highest"),
+                   Text::tr("s2 (Eq. 26)"), Text::tr("Plain mean"), Text::tr("Sample variance"),
+                   Text::tr("SE of M")};
+  for (std::size_t j = 0; j < model.indices.size(); ++j) {
+    const ScoreStatistics& s = model.indices[j];
+    table.rows.push_back(
+        {in.instrument.indices[j].name,
+         formatFixed(static_cast<double>(in.instrument.indices[j].weight_milli) / 1000.0, 3),
+         std::to_string(s.n), formatFixed(s.min, 1), formatFixed(s.m, kScoreDecimals), formatFixed(s.max, 1),
+         formatFixed(s.s2, kScoreDecimals), formatFixed(s.plainMean, kScoreDecimals),
+         formatFixed(s.sampleVariance, kScoreDecimals), formatFixed(s.standardError, kScoreDecimals)});
+    table.origins.push_back({"", "", ""});
+    for (const char* statistic :
+         {"min", "M", "max", "s2_eq26_divisor_n", "plain_mean", "sample_variance", "se_of_M"}) {
+      table.origins.back().push_back(numberAddress({.section = "evaluation",
+                                                    .item = "all",
+                                                    .model = model.model,
+                                                    .index = in.instrument.indices[j].id,
+                                                    .statistic = statistic}));
+    }
+  }
+  table.notes = {Text::tr(
+      "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
+      "divisor n - 1. SE is the standard error of M from the spread within the rater classes.")};
+  table.provenance = provenance(in, Text::tr("Eqs. 25 and 26"));
+  table.provenance.n = 0;
+  for (const ScoreStatistics& s : model.indices) {
+    table.provenance.n += s.n;
+  }
+  for (const ModelRatings& ratings : in.ratings) {
+    if (ratings.model == model.model) {
+      table.provenance.missing = missingOf(in, ratings);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+ReportSection evaluationSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = Text::tr("Evaluation of the models");
+  if (in.unfinishedEvaluation) {
+    return unfinishedSection(in);
+  }
+  std::vector<Text> classes;
+  for (const RaterClass& raterClass : in.instrument.classes) {
+    std::set<std::string> raters;
+    for (const ModelRatings& model : in.ratings) {
+      for (const RaterSheet& sheet : model.sheets) {
+        if (in.instrument.classes[sheet.raterClass].id == raterClass.id) {
+          raters.insert(sheet.rater);
+        }
+      }
+    }
+    classes.push_back(
+        Text::tr("%1 %2 (weight %3)", raters.size(), Text(raterClass.name),
+                 formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
+  }
+  const std::string lo = formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0);
+  const std::string hi = formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0);
+  const std::int64_t missing = missingEvaluationMarks(in);
+  section.paragraphs.push_back(
+      missing == 0 ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+                              in.instrument.indices.size(), lo, hi, listed(classes))
+                   : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 {mark "
+                              "is|marks are} missing. "
+                              "Raters: %5.",
+                              in.instrument.indices.size(), lo, hi, missing, listed(classes)));
+  std::vector<Text> ranking;
+  for (const ModelEvaluation& model : in.evaluations) {
+    ranking.push_back(Text::verbatim("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
+  }
+  section.paragraphs.push_back(Text::tr("Comprehensive score N: %1.", listed(ranking, Text::tr("%1; %2"))));
+  section.paragraphs.push_back(Text::tr(
+      "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
+      "the tables do not depend on the order of the raters."));
+  section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true),
+                     chiefsFigure(in), boxesFigure(in),       classesFigure(in)};
+  section.tables.push_back(comprehensiveTable(in));
+  for (const ModelEvaluation& model : in.evaluations) {
+    section.tables.push_back(indexTable(in, model));
+  }
+  return section;
+}
+
+}  // namespace torsio

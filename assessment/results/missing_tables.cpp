@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What missing marks do to the comparison of groups: who is left out, the mixed model, and bounds.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "assessment/results/analysis_tables.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
+#include "assessment/results/report_sections.h"
+#include "sim/core/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+/// Codes, or in a report without single people how many they are.
+Text whoText(const CohortInputs& in, const std::vector<Text>& codes) {
+  return in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", codes.size()) : listed(codes);
+}
+
+std::vector<Text> leftOutCodes(const StudyAnalysis& study) {
+  std::vector<Text> codes;
+  for (const MissingTrainee& trainee : study.missing) {
+    if (trainee.leftOut) {
+      codes.emplace_back(trainee.trainee);
+    }
+  }
+  return codes;
+}
+
+/// Raters who are missing as a whole at one of the two occasions: no trainee lacks a mark that others have,
+/// but the two scores are not of the same raters.
+std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study) {
+  std::vector<Text> out;
+  const OccasionMarks& first = study.occasions.front();
+  const OccasionMarks& last = study.occasions.back();
+  const auto add = [&](const OccasionMarks& here, const OccasionMarks& there, const Text& missingAt) {
+    std::vector<Text> codes;
+    for (const std::size_t r : here.present) {
+      if (std::find(there.present.begin(), there.present.end(), r) == there.present.end()) {
+        codes.emplace_back(study.raters[r]);
+      }
+    }
+    if (!codes.empty() && !there.present.empty()) {
+      out.push_back(Text::tr(
+          "Raters with marks at the other end of the study but none %1: %2. The scores before and at the end "
+          "are then not means over the same raters, which shifts the gains of all groups alike and not the "
+          "differences between them.",
+          missingAt,
+          in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes)));
+    }
+  };
+  add(first, last, in.occasions.back());
+  add(last, first, in.occasions.front());
+  return out;
+}
+
+}  // namespace
+
+std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis& study) {
+  std::vector<Text> out;
+  for (const std::size_t g : groupsWithoutEnds(study)) {
+    out.push_back(Text::tr("%1 (n = %2)", in.groups[g].name, 0));
+  }
+  return out;
+}
+
+std::vector<Text> raterGroupSentences(const CohortInputs& in, const StudyAnalysis& study) {
+  std::map<std::string, std::set<std::size_t>> groupsOf;  // of the last occasion, by rater
+  std::set<std::size_t> marked;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    if (mark.occasion + 1 == in.occasions.size()) {
+      groupsOf[mark.rater].insert(mark.group);
+      marked.insert(mark.group);
+    }
+  }
+  std::vector<Text> codes;
+  for (const auto& [rater, groups] : groupsOf) {
+    if (groups.size() < marked.size()) {
+      codes.emplace_back(rater);
+    }
+  }
+  if (codes.empty()) {
+    return {};
+  }
+  const Text who =
+      in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes);
+  return {study.mixed
+              ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
+                         "covariance what such a rater is stricter or more lenient by counts as a difference "
+                         "between the groups; the linear mixed model allows for it.",
+                         in.occasions.back(), who)
+              : Text::tr("Raters who scored trainees of some groups only %1: %2. What such a rater is "
+                         "stricter or more lenient by counts as a difference between the groups.",
+                         in.occasions.back(), who)};
+}
+
+std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.occasions.size() < 2) {
+    return {};
+  }
+  std::vector<Text> out = otherRaters(in, study);
+  for (Text& sentence : raterGroupSentences(in, study)) {
+    out.push_back(std::move(sentence));
+  }
+  if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
+    out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  }
+  if (!study.ancova && !study.mixed) {
+    out.push_back(
+        Text::tr("Planned: the analysis of covariance of the score at the end on the score before. "
+                 "It is not defined (%1): the groups are not compared.",
+                 study.ancova.reason()));
+    return out;
+  }
+  if (study.asPlanned()) {
+    out.insert(
+        out.begin(),
+        out.empty()
+            ? Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
+                       "before. No mark of "
+                       "the first and the last occasion is missing.")
+            : Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
+                       "before. Every trainee has the marks that most have at the first and the last "
+                       "occasion."));
+    return out;
+  }
+  const Text missing =
+      study.endMissing > 0
+          ? Text::tr(
+                "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last "
+                "occasion are} missing",
+                study.endMissing, study.endMarks + study.endMissing)
+          : Text::tr("Not every trainee was marked by the same raters at the end");
+  out.push_back(
+      study.mixed
+          ? Text::tr(
+                "Planned: the analysis of covariance of the score at the end on the score before. %1, so "
+                "the linear mixed model is the primary comparison here: it takes every mark at the end "
+                "that was given. The planned analysis stands beside it, of the %2 trainees with a score "
+                "at both occasions.",
+                missing, comparedTrainees(study))
+          : Text::tr(
+                "Planned: the analysis of covariance of the score at the end on the score before. %1. The "
+                "linear mixed model that would take every mark is not defined (%2), so the planned "
+                "analysis is used, of the %3 trainees with a score at both occasions.",
+                missing, study.mixed.reason(), comparedTrainees(study)));
+  if (const std::vector<Text> codes = leftOutCodes(study); !codes.empty()) {
+    out.push_back(Text::tr("Left out of both, without any mark at one of the two: %1.", whoText(in, codes)));
+  }
+  if (study.endMissing == 0) {
+    return out;
+  }
+  out.push_back(Text::tr(
+      "Both take it that whether a mark is missing does not depend on what it would have been, once "
+      "group and score before are known. The table of bounds says what the missing marks could do at "
+      "worst."));
+  return out;
+}
+
+std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.missing.empty()) {
+    return std::nullopt;
+  }
+  ReportTable table = itemOf<ReportTable>(in, "table-missing", Text::tr("Trainees of whom marks are missing"),
+                                          Text::tr("counts"));
+  table.individual = true;
+  table.columns = {Text::tr("Trainee"), Text::tr("Group"), Text::tr("Marks missing before"),
+                   Text::tr("Marks missing at the end"), Text::tr("Compared")};
+  for (const MissingTrainee& trainee : study.missing) {
+    table.rows.push_back({trainee.trainee, in.groups[trainee.group].name,
+                          std::to_string(trainee.marks.before), std::to_string(trainee.marks.after),
+                          trainee.leftOut ? Text::tr("no") : Text::tr("yes")});
+  }
+  table.provenance.n = study.endMarks;
+  table.provenance.missing = study.endMissing;
+  table.notes = {Text::tr("Missing: short of the number of marks that most trainees have at that occasion.")};
+  return table;
+}
+
+std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.asPlanned()) {
+    return std::nullopt;
+  }
+  ReportTable table = itemOf<ReportTable>(
+      in, "table-mixed-model", Text::tr("Marks at the end, adjusted for the score before: every mark given"),
+      Text::tr("linear mixed model, restricted maximum likelihood"));
+  table.columns = {Text::tr("Comparison"),
+                   Text::tr("Difference [95 %, not adjusted]"),
+                   Text::tr("[95 %, all pairs together]"),
+                   Text::verbatim("t"),
+                   Text::tr("Degrees of freedom"),
+                   Text::verbatim("p"),
+                   Text::tr("p (Holm)")};
+  if (!study.mixed) {
+    table.rows.push_back({notDefined(study.mixed.reason()), "", "", "", "", "", ""});
+    return table;
+  }
+  const MixedComparison& model = *study.mixed;
+  for (const MixedComparison::Pair& pair : model.pairs) {
+    const ModelEstimate& of = pair.difference;
+    table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(of.value, of.interval),
+                          intervalText(pair.simultaneous), formatFixed(of.t, 2), formatFixed(of.df, 1),
+                          formatP(of.p), formatP(pair.pHolm)});
+  }
+  std::vector<Text> means;
+  for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
+    means.push_back(Text::verbatim("%1 %2", in.groups[model.groups[g]].name,
+                                   withInterval(model.adjusted[g].value, model.adjusted[g].interval)));
+  }
+  table.notes = {
+      Text::tr("Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); "
+               "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
+               model.marks, model.trainees),
+      Text::tr("Adjusted means [95 %]: %1.", listed(means)),
+      Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before "
+               "[95 %]: %4.",
+               formatFixed(model.varianceTrainees, 3), formatFixed(model.varianceRaters, 3),
+               formatFixed(model.varianceResidual, 3),
+               withInterval(model.slope.value, model.slope.interval))};
+  if (model.group) {
+    table.notes.insert(
+        table.notes.begin(),
+        Text::tr("Effect of the group: F(%1, %2) = %3, %4.", formatFixed(model.group->df1, 0),
+                 formatFixed(model.group->df2, 1), formatFixed(model.group->f, 2), equalsP(model.group->p)));
+  }
+  table.provenance.n = static_cast<std::int64_t>(model.marks);
+  table.provenance.missing = study.endMissing;
+  return table;
+}
+
+std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.bounds.empty()) {
+    return std::nullopt;
+  }
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-bounds", Text::tr("What the missing marks could do at worst"),
+                          Text::tr("analysis of covariance, missing marks at the ends of the scale"));
+  table.columns = {Text::tr("Comparison"), Text::tr("Worst for the first group [95 %, not adjusted]"),
+                   Text::tr("Best for the first group [95 %, not adjusted]"), Text::tr("Direction")};
+  const auto shown = [](const Outcome<AdjustedDifference>& of) {
+    return of ? Text(withInterval(of->difference, of->interval)) : notDefined(of.reason());
+  };
+  for (const MissingBounds& pair : study.bounds) {
+    Text direction = Text::tr("not known");
+    if (pair.worst && pair.best) {
+      direction = pair.worst->interval.lower > 0.0  ? Text::tr("first is better whatever is missing")
+                  : pair.best->interval.upper < 0.0 ? Text::tr("second is better whatever is missing")
+                                                    : Text::tr("not decided");
+    }
+    table.rows.push_back(
+        {pairName(in, pair.first, pair.second), shown(pair.worst), shown(pair.best), direction});
+  }
+  table.notes = {
+      Text::tr("Every missing mark at the end is taken as the lowest of the scale in one group and as the "
+               "highest in the other. Who has no score before is given the mean of the others.")};
+  table.provenance.n = study.endMarks;
+  table.provenance.missing = study.endMissing;
+  return table;
+}
+
+}  // namespace torsio

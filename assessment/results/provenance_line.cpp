@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/results/provenance_line.h"
+
+#include "sim/core/text_list.h"
+
+namespace torsio {
+
+Text provenanceLine(const Provenance& from) {
+  std::vector<Text> parts;
+  if (!from.formula.empty()) {
+    parts.push_back(from.formulaVersion.empty() ? from.formula
+                                                : Text::tr("%1 (%2)", from.formula, from.formulaVersion));
+  }
+  if (from.n > 0) {
+    parts.push_back(Text::verbatim("n = %1", from.n));
+  }
+  if (from.n > 0) {
+    parts.push_back(Text::tr("missing = %1", from.missing));
+  }
+  parts.insert(parts.end(), from.flags.begin(), from.flags.end());
+  return listed(parts, Text::tr("%1; %2"));
+}
+
+}  // namespace torsio

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_sections.h"
+#include "sim/core/digest.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kPrintedDigits = 16;
+
+std::string hashOfTrainingMarks(const CohortInputs& in) {
+  Digest digest;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    digest.update(mark.trainee);
+    digest.update(mark.rater);
+    digest.update(static_cast<std::int64_t>(mark.occasion));
+    digest.update(mark.steps);
+  }
+  return digest.hex();
+}
+
+std::string hashOfEvaluationMarks(const CohortInputs& in) {
+  Digest digest;
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      digest.update(model.model);
+      digest.update(sheet.rater);
+      for (const std::optional<std::int64_t>& steps : sheet.steps) {
+        digest.update(steps.value_or(-1));
+      }
+    }
+  }
+  return digest.hex();
+}
+
+std::string hashOfTrials(const CohortInputs& in) {
+  Digest digest;
+  for (const TrialSummaryRow& trial : in.trials) {
+    digest.update(trial.trialId.text());
+    digest.update(trial.contentHash);
+  }
+  return digest.hex();
+}
+
+ReportTable versionsTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-provenance";
+  table.title = Text::tr("Where the numbers come from");
+  table.columns = {Text::tr("Item"), Text::tr("Value")};
+  table.rows = {
+      {Text::tr("Software"), in.softwareVersion},
+      {Text::tr("Evaluation formulas"), std::string(kEvaluationFormulaVersion)},
+      {Text::tr("Training formulas"), std::string(kTrainingFormulaVersion)},
+      {Text::tr("Allocation"), in.allocation.method.empty() ? Text::tr("not recorded")
+                               : in.allocation.sealed
+                                   ? Text::tr("%1, seed sealed", in.allocation.version)
+                                   : Text::tr("%1, seed %2", in.allocation.version, in.allocation.seed)},
+      {Text::tr("Allocation commitment"),
+       in.allocation.commitment.empty() ? Text::tr("not recorded") : Text(in.allocation.commitment)}};
+  if (!in.programHash.empty()) {
+    table.rows.insert(table.rows.begin() + 1, {Text::tr("Program file (BLAKE2b)"), in.programHash});
+  }
+  for (const ReportedSheet& sheet : in.sheets) {
+    table.rows.push_back(
+        {Text::tr("Scoring sheet"), Text::tr("%1, revision %2", sheet.name, sheet.revision)});
+  }
+  if (in.freeze) {
+    table.rows.push_back({Text::tr("Frozen data set"), in.freeze->name});
+    table.rows.push_back({Text::tr("Frozen data set, content hash"), in.freeze->contentHash});
+    table.rows.push_back({Text::tr("Record compared with it"),
+                          in.freeze->unchanged ? Text::tr("unchanged") : Text::tr("changed since then")});
+  }
+  for (const auto& [label, value] : in.provenance) {
+    table.rows.push_back({label, value});
+  }
+  return table;
+}
+
+/// Which marks or recordings stand behind which parts of the report.
+ReportTable sourcesTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-sources";
+  table.title = Text::tr("What each part is computed from");
+  table.columns = {Text::tr("Part of the report"), Text::tr("Source"), Text::tr("Count"),
+                   Text::tr("Hash of the source")};
+  const auto add = [&](const Text& part, const Text& source, std::int64_t count, const std::string& hash) {
+    if (count > 0) {
+      table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
+    }
+  };
+  std::int64_t evaluationMarks = 0;
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      evaluationMarks += std::count_if(sheet.steps.begin(), sheet.steps.end(),
+                                       [](const auto& steps) { return steps.has_value(); });
+    }
+  }
+  add(Text::tr("Evaluation of the models"), Text::tr("submitted marks of the campaign"), evaluationMarks,
+      hashOfEvaluationMarks(in));
+  add(Text::tr("Training study; Agreement and comparisons; Raters"),
+      Text::tr("submitted marks of the occasions"), std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
+  add(Text::tr("Learning; Recorded runs"), Text::tr("recordings, listed below"), std::ssize(in.trials),
+      hashOfTrials(in));
+  if (!in.trials.empty()) {
+    const auto open = std::count_if(in.trials.begin(), in.trials.end(),
+                                    [](const TrialSummaryRow& trial) { return trial.contentHash.empty(); });
+    table.notes.push_back(
+        open == 0
+            ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
+                       "compared bit for bit (torsio replay RUN --verify).")
+            : Text::tr("%1 {recording has|recordings have} no content hash: nothing shows that {it is|they "
+                       "are} unchanged.",
+                       open));
+  }
+  if (in.notAssessable > 0) {
+    table.notes.push_back(
+        Text::tr("%1 {mark could not be given and carries a reason; it counts|marks could not be given and "
+                 "carry a reason; they count} as missing.",
+                 in.notAssessable));
+  }
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+/// Back from a trainee's score to the marks and recordings of that trainee.
+ReportTable chainTable(const CohortInputs& in) {
+  struct Chain {
+    std::int64_t marks = 0;
+    std::string trials;
+  };
+  std::map<std::string, Chain> chains;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    ++chains[mark.trainee].marks;
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    std::string& trials = chains[trial.trainee].trials;
+    if (!trials.empty()) {
+      trials += ", ";
+    }
+    trials += trial.trialId.text().substr(0, 8);
+  }
+  ReportTable table;
+  table.id = "table-chain";
+  table.title = Text::tr("From every trainee's scores back to marks and recordings");
+  table.individual = true;
+  table.columns = {Text::tr("Trainee"), Text::tr("Marks behind the scores"),
+                   Text::tr("Recordings (first eight digits of the run)")};
+  for (const auto& [trainee, chain] : chains) {
+    table.rows.push_back({trainee, std::to_string(chain.marks),
+                          chain.trials.empty() ? Text::tr("none on the simulator") : Text(chain.trials)});
+  }
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable trialsTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-trial-hashes";
+  table.title = Text::tr("Recorded runs");
+  table.individual = true;
+  table.columns = {Text::tr("Run"),     Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
+                   Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
+  for (const TrialSummaryRow& trial : in.trials) {
+    table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
+                          formatFixed(trial.minutes, 2),
+                          trial.interrupted ? Text::tr("interrupted") : Text::tr("completed"),
+                          trial.contentHash.substr(0, kPrintedDigits)});
+  }
+  table.notes = {Text::tr(
+      "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV).")};
+  table.provenance.n = std::ssize(in.trials);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+}  // namespace
+
+ReportSection provenanceSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = Text::tr("Provenance");
+  section.tables = {versionsTable(in)};
+  if (ReportTable sources = sourcesTable(in); !sources.rows.empty()) {
+    section.tables.push_back(std::move(sources));
+  }
+  if (ReportTable chain = chainTable(in); !chain.rows.empty()) {
+    section.tables.push_back(std::move(chain));
+  }
+  if (!in.trials.empty()) {
+    section.tables.push_back(trialsTable(in));
+  }
+  return section;
+}
+
+}  // namespace torsio

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the marks say of the raters: agreement in whole points, how many are needed, severity on one scale.
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <set>
+
+#include "assessment/results/study_parts.h"
+
+namespace torsio {
+
+namespace {
+
+PointAgreement agreementInPoints(const OccasionMarks& at) {
+  const auto pointOf = [&](double mark) { return static_cast<std::int64_t>(std::lround(mark)); };
+  PointAgreement out;
+  for (auto a = at.present.begin(); a != at.present.end(); ++a) {
+    for (auto b = std::next(a); b != at.present.end(); ++b) {
+      std::vector<double> first;
+      std::vector<double> second;
+      ++out.pairs;
+      for (const std::vector<std::optional<double>>& marks : at.marks) {
+        if (!marks[*a] || !marks[*b]) {
+          continue;
+        }
+        const std::int64_t x = pointOf(*marks[*a]);
+        const std::int64_t y = pointOf(*marks[*b]);
+        first.push_back(static_cast<double>(x));
+        second.push_back(static_cast<double>(y));
+        ++out.shared;
+        out.same += x == y ? 1 : 0;
+        out.withinOne += std::abs(x - y) <= 1 ? 1 : 0;
+      }
+      if (const Outcome<double> kappa = quadraticKappa(first, second)) {
+        out.kappas.push_back(*kappa);
+      }
+    }
+  }
+  return out;
+}
+
+/// The fewest raters whose mean is dependable enough; empty: more than kMostRaters.
+std::optional<std::size_t> fewestRaters(const GStudy& found) {
+  for (std::size_t raters = 1; raters <= kMostRaters; ++raters) {
+    const Outcome<DStudy> study = dStudyPR(found, static_cast<double>(raters));
+    if (study && study->dependability >= kWantedDependability) {
+      return raters;
+    }
+  }
+  return std::nullopt;
+}
+
+RatersNeeded ratersNeeded(const OccasionMarks& last) {
+  RatersNeeded out;
+  const NumberTable marks = completeMarks(last);
+  out.marks = static_cast<std::int64_t>(marks.rows() * marks.columns());
+  out.components = gStudyPR(marks);
+  if (!out.components) {
+    return out;
+  }
+  for (const std::size_t raters : std::set<std::size_t>{1, 2, 3, 5, 10, last.present.size()}) {
+    out.planned.emplace_back(raters, dStudyPR(*out.components, static_cast<double>(raters)));
+  }
+  out.fewest = fewestRaters(*out.components);
+  return out;
+}
+
+/// Takes the marks that occur, in their order, for categories without gaps.
+Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
+  std::set<double> used;
+  for (const auto& row : last.marks) {
+    for (const std::optional<double>& mark : row) {
+      if (mark) {
+        used.insert(*mark);
+      }
+    }
+  }
+  if (used.size() < 2) {
+    return Outcome<RaschResult>::undefined(Text::tr("every rating is the same"));
+  }
+  CategoryRatings ratings;
+  for (const auto& row : last.marks) {
+    ratings.emplace_back();
+    for (const std::optional<double>& mark : row) {
+      ratings.back().push_back(
+          mark ? std::optional(static_cast<int>(std::distance(used.begin(), used.find(*mark))))
+               : std::nullopt);
+    }
+  }
+  return manyFacetRasch(ratings, static_cast<int>(used.size()) - 1);
+}
+
+}  // namespace
+
+void addRaterModels(StudyAnalysis& study) {
+  for (OccasionMarks& occasion : study.occasions) {
+    occasion.points = agreementInPoints(occasion);
+  }
+  study.needed = ratersNeeded(study.occasions.back());
+  study.rasch = onOneScale(study.occasions.back());
+}
+
+}  // namespace torsio

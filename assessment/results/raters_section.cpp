@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/results/number_format.h"
+#include "assessment/results/record_sentences.h"
+#include "assessment/results/report_labels.h"
+#include "assessment/results/report_sections.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kRaterDecimals = 3;
+
+/// As itemOf(): what stands in it belongs to single persons.
+template <typename Item>
+Item individualItem(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
+  Item item = itemOf<Item>(in, id, title, formula);
+  item.individual = true;
+  return item;
+}
+
+/// Mean over the occasions of what each rater gave each trainee.
+ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure =
+      individualItem<ReportFigure>(in, "figure-marks", Text::tr("Marks by trainee and rater, last occasion"),
+                                   Text::tr("marks as submitted"));
+  figure.kind = FigureKind::kHeatMap;
+  figure.xLabel = Text::tr("trainee");
+  figure.yLabel = Text::tr("mark (points)");
+  figure.yMin = pointsFromSteps(in.trainingScale.lo, in.trainingScale);
+  figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
+  figure.categories.assign(study.trainees.begin(), study.trainees.end());
+  const OccasionMarks& last = study.occasions.back();
+  for (std::size_t r = 0; r < study.raters.size(); ++r) {
+    FigureSeries series;
+    series.name = study.raters[r];
+    for (const std::vector<std::optional<double>>& row : last.marks) {
+      series.y.push_back(row[r]);
+    }
+    figure.series.push_back(series);
+  }
+  figure.provenance.n = last.n;
+  figure.provenance.missing = last.missing;
+  figure.notes = {
+      Text::tr("A row that is lighter or darker all along is a rater who is stricter or more lenient. "
+               "An empty cell is a mark that was not given.")};
+  return figure;
+}
+
+ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure =
+      individualItem<ReportFigure>(in, "figure-severity", Text::tr("Severity of the raters"),
+                                   Text::tr("mean of own mark minus mean of the other raters"));
+  figure.kind = FigureKind::kForest;
+  figure.yLabel = Text::tr("own mark minus the other raters' mean (points)");
+  figure.references = {{0.0, Text::tr("as the others")}};
+  std::vector<RaterSeverity> ordered = study.severity;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const RaterSeverity& a, const RaterSeverity& b) { return a.offset < b.offset; });
+  FigureSeries series;
+  series.name = Text::tr("offset [95 %]");
+  for (const RaterSeverity& rater : ordered) {
+    figure.categories.emplace_back(rater.rater);
+    series.y.emplace_back(rater.offset);
+    series.low.push_back(rater.interval ? rater.interval->lower : rater.offset);
+    series.high.push_back(rater.interval ? rater.interval->upper : rater.offset);
+    figure.provenance.n += rater.n;
+  }
+  figure.series = {series};
+  const bool alone =
+      std::any_of(ordered.begin(), ordered.end(), [](const RaterSeverity& rater) { return !rater.interval; });
+  figure.notes = {
+      allMarksGiven(in)
+          ? Text::tr(
+                "Strictest first. Scores are not corrected for severity: every trainee is scored by the same "
+                "raters, so that it does not change their order.")
+          : Text::tr(
+                "Strictest first. Scores are not corrected for severity, and not every trainee is scored by "
+                "the same raters: a strict or lenient rater may change their order.")};
+  if (alone) {
+    figure.notes.push_back(Text::tr("A rater who shares a single trainee with others has no interval."));
+  }
+  return figure;
+}
+
+/// Every mark of the last occasion against the mean of the other raters.
+std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure = individualItem<ReportFigure>(
+      in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
+      Text::tr("each mark against the mean of the others, limits for repeated measures"));
+  figure.kind = FigureKind::kScatter;
+  figure.xLabel = Text::tr("mean of own mark and the others' mean (points)");
+  figure.yLabel = Text::tr("own minus others' mean");
+  FigureSeries series;
+  series.name = Text::tr("one mark");
+  for (const std::vector<std::optional<double>>& row : study.occasions.back().marks) {
+    for (std::size_t r = 0; r < row.size(); ++r) {
+      if (!row[r]) {
+        continue;
+      }
+      const std::optional<double> others = meanOfOthers(row, r);
+      if (!others) {
+        continue;
+      }
+      series.x.push_back(0.5 * (*row[r] + *others));
+      series.y.emplace_back(*row[r] - *others);
+    }
+  }
+  const Outcome<HoledReliability>& variances = study.occasions.back().reliability;
+  if (!variances || variances->usualRaters < 2) {
+    return std::nullopt;
+  }
+  // A trainee has several of these differences, so that they are not independent: the limits come from the
+  // variances of raters and rest, for one more rater against the mean of the usual number of others.
+  const double others = static_cast<double>(variances->usualRaters) - 1.0;
+  const double reach = kAgreementLimit * std::sqrt((variances->varianceRaters + variances->varianceResidual) *
+                                                   (1.0 + 1.0 / others));
+  figure.series = {series};
+  figure.references = {
+      {0.0, Text::tr("as the others")}, {-reach, Text::tr("lower limit")}, {reach, Text::tr("upper limit")}};
+  figure.provenance.n = std::ssize(series.x);
+  figure.provenance.missing = study.occasions.back().missing;
+  figure.notes = {
+      Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
+               "about the mean "
+               "of %1 others, %2 points, from the variances of raters and rest over all trainees.",
+               variances->usualRaters - 1, formatFixed(reach, 2))};
+  return figure;
+}
+
+ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportTable table =
+      individualItem<ReportTable>(in, "table-raters", Text::tr("Raters side by side"),
+                                  Text::tr("Bland and Altman against the mean of the others, last occasion"));
+  table.columns = {Text::tr("Rater"), Text::tr("Trainees"), Text::tr("Offset [95 %], all occasions"),
+                   Text::tr("Limits of agreement, last occasion")};
+  for (const RaterSeverity& rater : study.severity) {
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
+    const Outcome<BlandAltmanResult>& against = study.againstPanel[at];
+    const Text limits = against ? Text::tr("%1 to %2", formatFixed(against->limits.lower, kRaterDecimals),
+                                           formatFixed(against->limits.upper, kRaterDecimals))
+                                : notDefined(against.reason());
+    table.rows.push_back(
+        {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
+    table.provenance.n += rater.n;
+  }
+  table.notes = {Text::tr("Raters are shown by code, for the organisers of the study; this is no ranking.")};
+  return table;
+}
+
+}  // namespace
+
+ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportSection section;
+  section.title = Text::tr("Raters");
+  section.paragraphs = {Text::tr(
+      "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
+      "construction.")};
+  if (in.singleMarks) {
+    section.figures.push_back(heatMap(in, study));
+  } else {
+    section.paragraphs.push_back(Text::tr(
+        "Single marks are not shown. The role that made this report sees them, under codes, once every rater "
+        "has submitted and the data set is frozen."));
+  }
+  if (!study.severity.empty()) {
+    section.figures.push_back(severityFigure(in, study));
+  }
+  if (in.singleMarks) {
+    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study)) {
+      section.figures.push_back(*figure);
+    }
+  }
+  if (!study.severity.empty()) {
+    section.tables = {ratersTable(in, study)};
+  }
+  return section;
+}
+
+}  // namespace torsio

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What more raters would give, how strict each one is on one scale, and what each group gained by itself.
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
+#include "assessment/results/report_sections.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kReliabilityDecimals = 3;
+
+Text neededSentence(const RatersNeeded& found) {
+  return found.fewest
+             ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.",
+                        *found.fewest, formatFixed(kWantedDependability, 2))
+             : Text::tr("Not even %1 raters would give a dependability of %2.", kMostRaters,
+                        formatFixed(kWantedDependability, 2));
+}
+
+ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study) {
+  auto table = itemOf<ReportTable>(in, "table-raters-needed", Text::tr("How many raters are needed"),
+                                   Text::tr("G-study of trainees x raters, last occasion; D-study"));
+  table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"),
+                   Text::tr("Generalizability (order)"),
+                   Text::tr("Standard error of the mean mark (points)")};
+  const RatersNeeded& found = study.needed;
+  table.provenance.n = found.marks;
+  table.provenance.missing = study.occasions.back().missing;
+  if (!found.components) {
+    table.rows.push_back({notDefined(found.components.reason()), "", "", ""});
+    return table;
+  }
+  for (const auto& [raters, planned] : found.planned) {
+    if (!planned) {
+      table.rows.push_back({std::to_string(raters), notDefined(planned.reason()), "", ""});
+      continue;
+    }
+    table.rows.push_back({std::to_string(raters), formatFixed(planned->dependability, kReliabilityDecimals),
+                          formatFixed(planned->generalizability, kReliabilityDecimals),
+                          formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals)});
+  }
+  const GStudy& components = *found.components;
+  if (std::any_of(found.planned.begin(), found.planned.end(),
+                  [](const auto& planned) { return static_cast<bool>(planned.second); })) {
+    table.notes = {neededSentence(found)};
+  }
+  table.notes.push_back(Text::tr("Components of variance: trainees %1, raters %2, rest %3.",
+                                 formatFixed(components.at("p").variance, kReliabilityDecimals),
+                                 formatFixed(components.at("r").variance, kReliabilityDecimals),
+                                 formatFixed(components.at("pr").variance, kReliabilityDecimals)));
+  if (components.negativeComponent) {
+    table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
+  }
+  return table;
+}
+
+ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
+  auto table = itemOf<ReportTable>(in, "table-rasch", Text::tr("Raters on one scale, last occasion"),
+                                   Text::tr("many-facet Rasch model, joint maximum likelihood"));
+  table.individual = true;
+  table.columns = {Text::tr("Rater"), Text::tr("Severity (logits)"), Text::tr("Standard error"),
+                   Text::tr("Infit"), Text::tr("Outfit")};
+  table.provenance.n = study.occasions.back().n;
+  table.provenance.missing = study.occasions.back().missing;
+  const Outcome<RaschResult>& found = study.rasch;
+  if (!found) {
+    table.rows.push_back({notDefined(found.reason()), "", "", "", ""});
+    return table;
+  }
+  for (std::size_t r = 0; r < study.raters.size(); ++r) {
+    const RaschRater& rater = found->raters[r];
+    const auto shown = [&](const std::optional<double>& value) {
+      return value                                     ? Text(formatFixed(*value, 2))
+             : rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here")
+                                                       : Text::tr("only extreme marks");
+    };
+    table.rows.push_back({study.raters[r], shown(rater.severity), shown(rater.error), shown(rater.infit),
+                          shown(rater.outfit)});
+  }
+  table.notes = {Text::tr(
+      "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow "
+      "the "
+      "model; the marks that occur, in their order, are its categories. Joint estimates lie somewhat too far "
+      "apart.")};
+  return table;
+}
+
+/// p of the signed ranks; of random changes of sign with how far it may be off.
+Text signedRankP(const SignedRank& ranks) {
+  return ranks.exact ? Text(formatP(ranks.pTwoSided))
+                     : Text::tr("%1, random changes of sign, standard error %2", formatP(ranks.pTwoSided),
+                                formatFixed(ranks.error, 4));
+}
+
+}  // namespace
+
+std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.occasions.empty() || study.raters.size() < 2) {
+    return {};
+  }
+  return {ratersNeededTable(in, study), raschTable(in, study)};
+}
+
+std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study) {
+  if (!study.gains) {
+    return std::nullopt;
+  }
+  auto table = itemOf<ReportTable>(in, "table-within-groups", Text::tr("What each group gained by itself"),
+                                   Text::tr("exact signed ranks; Friedman; bootstrap of the median, BCa"));
+  table.columns = {
+      Text::tr("Group"),          Text::tr("Trainees"),  Text::tr("Median gain [95 %] (points)"),
+      Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const GroupGain& gain = study.gains->within[g];
+    table.rows.push_back(
+        {in.groups[g].name, std::to_string(gain.n),
+         gain.median ? Text(withInterval(gain.median->estimate, gain.median->bca))
+                     : notDefined(gain.median.reason()),
+         gain.ranks ? Text(formatFixed(gain.ranks->v, 1)) : notDefined(gain.ranks.reason()),
+         gain.ranks ? signedRankP(*gain.ranks) : Text(""),
+         gain.occasions ? Text(formatP(gain.occasions->p)) : notDefined(gain.occasions.reason())});
+    table.provenance.n += gain.n;
+  }
+  table.notes = {
+      Text::tr("A gain within a group shows no effect of its training: repetition alone may give it. Compare "
+               "the groups. p values and intervals of this table are not adjusted for the number of "
+               "groups.")};
+  return table;
+}
+
+}  // namespace torsio

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An evaluation that cannot be computed yet: what is missing, and what each class of raters says by itself.
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
+#include "assessment/results/report_sections.h"
+#include "sim/core/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kClassScoreDecimals = 4;
+constexpr int kWeightDecimals = 2;
+constexpr std::int64_t kWholeWeight = 1000;  // thousandths
+
+/// What keeps an unfinished evaluation from being computed, line by line.
+ReportTable unscoredTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-evaluation-unscored";
+  table.title = Text::tr("What no rater of a class has scored");
+  table.columns = {Text::tr("Class"), Text::tr("Model"), Text::tr("Indices without a mark")};
+  for (const UnscoredIndices& of : in.unfinishedEvaluation->unscored) {
+    const std::vector<Text> names(of.indices.begin(), of.indices.end());
+    table.rows.push_back({of.raterClass, of.model,
+                          of.indices.size() == in.instrument.indices.size()
+                              ? Text::tr("all %1", of.indices.size())
+                              : listed(names)});
+  }
+  table.provenance.formula = Text::tr("counts");
+  table.provenance.n = in.unfinishedEvaluation->marks;
+  table.provenance.missing = missingEvaluationMarks(in);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+/// Eq. 27 of each class by itself: what can be said of the others while a class has not scored.
+ReportTable classesTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-evaluation-classes";
+  table.title = Text::tr("Score of each class of raters by itself");
+  table.columns = {Text::tr("Model"),  Text::tr("Class"), Text::tr("Weight"),
+                   Text::tr("Raters"), Text::tr("Marks"), Text::tr("Score of the class")};
+  for (const ClassScore& of : classScores(in)) {
+    const RaterClass& raterClass = in.instrument.classes[of.raterClass];
+    table.provenance.n += of.marks;
+    table.rows.push_back({of.model, raterClass.name,
+                          formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kWeightDecimals),
+                          std::to_string(of.raters), std::to_string(of.marks),
+                          of.score ? Text(formatFixed(*of.score, kClassScoreDecimals))
+                                   : notDefined(Text::tr("an index has no mark"))});
+    table.origins.push_back({"", "", "", "", "",
+                             of.score ? numberAddress({.section = "evaluation",
+                                                       .item = "all",
+                                                       .group = raterClass.id,
+                                                       .model = of.model,
+                                                       .statistic = kClassScoreStatistic})
+                                      : std::string()});
+  }
+  table.notes = {Text::tr(
+      "The index weights of Eq. 27 on the plain means of one class. No N is formed while a class that has a "
+      "weight is missing: the weights of the others would have to be made up.")};
+  table.provenance.formula = Text::tr("Eq. 27 on the means of one class");
+  table.provenance.formulaVersion = kEvaluationFormulaVersion;
+  table.provenance.missing = missingEvaluationMarks(in);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+}  // namespace
+
+std::set<std::string> evaluationRaters(const CohortInputs& in) {
+  std::set<std::string> raters;
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      raters.insert(sheet.rater);
+    }
+  }
+  return raters;
+}
+
+std::int64_t givenMarks(const ModelRatings& model) {
+  std::int64_t given = 0;
+  for (const RaterSheet& sheet : model.sheets) {
+    given += std::count_if(sheet.steps.begin(), sheet.steps.end(),
+                           [](const auto& steps) { return steps.has_value(); });
+  }
+  return given;
+}
+
+std::int64_t missingEvaluationMarks(const CohortInputs& in) {
+  std::int64_t missing = 0;
+  const std::int64_t each = std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices);
+  for (const ModelRatings& model : in.ratings) {
+    missing += each - givenMarks(model);
+  }
+  return missing;
+}
+
+std::vector<ClassScore> classScores(const CohortInputs& in) {
+  std::vector<ClassScore> out;
+  for (const ModelRatings& model : in.ratings) {
+    for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
+      ModelRatings own{model.model, {}};
+      for (const RaterSheet& sheet : model.sheets) {
+        if (sheet.raterClass == c) {
+          own.sheets.push_back(sheet);
+        }
+      }
+      bool whole = !own.sheets.empty();
+      for (std::size_t j = 0; j < in.instrument.indices.size(); ++j) {
+        whole = whole && std::any_of(own.sheets.begin(), own.sheets.end(),
+                                     [j](const RaterSheet& sheet) { return sheet.steps[j].has_value(); });
+      }
+      ClassScore score{model.model, c, std::ssize(own.sheets), givenMarks(own), std::nullopt};
+      if (whole) {
+        EvaluationInstrument alone = in.instrument;
+        for (RaterClass& raterClass : alone.classes) {
+          raterClass.weight_milli = &raterClass == &alone.classes[c] ? kWholeWeight : 0;
+        }
+        score.score = evaluateModel(alone, own).n27;
+      }
+      out.push_back(std::move(score));
+    }
+  }
+  return out;
+}
+
+ReportSection unfinishedSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = Text::tr("Evaluation of the models");
+  const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
+  section.paragraphs = {
+      Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
+               "every class of raters that has a weight has scored every index of every model.",
+               in.unfinishedEvaluation->marks),
+      Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
+  if (!in.unfinishedEvaluation->unscored.empty()) {
+    section.tables.push_back(unscoredTable(in));
+  }
+  if (!in.ratings.empty()) {
+    section.tables.push_back(classesTable(in));
+  }
+  return section;
+}
+
+}  // namespace torsio
