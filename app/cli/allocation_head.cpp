@@ -7,8 +7,8 @@
 #include <system_error>
 #include <vector>
 
-#include "app/maintenance/signing_key.h"
-#include "app/maintenance/station_anchor.h"
+#include "app/services/maintenance/signing_key.h"
+#include "app/services/maintenance/station_anchor.h"
 
 namespace torsio::cli {
 

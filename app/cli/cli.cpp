@@ -11,10 +11,10 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
-#include "app/base/build_info.h"
 #include "app/cli/command_report.h"
 #include "app/cli/commands.h"
-#include "app/report/graphics_application.h"
+#include "app/outputs/charts/graphics_application.h"
+#include "app/services/base/build_info.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

@@ -8,10 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/cli/agreement_methods.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/services/base/csv_table.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

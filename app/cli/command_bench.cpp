@@ -9,8 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/commands.h"
+#include "app/services/base/assets.h"
 #include "assessment/results/number_format.h"
 #include "sim/baseline/grasped_organ.h"
 #include "sim/scene/scene.h"

@@ -5,14 +5,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
-#include "app/comparison/comparison_files.h"
-#include "app/comparison/comparison_report.h"
-#include "app/comparison/comparison_run.h"
-#include "app/report/pdf_report.h"
+#include "app/outputs/pdf/pdf_report.h"
+#include "app/services/base/build_info.h"
+#include "app/services/comparison/comparison_files.h"
+#include "app/services/comparison/comparison_report.h"
+#include "app/services/comparison/comparison_run.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"

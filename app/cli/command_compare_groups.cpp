@@ -9,10 +9,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/comparison_methods.h"
 #include "app/cli/json_output.h"
+#include "app/services/base/csv_table.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/core/error.h"
 

@@ -10,8 +10,8 @@
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
-#include "app/maintenance/maintenance_desk.h"
-#include "app/recording/competence_service.h"
+#include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/recording/competence_service.h"
 #include "assessment/attempt/competence.h"
 #include "sim/core/angle.h"
 

@@ -7,14 +7,18 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
-#include "app/demonstration/demonstration.h"
-#include "app/report/wording.h"
+#include "app/outputs/pdf/pdf_report.h"
+#include "app/outputs/wording/wording.h"
+#include "app/services/base/assets.h"
+#include "app/services/demonstration/demonstration.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::cli {
 
@@ -41,7 +45,11 @@ void runDemo(const DemoArguments& arguments) {
   options.example.assets = assetsFolder();
   options.example.id = "stomach";
   options.createdUtc_us = utcNow_us();
-  options.language = arguments.language;
+  options.writeReport = [wording = wordingIn(arguments.language)](const CohortInputs& inputs,
+                                                                  const DemonstrationSummary& files) {
+    writePdfReport(cohortReport(inputs), files.report, wording);
+    writeFileAtomically(files.table, cohortCsvText(cohortCsvRows(inputs)));
+  };
   DemonstrationSummary summary;
   {
     ProgressLine line;

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/devices/device_check.h"
-#include "app/devices/device_monitor.h"
+#include "app/services/devices/device_check.h"
+#include "app/services/devices/device_monitor.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"

@@ -11,9 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/services/base/csv_table.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_resampling.h"
 #include "sim/core/error.h"

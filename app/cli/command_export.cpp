@@ -6,18 +6,18 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/terminal.h"
-#include "app/exchange/cohort_exchange.h"
-#include "app/exchange/dataset_import.h"
-#include "app/exchange/foreign_import.h"
-#include "app/maintenance/maintenance_desk.h"
-#include "app/report/wording.h"
+#include "app/connectors/foreign/dataset_import.h"
+#include "app/connectors/foreign/foreign_import.h"
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "app/outputs/wording/wording.h"
+#include "app/services/base/assets.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 

@@ -7,12 +7,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/access/access_service.h"
-#include "app/access/invitations.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/maintenance_options.h"
-#include "app/maintenance/maintenance_desk.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/invitations.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

@@ -9,10 +9,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/csv_table.h"
-#include "app/base/name_places.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/services/base/csv_table.h"
+#include "app/services/base/name_places.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
 #include "assessment/statistics/descriptive.h"

@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/organ_make.h"
 #include "app/cli/organ_reconstruct.h"
 #include "app/cli/organ_result.h"
+#include "app/services/base/assets.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/organ_import.h"
 

@@ -9,7 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
 #include "app/cli/organ_option.h"
-#include "app/recording/replay_service.h"
+#include "app/services/recording/replay_service.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

@@ -10,7 +10,7 @@
 
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
-#include "app/reporting/cell_trace.h"
+#include "app/outputs/report/cell_trace.h"
 
 namespace torsio::cli {
 

@@ -11,8 +11,8 @@
 #include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
-#include "app/maintenance/maintenance_desk.h"
-#include "app/people/roster_undo.h"
+#include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/people/roster_undo.h"
 #include "assessment/results/number_format.h"
 
 namespace torsio::cli {

@@ -20,9 +20,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/database_option.h"
+#include "app/services/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
 #include "app/web/web_desk.h"

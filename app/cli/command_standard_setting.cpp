@@ -7,10 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/study/standard_tables.h"
+#include "app/services/base/csv_table.h"
+#include "app/services/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/core/error.h"
 

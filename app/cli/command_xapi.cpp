@@ -10,8 +10,8 @@
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/terminal.h"
-#include "app/maintenance/maintenance_desk.h"
-#include "app/xapi/learning_records.h"
+#include "app/connectors/xapi/learning_records.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/access/first_run.h"
 #include "app/cli/terminal.h"
+#include "app/services/access/first_run.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/csv_table.h"
+#include "app/services/base/csv_table.h"
 #include "assessment/statistics/values.h"
 
 namespace torsio::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/maintenance/maintainer.h"
+#include "app/services/maintenance/maintainer.h"
 #include "sim/core/text.h"
 
 namespace CLI {

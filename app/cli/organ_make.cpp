@@ -8,9 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/organ_result.h"
-#include "app/organs/person_arm.h"
+#include "app/services/base/assets.h"
+#include "app/services/organs/person_arm.h"
 #include "sim/scene/organ_import.h"
 
 namespace torsio::cli {

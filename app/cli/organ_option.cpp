@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/assets.h"
+#include "app/services/base/assets.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

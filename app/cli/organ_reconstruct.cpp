@@ -11,9 +11,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
 #include "app/cli/organ_result.h"
 #include "app/cli/progress_line.h"
+#include "app/services/base/assets.h"
 #include "sim/core/error.h"
 #include "sim/imaging/surface/scan_steps.h"
 #include "sim/imaging/surface/scan_surface.h"

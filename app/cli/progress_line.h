@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/base/progress.h"
+#include "app/services/base/progress.h"
 
 namespace torsio::cli {
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/base/name_places.h"
+#include "app/services/base/name_places.h"
 
 namespace torsio::cli {
 

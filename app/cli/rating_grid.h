@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/base/csv_table.h"
+#include "app/services/base/csv_table.h"
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/values.h"
 

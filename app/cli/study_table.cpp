@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/base/name_places.h"
+#include "app/services/base/name_places.h"
 
 namespace torsio::cli {
 

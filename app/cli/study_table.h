@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/base/csv_table.h"
+#include "app/services/base/csv_table.h"
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/missing_marks.h"
 

@@ -5,10 +5,10 @@
 
 #include <QDateTime>
 
-#include "app/study/alert_labels.h"
-#include "app/study/cohort_service.h"
-#include "app/study/day_board.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/study/alert_labels.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/day_board.h"
+#include "app/services/study/scoring_plan.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "sim/core/refusal.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/review/sheet_editor.h"
+#include "app/services/review/sheet_editor.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"

@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/wording.h"
-#include "app/review/case_remarks.h"
-#include "app/review/case_sheet.h"
-#include "app/review/review_queue.h"
-#include "app/review/viewing_report.h"
+#include "app/outputs/wording/wording.h"
+#include "app/services/review/case_remarks.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/review/viewing_report.h"
 #include "app/web/json_body.h"
 #include "app/web/web_sessions.h"
 

@@ -15,7 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/recording/trial_playback.h"
+#include "app/services/recording/trial_playback.h"
 #include "app/web/binary_container.h"
 #include "app/web/blood_paint.h"
 #include "app/web/case_json.h"

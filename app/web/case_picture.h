@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/review/blinded_case.h"
+#include "app/services/review/blinded_case.h"
 #include "app/web/organ_shelf.h"
 
 namespace torsio::web {

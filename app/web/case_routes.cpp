@@ -2,13 +2,13 @@
 #include <string>
 #include <utility>
 
-#include "app/base/assets.h"
-#include "app/review/blinded_case.h"
-#include "app/review/case_remarks.h"
-#include "app/review/case_sheet.h"
-#include "app/review/discrepancy_review.h"
-#include "app/review/review_queue.h"
-#include "app/review/viewing_report.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/blinded_case.h"
+#include "app/services/review/case_remarks.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/review/viewing_report.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/access/session_context.h"
+#include "app/services/access/session_context.h"
 #include "assessment/domain/people/account.h"
 
 namespace torsio::web {

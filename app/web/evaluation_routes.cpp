@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "app/base/assets.h"
-#include "app/review/evaluation_form.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/evaluation_form.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"

@@ -10,12 +10,12 @@
 
 #include <QDateTime>
 
-#include "app/access/access_service.h"
-#include "app/access/first_run.h"
-#include "app/access/invitations.h"
-#include "app/access/qr_code.h"
-#include "app/access/two_people.h"
-#include "app/mail/mailed_invitations.h"
+#include "app/connectors/mail/mailed_invitations.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/qr_code.h"
+#include "app/services/access/two_people.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "sim/core/refusal.h"

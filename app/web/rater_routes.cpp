@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "app/base/assets.h"
-#include "app/review/discrepancy_review.h"
-#include "app/review/own_severity.h"
-#include "app/review/rater_calibration.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/own_severity.h"
+#include "app/services/review/rater_calibration.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 #include "app/web/case_picture.h"
 #include "app/web/http_message.h"
 #include "app/web/json_body.h"

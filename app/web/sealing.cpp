@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/access/signing.h"
+#include "app/services/access/signing.h"
 #include "app/web/page_files.h"
 #include "app/web/web_desk.h"
 #include "sim/core/error.h"

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "app/access/access_service.h"
-#include "app/access/browser_sessions.h"
-#include "app/access/invitations.h"
-#include "app/access/settings_service.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/browser_sessions.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/settings_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "app/web/web_texts.h"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/access/browser_sessions.h"
-#include "app/access/settings_service.h"
-#include "app/access/signing.h"
+#include "app/services/access/browser_sessions.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/access/signing.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <string>
 
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
 #include "app/web/organ_shelf.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/session_context.h"
+#include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::web {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet while it is filled in, with undo and redo: the same as app/review/sheet_editor.h. Knows no page.
+// A sheet while it is filled in, with undo and redo: the same as app/services/review/sheet_editor.h. Knows no page.
 
 /// Code of the overall mark among the rows.
 export const kOverallRow = '';

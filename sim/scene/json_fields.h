@@ -14,7 +14,7 @@
 namespace torsio {
 
 // For .cpp files only, wherever a data file of Torsio's own is read: sim/scene (scenes, materials,
-// instruments), app/study (curricula, rubrics), app/cli (plans of an allocation). Includes nlohmann,
+// instruments), app/services/study (curricula, rubrics), app/cli (plans of an allocation). Includes nlohmann,
 // and so never goes into a public header.
 
 /// One JSON object of a data file, read field by field. Every refusal names file and field; finish() refuses

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <ctime>
 
-#include "app/recording/expert_run.h"
-#include "app/recording/recorded_run.h"
-#include "app/training/attempts.h"
-#include "app/training/debrief.h"
+#include "app/services/recording/expert_run.h"
+#include "app/services/recording/recorded_run.h"
+#include "app/services/training/attempts.h"
+#include "app/services/training/debrief.h"
 #include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"

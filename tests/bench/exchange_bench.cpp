@@ -13,8 +13,8 @@
 #include <QCoreApplication>
 #include <nlohmann/json.hpp>
 
-#include "app/exchange/cohort_exchange.h"
-#include "app/exchange/foreign_import.h"
+#include "app/connectors/foreign/foreign_import.h"
+#include "app/outputs/dataset/cohort_exchange.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/bench/large_study.h"
 

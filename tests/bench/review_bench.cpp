@@ -23,7 +23,7 @@
 #include <QSize>
 
 #include "app/gui/physician/replay_panel.h"
-#include "app/recording/pipeline.h"
+#include "app/services/recording/pipeline.h"
 #include "sim/core/random.h"
 #include "sim/record/memory_trial_sink.h"
 

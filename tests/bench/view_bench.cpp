@@ -27,7 +27,7 @@
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/widgets/theme.h"
-#include "app/recording/recorded_run.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/error.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/hollow_organ.h"

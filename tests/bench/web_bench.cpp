@@ -19,9 +19,9 @@
 
 #include <QCoreApplication>
 
-#include "app/access/browser_sessions.h"
-#include "app/base/assets.h"
-#include "app/base/build_info.h"
+#include "app/services/access/browser_sessions.h"
+#include "app/services/base/assets.h"
+#include "app/services/base/build_info.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "db/migrations/migrations.h"

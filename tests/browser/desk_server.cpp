@@ -13,14 +13,14 @@
 
 #include <QCoreApplication>
 
-#include "app/access/invitations.h"
-#include "app/access/two_people.h"
-#include "app/base/assets.h"
-#include "app/review/case_sheet.h"
-#include "app/review/rater_calibration.h"
-#include "app/review/remark_replies.h"
-#include "app/review/review_queue.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/two_people.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/rater_calibration.h"
+#include "app/services/review/remark_replies.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/study/scoring_plan.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/people/account.h"

@@ -18,9 +18,9 @@
 
 #include <QCoreApplication>
 
-#include "app/base/assets.h"
-#include "app/recording/trial_playback.h"
-#include "app/review/blinded_case.h"
+#include "app/services/base/assets.h"
+#include "app/services/recording/trial_playback.h"
+#include "app/services/review/blinded_case.h"
 #include "app/web/binary_container.h"
 #include "app/web/case_picture.h"
 #include "app/web/organ_shelf.h"

@@ -13,8 +13,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/number_text.h"
-#include "app/report/chart_builder.h"
-#include "app/report/printed_minus.h"
+#include "app/outputs/charts/chart_builder.h"
+#include "app/outputs/wording/printed_minus.h"
 #include "assessment/results/figure_table.h"
 
 namespace torsio::gui {

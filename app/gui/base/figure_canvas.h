@@ -7,7 +7,7 @@
 #include <QImage>
 
 #include "app/gui/widgets/theme.h"
-#include "app/report/chart_style.h"
+#include "app/outputs/charts/chart_style.h"
 #include "assessment/results/report_model.h"
 
 class QGraphicsWidget;

@@ -17,8 +17,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/number_text.h"
-#include "app/report/printed_minus.h"
-#include "app/report/printed_value.h"
+#include "app/outputs/wording/printed_minus.h"
+#include "app/outputs/wording/printed_value.h"
 #include "assessment/results/figure_table.h"
 #include "assessment/results/provenance_line.h"
 

@@ -9,8 +9,8 @@
 #include <QVariant>
 #include <QWidget>
 
-#include "app/access/operation.h"
 #include "app/gui/base/page_id.h"
+#include "app/services/access/operation.h"
 
 namespace torsio {
 class SessionContext;

@@ -6,7 +6,7 @@
 #include <QMetaType>
 #include <QString>
 
-#include "app/access/operation.h"
+#include "app/services/access/operation.h"
 
 namespace torsio::gui {
 

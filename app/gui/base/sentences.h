@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/report/joined_sentences.h"
+#include "app/outputs/wording/joined_sentences.h"
 
 namespace torsio::gui {
 

@@ -7,9 +7,9 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
-#include "app/access/database_away.h"
 #include "app/gui/base/translated_text.h"
-#include "app/recording/station_writer.h"
+#include "app/services/access/database_away.h"
+#include "app/services/recording/station_writer.h"
 
 namespace torsio::gui {
 

@@ -14,11 +14,11 @@
 #include <QThreadPool>
 #include <QVariant>
 
-#include "app/access/session_context.h"
-#include "app/base/progress.h"
 #include "app/gui/base/page_id.h"
 #include "app/gui/base/problem.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/session_context.h"
+#include "app/services/base/progress.h"
 
 namespace torsio {
 class StationWriter;

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "app/base/csv_style.h"
+#include "app/services/base/csv_style.h"
 
 class QWidget;
 

@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QStringList>
 
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 
 namespace torsio::gui {
 

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "app/organs/person_arm.h"
+#include "app/services/organs/person_arm.h"
 
 class QDoubleSpinBox;
 class QFormLayout;

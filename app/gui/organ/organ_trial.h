@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/base/progress.h"
 #include "app/gui/scene/view_scene.h"
+#include "app/services/base/progress.h"
 #include "sim/imaging/surface/scan_preview.h"
 #include "sim/scene/organ_import.h"
 #include "sim/scene/organ_reconstruction.h"

@@ -26,7 +26,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/scroll_gap.h"
-#include "app/organs/person_arm.h"
+#include "app/services/organs/person_arm.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {

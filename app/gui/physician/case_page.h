@@ -9,9 +9,9 @@
 
 #include "app/gui/base/page.h"
 #include "app/gui/physician/said_line.h"
-#include "app/review/case_remarks.h"
-#include "app/review/case_sheet.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/case_remarks.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/sheet_editor.h"
 
 class QFrame;
 class QLabel;

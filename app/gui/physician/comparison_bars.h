@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
-#include "app/review/discrepancy_review.h"
+#include "app/services/review/discrepancy_review.h"
 
 namespace torsio::gui {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/review/discrepancy_review.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/sheet_editor.h"
 
 class QLabel;
 class QLineEdit;

@@ -6,8 +6,8 @@
 
 #include "app/gui/base/page.h"
 #include "app/gui/physician/said_line.h"
-#include "app/review/evaluation_form.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/evaluation_form.h"
+#include "app/services/review/sheet_editor.h"
 
 class QComboBox;
 class QLabel;

@@ -10,9 +10,9 @@
 
 #include "app/gui/base/page.h"
 #include "app/gui/physician/said_line.h"
-#include "app/review/case_sheet.h"
-#include "app/review/review_queue.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
 
 class QButtonGroup;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/gui/widgets/card.h"
-#include "app/training/questions.h"
+#include "app/services/training/questions.h"
 #include "assessment/domain/ids.h"
 
 class QPushButton;

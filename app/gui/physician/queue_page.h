@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/gui/base/page.h"
-#include "app/review/review_queue.h"
+#include "app/services/review/review_queue.h"
 
 class QGridLayout;
 class QHBoxLayout;

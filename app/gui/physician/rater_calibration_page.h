@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "app/gui/base/page.h"
-#include "app/review/rater_calibration.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/rater_calibration.h"
+#include "app/services/review/sheet_editor.h"
 
 class QLabel;
 class QPushButton;

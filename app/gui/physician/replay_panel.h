@@ -17,8 +17,8 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/beside_view.h"
 #include "app/gui/widgets/theme.h"
-#include "app/recording/trial_playback.h"
-#include "app/review/blinded_case.h"
+#include "app/services/recording/trial_playback.h"
+#include "app/services/review/blinded_case.h"
 
 class QLabel;
 class QToolButton;

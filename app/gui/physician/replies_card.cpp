@@ -14,7 +14,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/review/remark_replies.h"
+#include "app/services/review/remark_replies.h"
 
 namespace torsio::gui {
 

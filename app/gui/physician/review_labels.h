@@ -9,7 +9,7 @@
 #include <QString>
 
 #include "app/gui/base/translated_text.h"
-#include "app/review/case_sheet.h"
+#include "app/services/review/case_sheet.h"
 
 namespace torsio::gui {
 

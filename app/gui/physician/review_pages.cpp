@@ -13,7 +13,7 @@
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/widgets/child.h"
-#include "app/review/review_queue.h"
+#include "app/services/review/review_queue.h"
 
 namespace torsio::gui {
 

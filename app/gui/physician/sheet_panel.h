@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
-#include "app/review/sheet_editor.h"
+#include "app/services/review/sheet_editor.h"
 #include "assessment/domain/rating/rubric.h"
 
 class QFrame;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "app/review/range_pyramid.h"
+#include "app/services/review/range_pyramid.h"
 #include "sim/core/live_types.h"
 
 namespace torsio::gui {

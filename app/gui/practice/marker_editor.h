@@ -7,8 +7,8 @@
 
 #include <QWidget>
 
-#include "app/comparison/organ_markers.h"
 #include "app/gui/scene/scene_view.h"
+#include "app/services/comparison/organ_markers.h"
 
 class QLabel;
 class QLineEdit;

@@ -6,8 +6,8 @@
 
 #include <QWidget>
 
-#include "app/comparison/organ_markers.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/comparison/organ_markers.h"
 
 namespace torsio::gui {
 

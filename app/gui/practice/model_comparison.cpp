@@ -15,9 +15,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/base/build_info.h"
-#include "app/comparison/comparison_files.h"
-#include "app/comparison/comparison_report.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
@@ -28,7 +25,10 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
-#include "app/report/pdf_report.h"
+#include "app/outputs/pdf/pdf_report.h"
+#include "app/services/base/build_info.h"
+#include "app/services/comparison/comparison_files.h"
+#include "app/services/comparison/comparison_report.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 #include "sim/core/load_decimals.h"

@@ -11,9 +11,9 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/comparison/comparison_run.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/comparison/comparison_run.h"
 #include "sim/baseline/lattice_skin.h"
 
 class QComboBox;

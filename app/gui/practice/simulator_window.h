@@ -10,10 +10,10 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include "app/connectors/tracker/instrument_outlet.h"
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/theme.h"
-#include "app/tracker/instrument_outlet.h"
 
 class QAction;
 class QLabel;

@@ -5,7 +5,6 @@
 #include <QInputDialog>
 #include <QMessageBox>
 
-#include "app/base/build_info.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
@@ -16,6 +15,7 @@
 #include "app/gui/simulator/pointer_controls.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
+#include "app/services/base/build_info.h"
 #include "sim/core/error.h"
 #include "sim/scene/organ_file.h"
 

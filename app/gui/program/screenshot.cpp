@@ -18,7 +18,7 @@
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/picture.h"
-#include "app/recording/recorded_run.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/device/virtual/pointer_device.h"

@@ -15,9 +15,6 @@
 #include <QPixmap>
 #include <QTemporaryDir>
 
-#include "app/access/first_run.h"
-#include "app/base/assets.h"
-#include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
 #include "app/gui/program/option_refusal.h"
@@ -29,7 +26,10 @@
 #include "app/gui/simulator/untwisting_states.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/picture.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
+#include "app/services/access/first_run.h"
+#include "app/services/base/assets.h"
+#include "app/services/demonstration/demonstration_accounts.h"
 #include "assessment/domain/people/account.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"

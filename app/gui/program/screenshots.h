@@ -9,9 +9,9 @@
 #include <QSize>
 #include <QString>
 
-#include "app/base/progress.h"
 #include "app/gui/base/language.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/base/progress.h"
 
 class QWidget;
 

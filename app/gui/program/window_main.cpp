@@ -10,9 +10,6 @@
 #include <QScreen>
 #include <QStandardPaths>
 
-#include "app/access/first_run.h"
-#include "app/base/assets.h"
-#include "app/base/build_info.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
@@ -21,8 +18,11 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/widgets/icons.h"
-#include "app/recording/trial_store.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
+#include "app/services/access/first_run.h"
+#include "app/services/base/assets.h"
+#include "app/services/base/build_info.h"
+#include "app/services/recording/trial_store.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 

@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QSysInfo>
 
-#include "app/base/build_info.h"
 #include "app/gui/base/translated_text.h"
+#include "app/services/base/build_info.h"
 
 namespace torsio::gui {
 

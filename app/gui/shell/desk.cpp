@@ -14,8 +14,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/access/access_service.h"
-#include "app/access/signing.h"
 #include "app/gui/base/database_answered.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
@@ -23,6 +21,8 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/toast.h"
 #include "app/gui/widgets/icons.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/signing.h"
 
 namespace torsio::gui {
 

@@ -11,10 +11,10 @@
 #include <QVariant>
 #include <QWidget>
 
-#include "app/access/access_service.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
+#include "app/services/access/access_service.h"
 
 class QLabel;
 class QMenu;

@@ -6,9 +6,9 @@
 #include <QString>
 #include <QWidget>
 
-#include "app/access/first_run.h"
 #include "app/gui/base/language.h"
 #include "app/gui/shell/visit_bar.h"
+#include "app/services/access/first_run.h"
 
 class QCheckBox;
 class QComboBox;

@@ -16,7 +16,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/maintenance/anchor.h"
+#include "app/services/maintenance/anchor.h"
 
 namespace torsio::gui {
 

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/maintenance/station_anchor.h"
+#include "app/services/maintenance/station_anchor.h"
 
 class QLabel;
 class QPushButton;

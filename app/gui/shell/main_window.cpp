@@ -25,7 +25,7 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/recording/station_writer.h"
+#include "app/services/recording/station_writer.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -14,19 +14,19 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/access/access_service.h"
-#include "app/access/first_run.h"
-#include "app/access/idle_guard.h"
-#include "app/base/progress.h"
+#include "app/connectors/xapi/lrs_worker.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/language.h"
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
 #include "app/gui/shell/visit_bar.h"
-#include "app/maintenance/station_anchor.h"
-#include "app/recording/station_writer.h"
-#include "app/xapi/lrs_worker.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/idle_guard.h"
+#include "app/services/base/progress.h"
+#include "app/services/maintenance/station_anchor.h"
+#include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"
 
 class QLabel;

@@ -8,7 +8,6 @@
 #include <QThread>
 #include <QTimer>
 
-#include "app/access/settings_service.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
@@ -18,8 +17,9 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/maintenance/demonstration_removal.h"
-#include "app/recording/station_writer.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/recording/station_writer.h"
 
 namespace torsio::gui {
 

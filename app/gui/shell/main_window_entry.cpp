@@ -4,10 +4,6 @@
 
 #include <QUrl>
 
-#include "app/access/first_run.h"
-#include "app/access/kiosk_codes.h"
-#include "app/access/settings_service.h"
-#include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/problem_labels.h"
@@ -19,11 +15,15 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/maintenance/copies.h"
-#include "app/maintenance/database_maintenance.h"
-#include "app/maintenance/record_privacy.h"
-#include "app/recording/station_start.h"
-#include "app/recording/station_writer.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/kiosk_codes.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/demonstration/demonstration_accounts.h"
+#include "app/services/maintenance/copies.h"
+#include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/record_privacy.h"
+#include "app/services/recording/station_start.h"
+#include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"
 
 namespace torsio::gui {

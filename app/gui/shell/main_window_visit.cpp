@@ -3,8 +3,8 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "app/access/access_service.h"
 #include "app/gui/shell/main_window.h"
+#include "app/services/access/access_service.h"
 
 namespace torsio::gui {
 

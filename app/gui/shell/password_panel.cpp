@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/access_service.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/access_service.h"
 #include "assessment/domain/people/password_rule.h"
 #include "sim/core/error.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/gui/scene/scene_view.h"
-#include "app/recording/beside_playback.h"
+#include "app/services/recording/beside_playback.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

@@ -14,7 +14,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/number_text.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
 #include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
 

@@ -7,7 +7,7 @@
 #include <QImage>
 #include <QString>
 
-#include "app/recording/trial_playback.h"
+#include "app/services/recording/trial_playback.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

@@ -12,7 +12,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
-#include "app/recording/trial_playback.h"
+#include "app/services/recording/trial_playback.h"
 
 namespace torsio::gui {
 

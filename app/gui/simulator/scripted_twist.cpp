@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/recording/recorded_run.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/hollow_organ.h"

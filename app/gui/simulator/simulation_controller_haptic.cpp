@@ -2,9 +2,9 @@
 // Of SimulationController: the haptic device, and what happens without it.
 #include <utility>
 
-#include "app/devices/haptic_station.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
+#include "app/services/devices/haptic_station.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -6,9 +6,9 @@
 #include <memory>
 #include <variant>
 
-#include "app/recording/beside_playback.h"
-#include "app/recording/recorded_run.h"
-#include "app/recording/trial_playback.h"
+#include "app/services/recording/beside_playback.h"
+#include "app/services/recording/recorded_run.h"
+#include "app/services/recording/trial_playback.h"
 #include "sim/core/live_types.h"
 #include "sim/device/virtual/pointer_device.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/recording/recording_spec.h"
+#include "app/services/recording/recording_spec.h"
 #include "assessment/domain/ids.h"
 #include "sim/record/trial.h"
 

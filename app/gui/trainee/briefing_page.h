@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/gui/base/page.h"
-#include "app/training/next_steps.h"
-#include "app/training/trend.h"
+#include "app/services/training/next_steps.h"
+#include "app/services/training/trend.h"
 
 class QLabel;
 class QLayout;

@@ -19,8 +19,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/theme.h"
-#include "app/people/consent_service.h"
-#include "app/training/run_session.h"
+#include "app/services/people/consent_service.h"
+#include "app/services/training/run_session.h"
 
 namespace torsio::gui {
 

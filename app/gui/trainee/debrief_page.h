@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/gui/base/page.h"
-#include "app/training/debrief.h"
+#include "app/services/training/debrief.h"
 #include "assessment/domain/ids.h"
 
 class QBoxLayout;

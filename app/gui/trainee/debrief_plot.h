@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
-#include "app/training/debrief.h"
+#include "app/services/training/debrief.h"
 
 namespace torsio::gui {
 

@@ -13,8 +13,8 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/beside_view.h"
-#include "app/recording/trial_playback.h"
-#include "app/training/debrief.h"
+#include "app/services/recording/trial_playback.h"
+#include "app/services/training/debrief.h"
 
 class QLabel;
 class QSlider;

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "app/training/detorsion_story.h"
+#include "app/services/training/detorsion_story.h"
 
 class QLabel;
 

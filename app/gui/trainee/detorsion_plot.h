@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
-#include "app/training/detorsion_story.h"
+#include "app/services/training/detorsion_story.h"
 
 namespace torsio::gui {
 

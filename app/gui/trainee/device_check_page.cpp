@@ -16,8 +16,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/recording/station_writer.h"
-#include "app/training/run_session.h"
+#include "app/services/recording/station_writer.h"
+#include "app/services/training/run_session.h"
 
 namespace torsio::gui {
 

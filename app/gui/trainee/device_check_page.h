@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/devices/device_readiness.h"
 #include "app/gui/base/page.h"
+#include "app/services/devices/device_readiness.h"
 
 class QLabel;
 class QPushButton;

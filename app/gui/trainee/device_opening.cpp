@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/devices/haptic_station.h"
+#include "app/services/devices/haptic_station.h"
 
 namespace torsio::gui {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/training/next_steps.h"
-#include "app/training/run_session.h"
+#include "app/services/training/next_steps.h"
+#include "app/services/training/run_session.h"
 #include "assessment/domain/ids.h"
 
 class QLabel;

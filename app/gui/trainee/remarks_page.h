@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/training/remarks.h"
+#include "app/services/training/remarks.h"
 #include "assessment/domain/ids.h"
 
 class QLabel;

@@ -31,8 +31,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/level_bar.h"
-#include "app/recording/station_writer.h"
-#include "app/recording/unstored_trials.h"
+#include "app/services/recording/station_writer.h"
+#include "app/services/recording/unstored_trials.h"
 #include "assessment/domain/study/curriculum.h"
 #include "sim/core/error.h"
 

@@ -6,11 +6,11 @@
 
 #include <QTimer>
 
+#include "app/connectors/tracker/tracked_recording.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/problem.h"
 #include "app/gui/trainee/device_opening.h"
-#include "app/tracker/tracked_recording.h"
-#include "app/training/run_session.h"
+#include "app/services/training/run_session.h"
 #include "assessment/attempt/twist_count.h"
 #include "sim/core/live_types.h"
 

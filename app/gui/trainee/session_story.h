@@ -9,7 +9,7 @@
 
 #include <QImage>
 
-#include "app/training/debrief.h"
+#include "app/services/training/debrief.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

@@ -5,9 +5,9 @@
 
 #include <QApplication>
 
-#include "app/devices/haptic_station.h"
-#include "app/recording/station_writer.h"
-#include "app/tracker/tracker_choice.h"
+#include "app/connectors/tracker/tracker_choice.h"
+#include "app/services/devices/haptic_station.h"
+#include "app/services/recording/station_writer.h"
 
 namespace torsio::gui {
 

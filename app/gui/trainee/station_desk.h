@@ -8,11 +8,11 @@
 
 #include <QObject>
 
-#include "app/devices/device_readiness.h"
+#include "app/connectors/tracker/instrument_outlet.h"
+#include "app/connectors/tracker/tracker_link.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/trainee/session_story.h"
-#include "app/tracker/instrument_outlet.h"
-#include "app/tracker/tracker_link.h"
+#include "app/services/devices/device_readiness.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/clock.h"
 #include "sim/device/haptic_device.h"

@@ -6,8 +6,6 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
-#include "app/base/assets.h"
-#include "app/demonstration/demonstration_station.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/briefing_page.h"
@@ -19,7 +17,9 @@
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/child.h"
-#include "app/training/attempts.h"
+#include "app/services/base/assets.h"
+#include "app/services/demonstration/demonstration_station.h"
+#include "app/services/training/attempts.h"
 #include "sim/core/contracts.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"

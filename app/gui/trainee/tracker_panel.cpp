@@ -13,12 +13,12 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "app/connectors/tracker/tracker_choice.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
-#include "app/tracker/tracker_choice.h"
 #include "sim/core/angle.h"
 
 namespace torsio::gui {

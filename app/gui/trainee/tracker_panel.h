@@ -6,8 +6,8 @@
 
 #include <QWidget>
 
+#include "app/connectors/tracker/tracker_link.h"
 #include "app/gui/widgets/card.h"
-#include "app/tracker/tracker_link.h"
 
 class QCheckBox;
 class QLabel;

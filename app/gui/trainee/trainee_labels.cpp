@@ -7,8 +7,8 @@
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
-#include "app/recording/competence_text.h"
-#include "app/training/debrief_labels.h"
+#include "app/services/recording/competence_text.h"
+#include "app/services/training/debrief_labels.h"
 
 namespace torsio::gui {
 

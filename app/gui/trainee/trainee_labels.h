@@ -4,10 +4,10 @@
 #include <QCoreApplication>
 #include <QString>
 
-#include "app/devices/device_readiness.h"
-#include "app/training/debrief.h"
-#include "app/training/next_steps.h"
-#include "app/training/trend.h"
+#include "app/services/devices/device_readiness.h"
+#include "app/services/training/debrief.h"
+#include "app/services/training/next_steps.h"
+#include "app/services/training/trend.h"
 
 namespace torsio::gui {
 

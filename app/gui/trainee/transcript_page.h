@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/gui/base/page.h"
-#include "app/training/transcript.h"
+#include "app/services/training/transcript.h"
 
 class QPushButton;
 class QTextBrowser;

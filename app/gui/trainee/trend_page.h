@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/training/next_steps.h"
-#include "app/training/trend.h"
+#include "app/services/training/next_steps.h"
+#include "app/services/training/trend.h"
 
 class QComboBox;
 class QLabel;

@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "app/gui/widgets/theme.h"
-#include "app/training/trend.h"
+#include "app/services/training/trend.h"
 
 namespace torsio::gui {
 

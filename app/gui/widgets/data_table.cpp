@@ -22,7 +22,7 @@
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/row_view.h"
 #include "app/gui/widgets/theme.h"
-#include "app/report/printed_minus.h"
+#include "app/outputs/wording/printed_minus.h"
 
 namespace torsio::gui {
 

@@ -4,7 +4,7 @@
 #include <QDateEdit>
 #include <QDateTime>
 
-#include "app/report/printed_value.h"
+#include "app/outputs/wording/printed_value.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include "app/report/printed_minus.h"
+#include "app/outputs/wording/printed_minus.h"
 
 namespace torsio::gui {
 

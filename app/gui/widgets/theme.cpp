@@ -17,7 +17,7 @@
 #include <QStyledItemDelegate>
 
 #include "app/gui/widgets/row_view.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
 
 namespace torsio::gui {
 

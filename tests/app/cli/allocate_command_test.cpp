@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/maintenance/signing_key.h"
+#include "app/services/maintenance/signing_key.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/table_commands.h"
 

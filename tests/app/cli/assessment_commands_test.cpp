@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
-#include "app/recording/pipeline.h"
+#include "app/services/base/assets.h"
+#include "app/services/recording/pipeline.h"
 #include "sim/core/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/table_commands.h"

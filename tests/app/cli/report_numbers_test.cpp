@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/access/session_context.h"
-#include "app/reporting/report_data.h"
-#include "app/reporting/report_export.h"
-#include "app/scoring/scoring_service.h"
+#include "app/outputs/report/report_data.h"
+#include "app/outputs/report/report_export.h"
+#include "app/services/access/session_context.h"
+#include "app/services/scoring/scoring_service.h"
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"

@@ -11,7 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
-#include "tests/app/xapi/xapi_centre.h"
+#include "tests/app/connectors/xapi/xapi_centre.h"
 
 namespace torsio {
 namespace {

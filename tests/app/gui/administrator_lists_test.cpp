@@ -11,14 +11,14 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/base/csv_table.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/station/audit_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/maintenance/retention.h"
-#include "app/people/people_service.h"
+#include "app/services/base/csv_table.h"
+#include "app/services/maintenance/retention.h"
+#include "app/services/people/people_service.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/people/retention.h"
 #include "db/repository/base/audit_repository.h"

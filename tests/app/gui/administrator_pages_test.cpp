@@ -34,7 +34,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/results/cohort_report.h"

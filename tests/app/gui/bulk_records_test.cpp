@@ -14,9 +14,6 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/access/all_or_none.h"
-#include "app/access/settings_service.h"
-#include "app/access/two_people.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/scoring/scoring_page.h"
@@ -25,15 +22,18 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/people/people_service.h"
-#include "app/people/roster_undo.h"
-#include "app/study/allocation_service.h"
-#include "app/study/cohort_service.h"
-#include "app/study/curriculum_service.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/access/two_people.h"
+#include "app/services/people/people_service.h"
+#include "app/services/people/roster_undo.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/curriculum_service.h"
+#include "app/services/study/scoring_plan.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/administrator_desk.h"
-#include "tests/app/people/commit_roster.h"
+#include "tests/app/services/people/commit_roster.h"
 
 namespace torsio::gui {
 namespace {

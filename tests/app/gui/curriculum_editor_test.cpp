@@ -30,9 +30,9 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
-#include "app/recording/competence_service.h"
-#include "app/study/cohort_service.h"
-#include "app/study/curriculum_service.h"
+#include "app/services/recording/competence_service.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/curriculum_service.h"
 #include "assessment/domain/study/curriculum.h"
 #include "tests/app/gui/administrator_desk.h"
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/devices/haptic_station.h"
+#include "app/services/devices/haptic_station.h"
 #include "tests/app/gui/bar_view.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/support/fakehd/record_file.h"

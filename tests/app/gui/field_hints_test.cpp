@@ -30,7 +30,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first run says that nothing is written before its last step: no file, no row, no setting.
-#include "app/access/first_run.h"
+#include "app/services/access/first_run.h"
 
 #include <algorithm>
 #include <filesystem>

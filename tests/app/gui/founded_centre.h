@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/access_service.h"
-#include "app/access/first_run.h"
-#include "app/access/session_context.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/session_context.h"
 
 namespace torsio::gui {
 

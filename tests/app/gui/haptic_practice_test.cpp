@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/devices/haptic_station.h"
 #include "app/gui/simulator/simulation_controller.h"
+#include "app/services/devices/haptic_station.h"
 #include "sim/core/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "tests/app/gui/bar_view.h"

@@ -12,9 +12,9 @@
 #include <QTcpServer>
 #include <QTest>
 
+#include "app/connectors/tracker/instrument_outlet.h"
+#include "app/connectors/tracker/tracker_choice.h"
 #include "app/gui/widgets/child.h"
-#include "app/tracker/instrument_outlet.h"
-#include "app/tracker/tracker_choice.h"
 #include "tests/app/gui/maintenance_window.h"
 #include "tests/support/fake_tracker.h"
 

@@ -32,7 +32,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/program/screenshots.h"
 #include "app/gui/shell/desk.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
 #include "tests/app/gui/clipped_texts.h"
 #include "tests/app/gui/screen_faults.h"
 

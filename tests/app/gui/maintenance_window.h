@@ -14,12 +14,12 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/access/settings_service.h"
 #include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
-#include "app/people/people_service.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/people/people_service.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/study/station_state.h"

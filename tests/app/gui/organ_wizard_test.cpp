@@ -28,7 +28,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"
-#include "app/organs/person_arm.h"
+#include "app/services/organs/person_arm.h"
 #include "sim/core/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"

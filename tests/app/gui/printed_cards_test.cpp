@@ -13,9 +13,9 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/access/first_run.h"
-#include "app/access/qr_code.h"
 #include "app/gui/administrator/base/barcode.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/qr_code.h"
 
 namespace torsio::gui {
 namespace {

@@ -15,16 +15,16 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/base/assets.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
 #include "app/gui/physician/replies_card.h"
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/remarks_page.h"
 #include "app/gui/widgets/theme.h"
-#include "app/review/remark_replies.h"
-#include "app/training/questions.h"
-#include "app/training/remarks.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/remark_replies.h"
+#include "app/services/training/questions.h"
+#include "app/services/training/remarks.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "tests/app/support/training_centre.h"

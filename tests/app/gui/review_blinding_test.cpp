@@ -18,8 +18,8 @@
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/review/discrepancy_review.h"
-#include "app/review/rater_calibration.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/rater_calibration.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"
 

@@ -12,8 +12,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/child.h"
-#include "app/report/typeface.h"
-#include "app/review/case_sheet.h"
+#include "app/outputs/charts/typeface.h"
+#include "app/services/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {

@@ -14,7 +14,7 @@
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/people/people_service.h"
+#include "app/services/people/people_service.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/administrator_desk.h"
 

@@ -24,7 +24,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/scene/view_scene.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/sim/servo/bar_scene.h"
 

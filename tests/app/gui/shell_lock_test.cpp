@@ -9,13 +9,13 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/access/kiosk_codes.h"
-#include "app/access/settings_service.h"
-#include "app/access/signing.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/services/access/kiosk_codes.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/access/signing.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/signature.h"
 #include "tests/app/gui/shell_window.h"

@@ -13,9 +13,9 @@
 #include <QUrlQuery>
 #include <gtest/gtest.h>
 
-#include "app/access/first_run.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
+#include "app/services/access/first_run.h"
 #include "assessment/domain/people/account.h"
 #include "tests/app/gui/shown_screen.h"
 #include "tests/db/test_database.h"

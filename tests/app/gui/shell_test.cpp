@@ -16,8 +16,6 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/access/signing.h"
-#include "app/base/build_info.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
@@ -25,7 +23,9 @@
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
-#include "app/maintenance/demonstration_removal.h"
+#include "app/services/access/signing.h"
+#include "app/services/base/build_info.h"
+#include "app/services/maintenance/demonstration_removal.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"

@@ -9,14 +9,14 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/access/first_run.h"
-#include "app/access/signing.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/widgets/theme.h"
-#include "app/maintenance/demonstration_removal.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/signing.h"
+#include "app/services/maintenance/demonstration_removal.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"

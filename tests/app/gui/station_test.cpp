@@ -38,10 +38,10 @@
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
-#include "app/people/consent_service.h"
-#include "app/people/person_requests.h"
-#include "app/recording/station_writer.h"
-#include "app/training/run_session.h"
+#include "app/services/people/consent_service.h"
+#include "app/services/people/person_requests.h"
+#include "app/services/recording/station_writer.h"
+#include "app/services/training/run_session.h"
 #include "db/repository/people/request_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
@@ -439,7 +439,8 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
     station.open(PageId::kRun);
     ASSERT_TRUE(soon([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
-    // Everything goes without a word, as when the power fails; tests/app/training kills a real program.
+    // Everything goes without a word, as when the power fails; tests/app/services/training kills a real
+    // program.
   }
   centre.passTime_us(utcNow_us() - torsio::testing::kCentreTime_us + kMinute_us);
   Station station(centre);

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/people/people_service.h"
-#include "app/study/campaign_service.h"
-#include "app/study/cohort_service.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/campaign_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/rubric.h"

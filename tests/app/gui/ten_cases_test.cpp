@@ -11,7 +11,7 @@
 #include "app/gui/physician/queue_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/widgets/child.h"
-#include "app/review/case_sheet.h"
+#include "app/services/review/case_sheet.h"
 #include "sim/core/time_units.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_texts.h"

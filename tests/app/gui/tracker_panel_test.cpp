@@ -13,9 +13,9 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/recording/kept_digests.h"
-#include "app/tracker/tracker_choice.h"
-#include "app/training/attempts.h"
+#include "app/connectors/tracker/tracker_choice.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/services/training/attempts.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"

@@ -12,13 +12,13 @@
 #include <QStringList>
 #include <gtest/gtest.h>
 
-#include "app/base/assets.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/widgets/child.h"
+#include "app/services/base/assets.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/bar_view.h"

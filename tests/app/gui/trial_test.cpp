@@ -9,8 +9,8 @@
 
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/simulator/trial_recording.h"
-#include "app/recording/recorded_run.h"
-#include "app/recording/trial_playback.h"
+#include "app/services/recording/recorded_run.h"
+#include "app/services/recording/trial_playback.h"
 #include "sim/core/error.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/record/memory_trial_sink.h"

@@ -24,7 +24,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"
-#include "app/recording/recorded_run.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/metrics/detorsion.h"
 #include "sim/core/angle.h"
 #include "sim/core/staged_turn.h"

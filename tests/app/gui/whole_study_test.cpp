@@ -13,7 +13,6 @@
 #include <QTableView>
 #include <QTest>
 
-#include "app/devices/station_device.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 #include "app/gui/administrator/people/roster_wizard.h"
@@ -29,9 +28,10 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/people/people_service.h"
-#include "app/reporting/report_export.h"
-#include "app/study/cohort_service.h"
+#include "app/outputs/report/report_export.h"
+#include "app/services/devices/station_device.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/cohort.h"

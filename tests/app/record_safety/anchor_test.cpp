@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Heads of the audit trail that are kept elsewhere find what no look at the file alone can find.
-#include "app/maintenance/anchor.h"
+#include "app/services/maintenance/anchor.h"
 
 #include <gtest/gtest.h>
 

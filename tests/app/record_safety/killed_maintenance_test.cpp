@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/maintenance/anchor.h"
+#include "app/services/maintenance/anchor.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"

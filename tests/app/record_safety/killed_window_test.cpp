@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/access/first_run.h"
+#include "app/services/access/first_run.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"

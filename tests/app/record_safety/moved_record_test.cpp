@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/session_context.h"
-#include "app/maintenance/copies.h"
+#include "app/services/access/session_context.h"
+#include "app/services/maintenance/copies.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"

@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/maintenance/demonstration_removal.h"
-#include "app/maintenance/person_package.h"
-#include "app/maintenance/record_privacy.h"
+#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/person_package.h"
+#include "app/services/maintenance/record_privacy.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/first_run.h"
+#include "app/services/access/first_run.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/maintenance/anchor.h"
+#include "app/services/maintenance/anchor.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/rating/rating_repository.h"

@@ -7,12 +7,12 @@
 
 #include <QCoreApplication>
 
-#include "app/access/first_run.h"
-#include "app/base/assets.h"
-#include "app/demonstration/demonstration.h"
-#include "app/maintenance/demonstration_removal.h"
-#include "app/maintenance/maintenance_desk.h"
-#include "app/maintenance/person_package.h"
+#include "app/services/access/first_run.h"
+#include "app/services/base/assets.h"
+#include "app/services/demonstration/demonstration.h"
+#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/maintenance/person_package.h"
 #include "sim/core/error.h"
 
 namespace torsio {

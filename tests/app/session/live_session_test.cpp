@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/review/case_sheet.h"
-#include "app/review/review_queue.h"
-#include "app/study/allocation_service.h"
-#include "app/study/cohort_service.h"
-#include "app/study/day_board.h"
-#include "app/study/live_call.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/day_board.h"
+#include "app/services/study/live_call.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "db/repository/rating/call_repository.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/base/csv_table.h"
+#include "app/services/base/csv_table.h"
 
 namespace torsio::test {
 

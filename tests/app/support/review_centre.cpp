@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/base/build_info.h"
-#include "app/recording/pipeline.h"
+#include "app/services/base/build_info.h"
+#include "app/services/recording/pipeline.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"

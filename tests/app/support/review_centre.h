@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/session_context.h"
+#include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"

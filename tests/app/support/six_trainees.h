@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/study/allocation_service.h"
-#include "app/study/cohort_service.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/rubric.h"

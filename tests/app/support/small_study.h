@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "app/recording/trial_digests.h"
-#include "app/study/allocation_service.h"
-#include "app/study/cohort_service.h"
+#include "app/services/recording/trial_digests.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "tests/app/support/study_centre.h"
 

@@ -3,9 +3,9 @@
 
 #include <QTemporaryDir>
 
-#include "app/people/people_service.h"
-#include "app/study/curriculum_service.h"
-#include "app/study/rubric_service.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/curriculum_service.h"
+#include "app/services/study/rubric_service.h"
 #include "assessment/domain/people/account.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/session_context.h"
+#include "app/services/access/session_context.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 

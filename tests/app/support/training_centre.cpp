@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "app/base/build_info.h"
-#include "app/recording/pipeline.h"
-#include "app/recording/recorded_run.h"
+#include "app/services/base/build_info.h"
+#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "app/access/session_context.h"
-#include "app/devices/device_readiness.h"
-#include "app/recording/recording_spec.h"
+#include "app/services/access/session_context.h"
+#include "app/services/devices/device_readiness.h"
+#include "app/services/recording/recording_spec.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"

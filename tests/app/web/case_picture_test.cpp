@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/base/assets.h"
-#include "app/review/blinded_case.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/blinded_case.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/web_client.h"

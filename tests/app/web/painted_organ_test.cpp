@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
+#include "app/services/base/assets.h"
 #include "app/web/blood_paint.h"
 #include "app/web/organ_shelf.h"
 #include "sim/scene/blood_map.h"

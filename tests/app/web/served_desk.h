@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/assets.h"
+#include "app/services/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/people/account.h"

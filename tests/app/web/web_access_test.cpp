@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/access_service.h"
-#include "app/access/invitations.h"
-#include "app/access/two_people.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/two_people.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/signing.h"
-#include "app/base/assets.h"
-#include "app/review/case_sheet.h"
+#include "app/services/access/signing.h"
+#include "app/services/base/assets.h"
+#include "app/services/review/case_sheet.h"
 #include "app/web/http_server.h"
 #include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"

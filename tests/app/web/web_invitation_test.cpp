@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/access/browser_sessions.h"
-#include "app/access/two_people.h"
-#include "app/mail/mail_settings.h"
+#include "app/connectors/mail/mail_settings.h"
+#include "app/services/access/browser_sessions.h"
+#include "app/services/access/two_people.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/recording/pipeline.h"
-#include "app/review/rater_calibration.h"
+#include "app/services/recording/pipeline.h"
+#include "app/services/review/rater_calibration.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"

@@ -12,8 +12,8 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
-#include "app/reporting/report_data.h"
-#include "app/study/cohort_service.h"
+#include "app/outputs/report/report_data.h"
+#include "app/services/study/cohort_service.h"
 
 namespace torsio::gui {
 

@@ -11,7 +11,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/widgets/date_text.h"
-#include "app/maintenance/copies.h"
+#include "app/services/maintenance/copies.h"
 
 namespace torsio::gui {
 

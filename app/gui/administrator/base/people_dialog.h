@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "app/people/people_service.h"
+#include "app/services/people/people_service.h"
 
 namespace torsio::gui {
 

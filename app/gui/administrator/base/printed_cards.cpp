@@ -13,11 +13,11 @@
 #include <QPainterPath>
 #include <QPdfWriter>
 
-#include "app/access/qr_code.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/barcode.h"
 #include "app/gui/administrator/base/centre_headline.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
+#include "app/services/access/qr_code.h"
 #include "sim/core/file_io.h"
 
 namespace torsio::gui {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/access/first_run.h"
-#include "app/study/allocation_service.h"
+#include "app/services/access/first_run.h"
+#include "app/services/study/allocation_service.h"
 
 namespace torsio::gui {
 

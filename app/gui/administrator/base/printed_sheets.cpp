@@ -13,7 +13,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/centre_headline.h"
-#include "app/report/typeface.h"
+#include "app/outputs/charts/typeface.h"
 #include "assessment/domain/rating/rubric.h"
 #include "sim/core/file_io.h"
 

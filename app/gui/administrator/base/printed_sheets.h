@@ -7,7 +7,7 @@
 #include <QPageLayout>
 #include <QString>
 
-#include "app/study/paper_sheets.h"
+#include "app/services/study/paper_sheets.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "app/study/reminders.h"
+#include "app/services/study/reminders.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

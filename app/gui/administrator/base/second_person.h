@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "app/access/two_people.h"
+#include "app/services/access/two_people.h"
 
 class QWidget;
 

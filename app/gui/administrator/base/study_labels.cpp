@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 
 #include "app/gui/base/translated_text.h"
-#include "app/training/debrief_labels.h"
+#include "app/services/training/debrief_labels.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/metrics/metric_cards.h"
 

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "app/study/scoring_plan.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/occasion.h"

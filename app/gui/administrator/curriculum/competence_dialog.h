@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "app/recording/competence_service.h"
+#include "app/services/recording/competence_service.h"
 #include "assessment/domain/ids.h"
 
 class QComboBox;

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
@@ -19,7 +18,8 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/study/occasion_service.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/study/occasion_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/study/curriculum_service.h"
+#include "app/services/study/curriculum_service.h"
 #include "assessment/domain/ids.h"
 
 class QComboBox;

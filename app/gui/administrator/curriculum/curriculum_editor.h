@@ -6,7 +6,7 @@
 
 #include <QTabWidget>
 
-#include "app/study/curriculum_content.h"
+#include "app/services/study/curriculum_content.h"
 #include "assessment/domain/study/curriculum.h"
 
 class QCheckBox;

@@ -10,7 +10,7 @@
 
 #include <QString>
 
-#include "app/study/curriculum_content.h"
+#include "app/services/study/curriculum_content.h"
 
 class QBoxLayout;
 class QComboBox;

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "app/study/curriculum_service.h"
+#include "app/services/study/curriculum_service.h"
 
 namespace torsio::gui {
 

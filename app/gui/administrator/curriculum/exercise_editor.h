@@ -10,7 +10,7 @@
 
 #include "app/gui/administrator/base/ordered_list.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
-#include "app/study/curriculum_content.h"
+#include "app/services/study/curriculum_content.h"
 #include "assessment/domain/study/curriculum.h"
 
 class QComboBox;

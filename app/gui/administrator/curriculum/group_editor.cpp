@@ -24,7 +24,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/study/curriculum_content.h"
+#include "app/services/study/curriculum_content.h"
 
 namespace torsio::gui {
 

@@ -11,12 +11,12 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include "app/base/csv_table.h"
 #include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
-#include "app/study/standard_tables.h"
+#include "app/services/base/csv_table.h"
+#include "app/services/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/core/error.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/access/first_run.h"
 #include "app/gui/administrator/people/shown_once_dialog.h"
+#include "app/services/access/first_run.h"
 
 namespace torsio::gui {
 

@@ -12,8 +12,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
-#include "app/access/first_run.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/printed_consent.h"
 #include "app/gui/administrator/base/question_dialog.h"
@@ -25,7 +23,9 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/people/consent_service.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/access/first_run.h"
+#include "app/services/people/consent_service.h"
 
 namespace torsio::gui {
 

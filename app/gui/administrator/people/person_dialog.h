@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "app/people/people_service.h"
+#include "app/services/people/people_service.h"
 #include "assessment/domain/people/person.h"
 
 class QWidget;

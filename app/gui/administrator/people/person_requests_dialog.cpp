@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
@@ -17,7 +16,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/people/person_requests.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/people/person_requests.h"
 
 namespace torsio::gui {
 

@@ -12,10 +12,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
-#include "app/access/first_run.h"
-#include "app/access/invitations.h"
-#include "app/base/progress.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
@@ -27,7 +23,11 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/maintenance/person_package.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/invitations.h"
+#include "app/services/base/progress.h"
+#include "app/services/maintenance/person_package.h"
 
 namespace torsio::gui {
 

@@ -5,8 +5,8 @@
 
 #include <QDialog>
 
-#include "app/access/two_people.h"
 #include "app/gui/base/page_id.h"
+#include "app/services/access/two_people.h"
 
 class QPushButton;
 

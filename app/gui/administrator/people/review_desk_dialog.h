@@ -6,7 +6,7 @@
 #include <QDialog>
 
 #include "app/gui/base/shell_context.h"
-#include "app/serving/review_desk.h"
+#include "app/services/serving/review_desk.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "app/people/roster_undo.h"
+#include "app/services/people/roster_undo.h"
 
 class QPushButton;
 

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "app/people/roster_import.h"
+#include "app/services/people/roster_import.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/copies_text.h"
@@ -29,8 +28,9 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/maintenance/person_package.h"
-#include "app/people/person_requests.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/maintenance/person_package.h"
+#include "app/services/people/person_requests.h"
 #include "assessment/domain/people/consent.h"
 
 namespace torsio::gui {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/people/people_service.h"
+#include "app/services/people/people_service.h"
 
 class QCheckBox;
 class QPushButton;

@@ -8,7 +8,7 @@
 
 #include <QWizard>
 
-#include "app/people/roster_import.h"
+#include "app/services/people/roster_import.h"
 
 class QComboBox;
 class QGridLayout;

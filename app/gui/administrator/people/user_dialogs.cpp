@@ -16,10 +16,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/first_run.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
+#include "app/services/access/first_run.h"
 
 namespace torsio::gui {
 

@@ -8,7 +8,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/access/access_service.h"
+#include "app/services/access/access_service.h"
 #include "assessment/domain/ids.h"
 
 class QWidget;

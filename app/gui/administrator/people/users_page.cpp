@@ -10,11 +10,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/access_service.h"
-#include "app/access/all_or_none.h"
-#include "app/access/first_run.h"
-#include "app/access/invitations.h"
-#include "app/access/kiosk_codes.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
@@ -25,8 +20,13 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/people/people_service.h"
-#include "app/people/roster_accounts.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/kiosk_codes.h"
+#include "app/services/people/people_service.h"
+#include "app/services/people/roster_accounts.h"
 
 namespace torsio::gui {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/access/access_service.h"
-#include "app/access/two_people.h"
 #include "app/gui/base/page.h"
-#include "app/serving/review_desk.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/two_people.h"
+#include "app/services/serving/review_desk.h"
 #include "assessment/domain/people/account.h"
 
 class QPushButton;

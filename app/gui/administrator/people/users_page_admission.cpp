@@ -4,11 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/access/access_service.h"
-#include "app/access/browser_sessions.h"
-#include "app/access/first_run.h"
-#include "app/access/invitations.h"
-#include "app/access/kiosk_codes.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/people/invitations_dialog.h"
@@ -17,6 +12,11 @@
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/browser_sessions.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/invitations.h"
+#include "app/services/access/kiosk_codes.h"
 
 namespace torsio::gui {
 

@@ -25,7 +25,7 @@
 #include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 
 namespace torsio::gui {
 

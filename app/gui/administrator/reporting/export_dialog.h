@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "app/exchange/cohort_exchange.h"
+#include "app/outputs/dataset/cohort_exchange.h"
 
 class QCheckBox;
 class QComboBox;

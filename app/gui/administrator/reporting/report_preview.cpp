@@ -22,7 +22,7 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
-#include "app/report/chart_builder.h"
+#include "app/outputs/charts/chart_builder.h"
 
 namespace torsio::gui {
 

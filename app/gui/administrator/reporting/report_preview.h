@@ -8,7 +8,7 @@
 #include <QString>
 #include <QTextBrowser>
 
-#include "app/report/wording.h"
+#include "app/outputs/wording/wording.h"
 #include "assessment/results/report_model.h"
 
 namespace torsio::gui {

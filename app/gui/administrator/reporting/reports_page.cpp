@@ -24,9 +24,9 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/report/wording.h"
-#include "app/reporting/coded_tables.h"
-#include "app/study/frozen_data.h"
+#include "app/outputs/report/coded_tables.h"
+#include "app/outputs/wording/wording.h"
+#include "app/services/study/frozen_data.h"
 #include "assessment/results/cohort_report.h"
 #include "sim/core/file_io.h"
 

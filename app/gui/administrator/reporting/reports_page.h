@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/gui/base/page.h"
-#include "app/reporting/report_export.h"
+#include "app/outputs/report/report_export.h"
 
 class QComboBox;
 class QLabel;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/gui/base/page.h"
-#include "app/reporting/report_data.h"
+#include "app/outputs/report/report_data.h"
 #include "assessment/results/report_model.h"
 
 class QComboBox;

@@ -16,7 +16,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/report/printed_minus.h"
+#include "app/outputs/wording/printed_minus.h"
 #include "assessment/results/cohort_csv.h"
 
 namespace torsio::gui {

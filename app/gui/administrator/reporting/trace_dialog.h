@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <QString>
 
-#include "app/reporting/cell_trace.h"
+#include "app/outputs/report/cell_trace.h"
 
 class QTreeWidget;
 

@@ -9,8 +9,8 @@
 
 #include <QDialog>
 
-#include "app/people/people_service.h"
-#include "app/study/campaign_service.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/campaign_service.h"
 
 class QDialogButtonBox;
 class QDoubleSpinBox;

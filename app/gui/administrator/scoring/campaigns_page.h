@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/study/campaign_service.h"
+#include "app/services/study/campaign_service.h"
 
 class QLabel;
 class QPushButton;

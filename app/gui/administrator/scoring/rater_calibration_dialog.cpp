@@ -18,7 +18,6 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/clock_time.h"
@@ -26,6 +25,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/all_or_none.h"
 
 namespace torsio::gui {
 

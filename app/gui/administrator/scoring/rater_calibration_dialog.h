@@ -8,8 +8,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/review/rater_calibration.h"
-#include "app/study/rubric_service.h"
+#include "app/services/review/rater_calibration.h"
+#include "app/services/study/rubric_service.h"
 #include "assessment/domain/rating/rubric.h"
 
 class QComboBox;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/people/people_service.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 
 class QWidget;

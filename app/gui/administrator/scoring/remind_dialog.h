@@ -8,9 +8,9 @@
 
 #include <QDialog>
 
-#include "app/mail/mail_settings.h"
-#include "app/mail/mailed_reminders.h"
-#include "app/study/reminders.h"
+#include "app/connectors/mail/mail_settings.h"
+#include "app/connectors/mail/mailed_reminders.h"
+#include "app/services/study/reminders.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "app/study/rubric_service.h"
+#include "app/services/study/rubric_service.h"
 
 class QComboBox;
 class QLabel;

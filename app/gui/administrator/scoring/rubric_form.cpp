@@ -22,7 +22,7 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/study/rubric_service.h"
+#include "app/services/study/rubric_service.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

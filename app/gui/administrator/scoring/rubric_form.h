@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "app/study/rubric_service.h"
+#include "app/services/study/rubric_service.h"
 #include "assessment/domain/rating/rubric.h"
 
 class QBoxLayout;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/people/people_service.h"
-#include "app/review/adjudicator.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/people/people_service.h"
+#include "app/services/review/adjudicator.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 
 class QWidget;

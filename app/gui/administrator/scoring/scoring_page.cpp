@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/reminder_text.h"
@@ -23,9 +22,10 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/people/people_service.h"
-#include "app/study/reassignment.h"
-#include "app/study/rubric_service.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/reassignment.h"
+#include "app/services/study/rubric_service.h"
 #include "assessment/domain/people/person.h"
 #include "sim/core/error.h"
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/people/people_service.h"
-#include "app/review/adjudicator.h"
-#include "app/study/scoring_plan.h"
+#include "app/services/people/people_service.h"
+#include "app/services/review/adjudicator.h"
+#include "app/services/study/scoring_plan.h"
 
 class QComboBox;
 class QLabel;

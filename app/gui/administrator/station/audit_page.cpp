@@ -22,7 +22,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/reporting/coded_tables.h"
+#include "app/outputs/report/coded_tables.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::gui {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/access/audit_service.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/table_choice.h"
+#include "app/services/access/audit_service.h"
 #include "assessment/domain/people/audit_entry.h"
 
 class QComboBox;

@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/devices/haptic_station.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/station/instrument_outlet_dialog.h"
 #include "app/gui/administrator/station/station_settings_card.h"
@@ -20,7 +19,8 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/recording/station_writer.h"
+#include "app/services/devices/haptic_station.h"
+#include "app/services/recording/station_writer.h"
 #include "sim/device/drivers/device_list.h"
 
 namespace torsio::gui {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/devices/device_check.h"
 #include "app/gui/base/page.h"
+#include "app/services/devices/device_check.h"
 
 class QCheckBox;
 class QComboBox;

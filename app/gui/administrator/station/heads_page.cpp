@@ -31,8 +31,8 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/maintenance/anchor.h"
-#include "app/maintenance/signing_key.h"
+#include "app/services/maintenance/anchor.h"
+#include "app/services/maintenance/signing_key.h"
 
 namespace torsio::gui {
 

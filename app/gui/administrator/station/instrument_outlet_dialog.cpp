@@ -13,12 +13,12 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/connectors/tracker/igtl_messages.h"
+#include "app/connectors/tracker/instrument_outlet.h"
+#include "app/connectors/tracker/tracker_choice.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/tracker/igtl_messages.h"
-#include "app/tracker/instrument_outlet.h"
-#include "app/tracker/tracker_choice.h"
 
 namespace torsio::gui {
 

@@ -3,7 +3,7 @@
 
 #include <QDialog>
 
-#include "app/xapi/learning_records.h"
+#include "app/connectors/xapi/learning_records.h"
 
 class QCheckBox;
 class QLabel;

@@ -24,8 +24,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/maintenance/anchor.h"
-#include "app/maintenance/station_anchor.h"
+#include "app/services/maintenance/anchor.h"
+#include "app/services/maintenance/station_anchor.h"
 
 namespace torsio::gui {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/gui/base/page.h"
-#include "app/maintenance/database_maintenance.h"
-#include "app/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/demonstration_removal.h"
 
 class QLabel;
 class QProgressBar;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/gui/base/page.h"
-#include "app/maintenance/server_move.h"
+#include "app/services/maintenance/server_move.h"
 
 class QComboBox;
 class QLabel;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/gui/base/page.h"
-#include "app/maintenance/record_restore.h"
+#include "app/services/maintenance/record_restore.h"
 #include "sim/core/error.h"
 
 class QGridLayout;

@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "app/maintenance/retention.h"
+#include "app/services/maintenance/retention.h"
 #include "assessment/domain/people/retention.h"
 
 class QWidget;

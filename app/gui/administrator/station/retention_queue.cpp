@@ -10,7 +10,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/two_people.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/copies_text.h"
@@ -21,6 +20,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/two_people.h"
 
 namespace torsio::gui {
 

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "app/maintenance/retention.h"
+#include "app/services/maintenance/retention.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/retention.h"
 

@@ -10,11 +10,6 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "app/access/first_run.h"
-#include "app/access/kiosk_codes.h"
-#include "app/access/settings_service.h"
-#include "app/access/signing.h"
-#include "app/access/two_people.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/station/learning_records_dialog.h"
@@ -22,7 +17,12 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/training/run_session.h"
+#include "app/services/access/first_run.h"
+#include "app/services/access/kiosk_codes.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/access/signing.h"
+#include "app/services/access/two_people.h"
+#include "app/services/training/run_session.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::gui {

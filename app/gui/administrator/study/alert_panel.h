@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "app/study/day_board.h"
+#include "app/services/study/day_board.h"
 
 class QLabel;
 class QScrollArea;

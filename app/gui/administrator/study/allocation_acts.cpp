@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QMessageBox>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/printed_cards.h"
@@ -19,7 +18,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
-#include "app/study/cohort_service.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 

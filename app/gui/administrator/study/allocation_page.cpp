@@ -20,7 +20,7 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"

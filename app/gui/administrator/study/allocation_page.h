@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/study/allocation_service.h"
+#include "app/services/study/allocation_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation_entry.h"
 

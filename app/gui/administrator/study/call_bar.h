@@ -7,7 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "app/study/live_call.h"
+#include "app/services/study/live_call.h"
 
 class QComboBox;
 class QGridLayout;

@@ -7,8 +7,8 @@
 
 #include <QDialog>
 
-#include "app/study/cohort_service.h"
-#include "app/study/curriculum_service.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/curriculum_service.h"
 #include "assessment/domain/study/cohort.h"
 
 class QComboBox;

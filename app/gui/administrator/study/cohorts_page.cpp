@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/people_dialog.h"
@@ -23,6 +22,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/services/access/all_or_none.h"
 
 namespace torsio::gui {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/study/cohort.h"
 
 class QCheckBox;

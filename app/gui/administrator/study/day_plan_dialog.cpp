@@ -27,7 +27,7 @@
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/study/day_plan.h"
+#include "app/services/study/day_plan.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::gui {

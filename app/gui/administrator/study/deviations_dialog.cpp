@@ -17,7 +17,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 
 namespace torsio::gui {
 

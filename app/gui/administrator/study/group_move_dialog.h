@@ -7,7 +7,7 @@
 
 #include <QString>
 
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 

@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "app/study/paper_sheets.h"
+#include "app/services/study/paper_sheets.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/sheet_check.h"
 

@@ -5,7 +5,6 @@
 
 #include <QComboBox>
 
-#include "app/access/all_or_none.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
@@ -15,8 +14,9 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/study/cohort_service.h"
-#include "app/study/day_plan.h"
+#include "app/services/access/all_or_none.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/day_plan.h"
 
 namespace torsio::gui {
 

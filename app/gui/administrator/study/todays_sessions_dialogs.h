@@ -7,7 +7,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/study/cohort_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 
 class QWidget;

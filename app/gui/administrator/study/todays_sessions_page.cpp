@@ -15,7 +15,6 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/access/database_away.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/alert_panel.h"
@@ -32,6 +31,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/services/access/database_away.h"
 
 namespace torsio::gui {
 

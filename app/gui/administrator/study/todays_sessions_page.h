@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/devices/station_device.h"
 #include "app/gui/base/page.h"
-#include "app/study/day_board.h"
-#include "app/study/live_call.h"
+#include "app/services/devices/station_device.h"
+#include "app/services/study/day_board.h"
+#include "app/services/study/live_call.h"
 
 class QComboBox;
 class QLabel;

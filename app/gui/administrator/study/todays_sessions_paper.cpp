@@ -14,7 +14,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/file_choice.h"
-#include "app/study/paper_sheets.h"
+#include "app/services/study/paper_sheets.h"
 
 namespace torsio::gui {
 

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/foreign/foreign_map.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <initializer_list>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/connectors/foreign/foreign_marks.h"
+#include "app/services/base/csv_table.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, ForeignLayout>, 4> kForeignLayouts = {
+    {{"jigsaws", ForeignLayout::kJigsaws},
+     {"rosma", ForeignLayout::kRosma},
+     {"perktutor", ForeignLayout::kPerkTutor},
+     {"csv", ForeignLayout::kCsv}}};
+
+struct RotationRow {
+  std::string_view name;
+  RotationForm form;
+  std::size_t numbers;
+};
+constexpr std::array<RotationRow, 5> kRotations = {{{"none", RotationForm::kNone, 0},
+                                                    {"quaternion wxyz", RotationForm::kQuaternionWxyz, 4},
+                                                    {"quaternion xyzw", RotationForm::kQuaternionXyzw, 4},
+                                                    {"matrix rows", RotationForm::kMatrixRows, 9},
+                                                    {"matrix columns", RotationForm::kMatrixColumns, 9}}};
+constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
+    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
+constexpr std::array<std::pair<std::string_view, double>, 3> kTimes = {
+    {{"s", 1e6}, {"ms", 1e3}, {"us", 1.0}}};
+constexpr double kFastest_Hz = 10'000.0;
+
+/// One object of the map, which knows where it stands.
+class MapPart {
+ public:
+  MapPart(const nlohmann::json& json, std::string where) : json_(json), where_(std::move(where)) {
+    if (!json_.is_object()) {
+      refuse(Text::tr("this is no object of JSON"), where_, Text::tr("See the example of a map"));
+    }
+  }
+
+  [[noreturn]] void refuseAt(const std::string& key, const Text& what, const Text& remedy) const {
+    refuse(what, where_ + ", \"" + key + "\"", remedy);
+  }
+  /// What is misspelt would silently not count.
+  void allow(std::initializer_list<std::string_view> keys) const {
+    for (const auto& [key, value] : json_.items()) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+        refuseAt(key, Text::tr("the map has a word that means nothing here"), Text::tr("Check its spelling"));
+      }
+    }
+  }
+  [[nodiscard]] bool has(const char* key) const { return json_.contains(key); }
+  [[nodiscard]] std::string text(const char* key) const {
+    std::string found = textOr(key, "");
+    if (found.empty()) {
+      refuseAt(key, Text::tr("the map must say this"), Text::tr("Write it into the map; nothing is guessed"));
+    }
+    return found;
+  }
+  [[nodiscard]] std::string textOr(const char* key, const std::string& other) const {
+    if (!has(key)) {
+      return other;
+    }
+    if (!json_[key].is_string()) {
+      refuseAt(key, Text::tr("this is no text"), Text::tr("Put it in quotes"));
+    }
+    return json_[key].get<std::string>();
+  }
+  [[nodiscard]] double number(const char* key) const {
+    if (!has(key) || !json_[key].is_number()) {
+      refuseAt(key, Text::tr("the map must say this number"), Text::tr("Write it without quotes"));
+    }
+    return json_[key].get<double>();
+  }
+  [[nodiscard]] MapPart part(const char* key) const {
+    if (!has(key)) {
+      refuseAt(key, Text::tr("the map must say this"), Text::tr("Write it into the map; nothing is guessed"));
+    }
+    return {json_[key], where_ + ", \"" + key + "\""};
+  }
+  [[nodiscard]] std::vector<MapPart> list(const char* key) const {
+    std::vector<MapPart> parts;
+    std::size_t number = 0;
+    for (const nlohmann::json& one : array(key)) {
+      parts.emplace_back(one, where_ + ", \"" + key + "\" " + std::to_string(++number));
+    }
+    return parts;
+  }
+  [[nodiscard]] std::vector<std::string> texts(const char* key, std::size_t count) const {
+    std::vector<std::string> found;
+    for (const nlohmann::json& one : array(key)) {
+      found.push_back(one.is_string() ? one.get<std::string>() : std::string());
+    }
+    const bool empty =
+        std::any_of(found.begin(), found.end(), [](const std::string& t) { return t.empty(); });
+    if (found.size() != count || empty) {
+      refuseAt(key, Text::tr("%1 {name of a column belongs|names of columns belong} here", count),
+               Text::tr("Name each of them once"));
+    }
+    return found;
+  }
+  [[nodiscard]] const std::string& where() const noexcept { return where_; }
+
+ private:
+  [[nodiscard]] const nlohmann::json& array(const char* key) const {
+    if (!has(key) || !json_[key].is_array()) {
+      refuseAt(key, Text::tr("a list belongs here"), Text::tr("See the example of a map"));
+    }
+    return json_[key];
+  }
+
+  const nlohmann::json& json_;
+  std::string where_;
+};
+
+template <typename Table>
+auto chosenFrom(const Table& table, const MapPart& part, const char* key) {
+  const std::string word = part.text(key);
+  std::string words;
+  for (const auto& [name, value] : table) {
+    if (name == word) {
+      return value;
+    }
+    words += (words.empty() ? "" : ", ") + std::string(name);
+  }
+  part.refuseAt(key, Text::tr("'%1' is none of: %2", word, words), Text::tr("Name one of them"));
+}
+
+RotationForm rotationOf(const MapPart& part) {
+  const std::string word = part.text("rotation");
+  std::string words;
+  for (const RotationRow& row : kRotations) {
+    if (row.name == word) {
+      return row.form;
+    }
+    words += (words.empty() ? "" : ", ") + std::string(row.name);
+  }
+  part.refuseAt("rotation", Text::tr("'%1' is none of: %2", word, words), Text::tr("Name one of them"));
+}
+
+/// "2026-01-05T08:00:00Z".
+std::optional<std::int64_t> utcOf(const std::string& text) {
+  int year = 0;
+  unsigned month = 0;
+  unsigned day = 0;
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  int read = 0;
+  const int fields = std::sscanf(text.c_str(), "%4d-%2u-%2uT%2d:%2d:%2dZ%n", &year, &month, &day, &hour,
+                                 &minute, &second, &read);
+  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
+                                         std::chrono::day(day)};
+  const bool sound = fields == 6 && static_cast<std::size_t>(read) == text.size() && date.ok() && hour < 24 &&
+                     minute < 60 && second < 60 && hour >= 0 && minute >= 0 && second >= 0;
+  if (!sound) {
+    return std::nullopt;
+  }
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::sys_days(date).time_since_epoch())
+             .count() +
+         hour * kHour_us + minute * kMinute_us + second * kSecond_us;
+}
+
+void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
+  const bool stamped = layout == ForeignLayout::kPerkTutor;
+  if (map.has("rate_Hz") == (map.has("time") || stamped)) {
+    map.refuseAt("rate_Hz", Text::tr("either the file has times, or the map states the rate"),
+                 stamped || layout == ForeignLayout::kCsv
+                     ? Text::tr("Leave one of the two out")
+                     : Text::tr("State the rate: these files have no time"));
+  }
+  if (map.has("rate_Hz")) {
+    out.rate_Hz = map.number("rate_Hz");
+    if (!(*out.rate_Hz > 0.0 && *out.rate_Hz <= kFastest_Hz)) {
+      map.refuseAt("rate_Hz", Text::tr("this is no rate"), Text::tr("State lines a second, up to 10000"));
+    }
+  } else if (!stamped) {
+    if (layout != ForeignLayout::kCsv) {
+      map.refuseAt("time", Text::tr("these files have no time"), Text::tr("State rate_Hz instead"));
+    }
+    const MapPart time = map.part("time");
+    time.allow({"column", "unit"});
+    out.timeColumn = time.text("column");
+    out.usPerTime = chosenFrom(kTimes, time, "unit");
+  }
+}
+
+void readColumns(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
+  if (layout == ForeignLayout::kCsv) {
+    const std::vector<std::string> position = map.texts("position", out.position.size());
+    std::copy(position.begin(), position.end(), out.position.begin());
+    if (out.rotation != RotationForm::kNone) {
+      out.rotationColumns = map.texts("rotation_columns", numbersOf(out.rotation));
+    }
+  } else {
+    out.instrument = map.text("instrument");
+  }
+  if (map.has("grip")) {
+    const MapPart grip = map.part("grip");
+    grip.allow({"column", "open", "closed"});
+    out.grip = {grip.textOr("column", ""), grip.number("open"), grip.number("closed")};
+    if (out.grip->open == out.grip->closed) {
+      grip.refuseAt("closed", Text::tr("the open and the closed jaw read the same"),
+                    Text::tr("State what the file says of each"));
+    }
+    if (layout == ForeignLayout::kPerkTutor) {
+      map.refuseAt("grip", Text::tr("these files say nothing of the jaw"), Text::tr("Leave it out"));
+    }
+    if (layout == ForeignLayout::kCsv) {
+      (void)grip.text("column");
+    }
+  }
+}
+
+/// Whether a line without a pose is a gap is not guessed.
+void readGaps(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
+  if (!map.has("gaps")) {
+    return;
+  }
+  const bool tables = layout == ForeignLayout::kRosma || layout == ForeignLayout::kCsv;
+  if (!tables || map.text("gaps") != "leave out") {
+    map.refuseAt("gaps", Text::tr("only \"leave out\" is known here, and only of tables"),
+                 Text::tr("Take it out: lines without a pose are refused then"));
+  }
+  out.leavesGaps = true;
+}
+
+template <typename List>
+void requireKnown(const List& list, const std::string& name, const MapPart& part, const char* key) {
+  const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+  if (!known) {
+    part.refuseAt(key, Text::tr("the map knows nobody called '%1'", name),
+                  Text::tr("Enter them in its lists"));
+  }
+}
+
+void readPeople(const MapPart& map, ForeignMap& out) {
+  std::set<std::string> codes;
+  for (const MapPart& group : map.list("groups")) {
+    group.allow({"code", "label"});
+    out.groups.push_back({group.text("code"), group.text("label")});
+    codes.insert(out.groups.back().code);
+  }
+  std::set<std::string> names;
+  for (const MapPart& person : map.list("people")) {
+    person.allow({"name", "group", "level"});
+    out.people.push_back({person.text("name"), person.text("group"), person.textOr("level", "")});
+    if (!codes.contains(out.people.back().group)) {
+      person.refuseAt("group", Text::tr("there is no such group"), Text::tr("Enter it under \"groups\""));
+    }
+    if (!names.insert(out.people.back().name).second) {
+      person.refuseAt("name", Text::tr("this name stands twice"), Text::tr("Name each person once"));
+    }
+  }
+  if (!map.has("raters")) {
+    return;
+  }
+  for (const MapPart& rater : map.list("raters")) {
+    rater.allow({"name", "class"});
+    out.raters.push_back({rater.text("name"), rater.text("class")});
+    if (!names.insert(out.raters.back().name).second) {
+      rater.refuseAt("name", Text::tr("this name stands twice"), Text::tr("Name each person once"));
+    }
+  }
+}
+
+void readRecordings(const MapPart& map, const fs::path& folder, ForeignMap& out) {
+  std::set<std::string> names;
+  for (const MapPart& one : map.list("recordings")) {
+    one.allow({"file", "person", "task", "phase", "occasion", "started"});
+    ForeignRecording recording;
+    recording.name = one.text("file");
+    recording.file = folder / recording.name;
+    recording.person = one.text("person");
+    recording.task = one.text("task");
+    recording.phase = one.textOr("phase", "");
+    recording.occasion = one.textOr("occasion", "");
+    requireKnown(out.people, recording.person, one, "person");
+    if (!names.insert(recording.name).second) {
+      one.refuseAt("file", Text::tr("this file stands twice"), Text::tr("Name each recording once"));
+    }
+    if (one.has("started")) {
+      recording.startedUtc_us = utcOf(one.text("started"));
+      if (!recording.startedUtc_us) {
+        one.refuseAt("started", Text::tr("this is no time"), Text::tr("Write 2026-01-05T08:00:00Z (UTC)"));
+      }
+    }
+    out.recordings.push_back(std::move(recording));
+  }
+  if (out.recordings.empty()) {
+    map.refuseAt("recordings", Text::tr("the map lists no recording"), Text::tr("List at least one"));
+  }
+}
+
+void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout, ForeignMap& out) {
+  if (!map.has("marks")) {
+    return;
+  }
+  const MapPart marks = map.part("marks");
+  marks.allow({"table", "meta_file", "rater", "lowest", "highest", "steps_per_point"});
+  const auto whole = [&marks](const char* key) {
+    const double value = marks.number(key);
+    if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
+      marks.refuseAt(key, Text::tr("a whole number belongs here"), Text::tr("Check the scale of the marks"));
+    }
+    return static_cast<std::int64_t>(value);
+  };
+  out.scale.stepsPerPoint = whole("steps_per_point");
+  out.scale.lo = whole("lowest") * out.scale.stepsPerPoint;
+  out.scale.hi = whole("highest") * out.scale.stepsPerPoint;
+  validateScale(out.scale);
+  if (marks.has("meta_file")) {
+    if (layout != ForeignLayout::kJigsaws) {
+      marks.refuseAt("meta_file", Text::tr("only JIGSAWS has such a file"), Text::tr("Name a table instead"));
+    }
+    const std::string rater = marks.text("rater");
+    requireKnown(out.raters, rater, marks, "rater");
+    out.marks = jigsawsMarks(folder / marks.text("meta_file"), rater, out);
+    return;
+  }
+  out.marks = tabledMarks(folder / marks.text("table"), out);
+}
+
+/// What the record takes once: one mark a person, rater and occasion.
+void requireSingleMarks(const ForeignMap& map) {
+  std::set<std::string> given;
+  for (const ForeignMark& mark : map.marks) {
+    const auto recording =
+        std::find_if(map.recordings.begin(), map.recordings.end(),
+                     [&](const ForeignRecording& one) { return one.name == mark.recording; });
+    if (recording->occasion.empty()) {
+      refuse(Text::tr("this recording has a mark and no occasion"), map.name + ", " + mark.recording,
+             Text::tr("Name its occasion in the map: first, second"));
+    }
+    if (!given.insert(recording->person + "\n" + mark.rater + "\n" + recording->occasion).second) {
+      refuse(Text::tr("%1 marked %2 twice at one occasion", mark.rater, recording->person),
+             map.name + ", " + mark.recording,
+             Text::tr("Give each of the recordings an occasion of its own"));
+    }
+  }
+}
+
+}  // namespace
+
+ForeignLayout foreignLayout(const std::string& word) {
+  for (const auto& [name, layout] : kForeignLayouts) {
+    if (name == word) {
+      return layout;
+    }
+  }
+  throw Error(ErrorCode::kUsage, Text::tr("there is no such layout of recordings"), word,
+              Text::tr("Use jigsaws, rosma, perktutor or csv"));
+}
+
+std::size_t numbersOf(RotationForm form) noexcept {
+  return kRotations[static_cast<std::size_t>(form)].numbers;
+}
+
+std::string rotationName(RotationForm form) {
+  return std::string(kRotations[static_cast<std::size_t>(form)].name);
+}
+
+ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
+  const std::string text = readFile(file);
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  ForeignMap out;
+  out.name = file.filename().string();
+  if (json.is_discarded()) {
+    refuse(Text::tr("the map is no JSON"), out.name, Text::tr("Check its quotes, commas and brackets"));
+  }
+  Digest digest;
+  digest.update(text);
+  out.contentHash = digest.hex();
+  const MapPart map(json, out.name);
+  map.allow({"cohort", "description", "source", "frame", "unit", "rotation", "rotation_columns", "position",
+             "rate_Hz", "time", "gaps", "instrument", "grip", "groups", "people", "raters", "recordings",
+             "marks"});
+  out.cohort = map.text("cohort");
+  out.description = map.textOr("description", "");
+  out.source = map.text("source");
+  out.frame = map.text("frame");
+  out.unit = map.text("unit");
+  out.metresPerUnit = chosenFrom(kLengths, map, "unit");
+  out.rotation = rotationOf(map);
+  readTimes(map, layout, out);
+  readColumns(map, layout, out);
+  readGaps(map, layout, out);
+  readPeople(map, out);
+  const fs::path folder = file.parent_path();
+  readRecordings(map, folder, out);
+  readMarks(map, folder, layout, out);
+  requireSingleMarks(out);
+  return out;
+}
+
+}  // namespace torsio

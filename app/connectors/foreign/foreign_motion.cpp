@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/foreign/foreign_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/connectors/foreign/foreign_rows.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+#include "sim/core/rotation_matrix.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The lines of a file without their ends, and the hash of all its bytes.
+class HashedLines {
+ public:
+  explicit HashedLines(const fs::path& file) : in_(file, std::ios::binary) {
+    if (!fs::is_regular_file(file)) {
+      throw Error(ErrorCode::kFileMissing, Text::tr("there is no such file"), file.string(),
+                  Text::tr("Check the names in the map"));
+    }
+    if (!in_) {
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("the file cannot be read"), file.string(),
+                  Text::tr("Check its permissions"));
+    }
+  }
+  bool next(std::string_view& line) {
+    for (;;) {
+      const std::size_t end = buffer_.find('\n', at_);
+      if (end != std::string::npos) {
+        line = std::string_view(buffer_).substr(at_, end - at_);
+        at_ = end + 1;
+        break;
+      }
+      if (!refill()) {
+        if (at_ >= buffer_.size()) {
+          return false;
+        }
+        line = std::string_view(buffer_).substr(at_);
+        at_ = buffer_.size();
+        break;
+      }
+    }
+    ++number_;
+    if (!line.empty() && line.back() == '\r') {
+      line.remove_suffix(1);
+    }
+    return true;
+  }
+  [[nodiscard]] std::size_t number() const noexcept { return number_; }
+  [[nodiscard]] std::string hash() const { return digest_.hex(); }
+
+ private:
+  bool refill() {
+    constexpr std::size_t kBlock = 1U << 20U;
+    buffer_.erase(0, at_);
+    at_ = 0;
+    const std::size_t before = buffer_.size();
+    buffer_.resize(before + kBlock);
+    in_.read(buffer_.data() + before, static_cast<std::streamsize>(kBlock));
+    buffer_.resize(before + static_cast<std::size_t>(in_.gcount()));
+    digest_.update(std::string_view(buffer_).substr(before));
+    return buffer_.size() > before;
+  }
+
+  std::ifstream in_;
+  std::string buffer_;
+  std::size_t at_ = 0;
+  std::size_t number_ = 0;
+  Digest digest_;
+};
+
+/// Says where in the file, when it is asked.
+using Where = std::function<std::string()>;
+
+[[noreturn]] void refuseRotation(const Where& where) {
+  refuse(Text::tr("these numbers are no rotation"), where(),
+         Text::tr("Check the line and the form of rotation that the map names"));
+}
+
+Quat matrixRotation(const std::array<double, 9>& m, const Where& where) {
+  const std::optional<Quat> rotation = rotationFromRows(m);
+  if (!rotation) {
+    refuseRotation(where);
+  }
+  return *rotation;
+}
+
+Quat rotationIn(RotationForm form, const std::vector<double>& numbers, const Where& where) {
+  if (form == RotationForm::kNone) {
+    return {};
+  }
+  if (form == RotationForm::kMatrixRows || form == RotationForm::kMatrixColumns) {
+    std::array<double, 9> m{};
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      const std::size_t from = form == RotationForm::kMatrixRows ? i : 3 * (i % 3) + i / 3;
+      m[i] = numbers[from];
+    }
+    return matrixRotation(m, where);
+  }
+  const bool first = form == RotationForm::kQuaternionWxyz;
+  const Quat q = first ? Quat{numbers[0], numbers[1], numbers[2], numbers[3]}
+                       : Quat{numbers[3], numbers[0], numbers[1], numbers[2]};
+  if (std::abs(norm(q) - 1.0) > kRotationSlack) {
+    refuseRotation(where);
+  }
+  return normalized(q);
+}
+
+/// Gives each pose its time and looks whether times rise.
+class PoseClock {
+ public:
+  explicit PoseClock(std::optional<double> rate_Hz) : rate_Hz_(rate_Hz) {}
+
+  std::int64_t timeOf(const ForeignRow& row, const Where& where) {
+    if (rate_Hz_) {
+      return std::llround(static_cast<double>(count_++) / *rate_Hz_ * 1e6);
+    }
+    const std::int64_t now_us = row.time_us - (count_ == 0 ? row.time_us : first_us_);
+    if (count_ == 0) {
+      first_us_ = row.time_us;
+    } else if (now_us <= last_us_) {
+      refuse(Text::tr("the time does not rise"), where(),
+             Text::tr("Put the lines in order, and take out those that stand twice"));
+    }
+    last_us_ = now_us;
+    ++count_;
+    return now_us;
+  }
+  /// A line that stands for a pose that is missing.
+  void pass() { count_ += rate_Hz_ ? 1 : 0; }
+  [[nodiscard]] std::int64_t period_us() const {
+    if (rate_Hz_) {
+      return std::llround(1e6 / *rate_Hz_);
+    }
+    return std::max<std::int64_t>(1, last_us_ / std::max<std::int64_t>(1, count_ - 1));
+  }
+  [[nodiscard]] std::int64_t count() const noexcept { return count_; }
+
+ private:
+  std::optional<double> rate_Hz_;
+  std::int64_t count_ = 0;
+  std::int64_t first_us_ = 0;
+  std::int64_t last_us_ = 0;
+};
+
+}  // namespace
+
+ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const ForeignRecording& recording,
+                              const std::function<void(const ForeignPose&, std::size_t line)>& take) {
+  HashedLines lines(recording.file);
+  const std::unique_ptr<ForeignRows> rows = foreignRows(map, layout, recording.name);
+  PoseClock clock(map.rate_Hz);
+  ForeignRow row;
+  std::string_view line;
+  std::int64_t poses = 0;
+  const Where where = [&] { return recording.name + ", line " + std::to_string(lines.number()); };
+  while (lines.next(line)) {
+    if (!rows->read(line, lines.number(), row)) {
+      continue;
+    }
+    if (row.gap) {
+      clock.pass();
+      continue;
+    }
+    ForeignPose pose;
+    pose.place = clock.count();
+    pose.time_us = clock.timeOf(row, where);
+    pose.pose.position_m = map.metresPerUnit * row.position;
+    pose.pose.orientation = rotationIn(map.rotation, row.rotation, where);
+    if (map.grip) {
+      const double closed = (row.grip - map.grip->open) / (map.grip->closed - map.grip->open);
+      pose.grip = std::clamp(closed, 0.0, 1.0);
+    }
+    take(pose, lines.number());
+    ++poses;
+  }
+  if (poses < 2) {
+    refuse(Text::tr("the recording has fewer than two lines"), recording.name,
+           Text::tr("Check the instrument and the columns that the map names"));
+  }
+  return {poses, clock.period_us(), lines.hash()};
+}
+
+}  // namespace torsio

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/mail/mailed_invitations.h"
+
+#include <map>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "app/connectors/mail/mail_settings.h"
+#include "app/connectors/mail/smtp_client.h"
+#include "app/services/access/access_service.h"
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+/// Mail addresses by user; whoever has none is missing.
+std::map<UserId, std::string> addressesOf(SessionContext& session) {
+  std::map<PersonId, std::string> ofPeople;
+  for (const Identity& identity : PeopleRepository(session.connection()).identities()) {
+    ofPeople[identity.personId] = identity.email;
+  }
+  std::map<UserId, std::string> addresses;
+  for (const UserAccount& user : users(session)) {
+    const auto found = ofPeople.find(user.personId);
+    if (found != ofPeople.end() && !found->second.empty()) {
+      addresses[user.id] = found->second;
+    }
+  }
+  return addresses;
+}
+
+}  // namespace
+
+bool canMailInvitations(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  return session.may(Operation::kPersonViewIdentity) && session.may(Operation::kStudySetup) &&
+         mailSettings(session).has_value();
+}
+
+std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
+                                  std::span<const MailedInvitation> mailed) {
+  session.require(Operation::kUserManage);
+  session.require(Operation::kPersonViewIdentity);
+  std::optional<MailSettings> settings = mailSettings(session);
+  if (!settings) {
+    refuseParameter(Text::tr("the centre has set no mail server"), "", Text::tr("Set one first"));
+  }
+  settings->server.password = password;
+  const std::map<UserId, std::string> addresses = addressesOf(session);
+  std::vector<Text> problems(mailed.size());
+  std::vector<MailMessage> messages;
+  std::vector<std::size_t> whose;
+  for (std::size_t i = 0; i < mailed.size(); ++i) {
+    const auto address = addresses.find(mailed[i].userId);
+    if (address == addresses.end()) {
+      problems[i] = Text::tr("no mail address is known");
+      continue;
+    }
+    messages.push_back({settings->from, address->second, mailed[i].subject, mailed[i].body});
+    whose.push_back(i);
+  }
+  if (messages.empty()) {
+    return problems;
+  }
+  const std::vector<Text> said =
+      sendMail(settings->server, messages, session.now_us(), {}, [&](std::size_t index) {
+        Transaction transaction(session.connection());
+        session.note({.action = AuditAction::kInvitationMake,
+                      .objectKind = AuditObject::kAppUser,
+                      .objectId = mailed[whose[index]].userId,
+                      .newJson = nlohmann::json{{"mailed", true}}.dump()});
+        transaction.commit();
+      });
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    problems[whose[i]] = said[i];
+  }
+  return problems;
+}
+
+}  // namespace torsio

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/tracker/igtl_messages.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <igtl_header.h>
+#include <igtl_string.h>
+#include <igtl_tdata.h>
+#include <igtl_transform.h>
+#include <igtl_util.h>
+
+#include "sim/core/refusal.h"
+#include "sim/core/rotation_matrix.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::uint64_t kLargestMessage = 64ULL << 20U;  // a picture of a camera, passed over
+constexpr std::uint64_t kLargestRead = 64ULL << 10U;     // 900 instruments
+constexpr int kNewestHeader = 3;
+constexpr double kMillimetre_m = 1e-3;
+constexpr double kFarthest_m = 200.0;
+constexpr std::uint16_t kStatusFine = 1;
+constexpr std::uint16_t kUtf8 = 106;  // MIBenum
+constexpr std::size_t kExtendedHead = 12;
+constexpr double kFraction = 0x1p-32;
+
+std::string nameIn(const char* text, std::size_t longest) {
+  return {text, std::find(text, text + longest, '\0')};
+}
+
+igtl_header headOf(std::span<const std::byte> bytes) {
+  igtl_header head;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  igtl_header_convert_byte_order(&head);
+  return head;
+}
+
+std::string kindOf(const igtl_header& head) {
+  return nameIn(head.name, sizeof head.name);
+}
+
+bool isRead(const std::string& kind) {
+  return kind == "TRANSFORM" || kind == "TDATA" || kind == "STATUS";
+}
+
+/// A kind is a word of capitals, digits and underscores.
+bool isKind(const std::string& kind) {
+  return !kind.empty() && std::all_of(kind.begin(), kind.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+std::optional<std::int64_t> timeOf(const igtl_header& head) {
+  if (head.timestamp == 0) {
+    return std::nullopt;
+  }
+  const auto seconds = static_cast<std::int64_t>(head.timestamp >> 32U);
+  const double fraction = static_cast<double>(head.timestamp & 0xffffffffULL) * kFraction;
+  return seconds * 1'000'000 + std::llround(fraction * 1e6);
+}
+
+/// Of twelve numbers: the columns of the matrix, then the place in millimetres.
+std::optional<Pose> poseOf(const std::array<float, 12>& t) {
+  const std::optional<Quat> rotation =
+      rotationFromRows({t[0], t[3], t[6], t[1], t[4], t[7], t[2], t[5], t[8]});
+  const Vec3 place_m{t[9] * kMillimetre_m, t[10] * kMillimetre_m, t[11] * kMillimetre_m};
+  if (!rotation || !isFinite(place_m) || norm(place_m) > kFarthest_m) {
+    return std::nullopt;
+  }
+  return Pose{place_m, *rotation};
+}
+
+void addPose(const std::array<float, 12>& numbers, const std::string& instrument, const igtl_header& head,
+             IgtlNews& news) {
+  if (const std::optional<Pose> pose = poseOf(numbers)) {
+    news.poses.push_back({instrument, *pose, timeOf(head)});
+  } else {
+    ++news.refused;
+  }
+}
+
+std::uint64_t bigEndian(std::span<const std::byte> bytes) {
+  std::uint64_t value = 0;
+  for (const std::byte byte : bytes) {
+    value = (value << 8U) | std::to_integer<std::uint64_t>(byte);
+  }
+  return value;
+}
+
+/// What a body says: the whole of it, or what lies between the extended header and the metadata of version 2
+/// on. Empty: its sizes are impossible.
+std::span<const std::byte> contentOf(const igtl_header& head, std::span<const std::byte> body) {
+  if (head.version < 2) {
+    return body;
+  }
+  if (body.size() < kExtendedHead) {
+    return {};
+  }
+  const std::uint64_t front = bigEndian(body.first(2));
+  const std::uint64_t behind = bigEndian(body.subspan(2, 2)) + bigEndian(body.subspan(4, 4));
+  if (front < kExtendedHead || front + behind > body.size()) {
+    return {};
+  }
+  return body.subspan(front, body.size() - front - behind);
+}
+
+void readTransform(const igtl_header& head, std::span<const std::byte> content, IgtlNews& news) {
+  std::array<float, 12> numbers{};
+  static_assert(sizeof numbers == IGTL_TRANSFORM_SIZE);
+  if (content.size() != sizeof numbers) {
+    ++news.refused;
+    return;
+  }
+  std::memcpy(numbers.data(), content.data(), sizeof numbers);
+  igtl_transform_convert_byte_order(numbers.data());
+  addPose(numbers, nameIn(head.device_name, sizeof head.device_name), head, news);
+}
+
+void readTracking(const igtl_header& head, std::span<const std::byte> content, IgtlNews& news) {
+  static_assert(sizeof(igtl_tdata_element) == IGTL_TDATA_ELEMENT_SIZE);
+  if (content.size() % sizeof(igtl_tdata_element) != 0) {
+    ++news.refused;
+    return;
+  }
+  for (; !content.empty(); content = content.subspan(sizeof(igtl_tdata_element))) {
+    igtl_tdata_element element;
+    std::memcpy(&element, content.data(), sizeof element);
+    igtl_tdata_convert_byte_order(&element, 1);
+    std::array<float, 12> numbers{};
+    std::memcpy(numbers.data(), element.transform, sizeof numbers);
+    addPose(numbers, nameIn(element.name, sizeof element.name), head, news);
+  }
+}
+
+/// Control characters have no place on a page.
+std::string plainText(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; },
+      ' ');
+  return text;
+}
+
+/// A code (2 bytes), a code of the device (8), a name (20) and words.
+void readStatus(std::span<const std::byte> content, IgtlNews& news) {
+  constexpr std::size_t kNameAt = 10;
+  constexpr std::size_t kWordsAt = 30;
+  if (content.size() < kWordsAt) {
+    return;
+  }
+  const std::uint64_t code = bigEndian(content.first(2));
+  if (code == kStatusFine) {
+    news.status = std::string();
+    return;
+  }
+  const auto* const text = reinterpret_cast<const char*>(content.data());
+  std::string words = nameIn(text + kWordsAt, content.size() - kWordsAt);
+  if (words.empty()) {
+    words = nameIn(text + kNameAt, kWordsAt - kNameAt);
+  }
+  news.status = plainText(words.empty() ? std::to_string(code) : words);
+}
+
+std::vector<std::byte> packed(std::string_view kind, std::string_view device, std::int64_t utc_us,
+                              std::span<const std::byte> body) {
+  igtl_header head{};
+  head.version = IGTL_HEADER_VERSION;
+  std::copy_n(kind.begin(), std::min(kind.size(), sizeof head.name), head.name);
+  std::copy_n(device.begin(), std::min(device.size(), sizeof head.device_name), head.device_name);
+  const auto seconds = static_cast<std::uint64_t>(utc_us / 1'000'000);
+  const auto fraction =
+      static_cast<std::uint64_t>(static_cast<double>(utc_us % 1'000'000) * 1e-6 / kFraction);
+  head.timestamp = (seconds << 32U) | std::min<std::uint64_t>(fraction, 0xffffffffULL);
+  head.body_size = body.size();
+  std::vector<std::byte> message(sizeof head + body.size());
+  std::copy(body.begin(), body.end(), message.begin() + sizeof head);
+  head.crc = crc64(reinterpret_cast<unsigned char*>(message.data() + sizeof head), body.size(), 0);
+  igtl_header_convert_byte_order(&head);
+  std::memcpy(message.data(), &head, sizeof head);
+  return message;
+}
+
+}  // namespace
+
+void IgtlReader::beginBody() {
+  const igtl_header head = headOf(head_);
+  const std::string kind = kindOf(head);
+  if (head.version < 1 || head.version > kNewestHeader || !isKind(kind)) {
+    refuse(Text::tr("what came is no OpenIGTLink"), Text::tr("tracker"),
+           Text::tr("Check the address and port, and what is running there"));
+  }
+  if (head.body_size > kLargestMessage) {
+    refuse(Text::tr("a message of %1 bytes was announced", std::to_string(head.body_size)),
+           Text::tr("tracker"), Text::tr("Check the address and port, and what is running there"));
+  }
+  inBody_ = true;
+  left_ = head.body_size;
+  kept_ = isRead(kind) && head.body_size <= kLargestRead;
+  body_.clear();
+}
+
+void IgtlReader::readBody(IgtlNews& news) const {
+  const igtl_header head = headOf(head_);
+  const std::string kind = kindOf(head);
+  if (!kept_) {
+    ++(isRead(kind) ? news.refused : news.others);
+    return;
+  }
+  std::vector<std::byte> summed = body_;  // the library wants to write
+  if (crc64(reinterpret_cast<unsigned char*>(summed.data()), summed.size(), 0) != head.crc) {
+    ++news.refused;
+    return;
+  }
+  const std::span<const std::byte> content = contentOf(head, body_);
+  if (kind == "TRANSFORM") {
+    readTransform(head, content, news);
+  } else if (kind == "TDATA") {
+    readTracking(head, content, news);
+  } else {
+    readStatus(content, news);
+  }
+}
+
+void IgtlReader::take(std::span<const std::byte> bytes, IgtlNews& news) {
+  static_assert(sizeof(igtl_header) == IGTL_HEADER_SIZE);
+  while (!bytes.empty() || (inBody_ && left_ == 0)) {
+    if (!inBody_) {
+      const std::size_t part = std::min(bytes.size(), sizeof(igtl_header) - head_.size());
+      head_.insert(head_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(part));
+      bytes = bytes.subspan(part);
+      if (head_.size() == sizeof(igtl_header)) {
+        beginBody();
+      }
+      continue;
+    }
+    const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), left_));
+    if (kept_) {
+      body_.insert(body_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(part));
+    }
+    bytes = bytes.subspan(part);
+    left_ -= part;
+    if (left_ == 0) {
+      readBody(news);
+      inBody_ = false;
+      head_.clear();
+    }
+  }
+}
+
+std::vector<std::byte> igtlTransform(std::string_view device, const Pose& pose, std::int64_t utc_us) {
+  const std::array<double, 9> m = rowsOfRotation(pose.orientation);
+  const Vec3 mm = pose.position_m * (1.0 / kMillimetre_m);
+  std::array<float, 12> numbers{};
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    numbers[i] = static_cast<float>(m[3 * (i % 3) + i / 3]);
+  }
+  numbers[9] = static_cast<float>(mm.x);
+  numbers[10] = static_cast<float>(mm.y);
+  numbers[11] = static_cast<float>(mm.z);
+  igtl_transform_convert_byte_order(numbers.data());
+  return packed("TRANSFORM", device, utc_us, std::as_bytes(std::span(numbers)));
+}
+
+std::vector<std::byte> igtlString(std::string_view device, std::string_view text, std::int64_t utc_us) {
+  text = text.substr(0, 0xffffU);
+  igtl_string_header head{kUtf8, static_cast<std::uint16_t>(text.size())};
+  igtl_string_convert_byte_order(&head);
+  std::vector<std::byte> body(sizeof head + text.size());
+  std::memcpy(body.data(), &head, sizeof head);
+  std::memcpy(body.data() + sizeof head, text.data(), text.size());
+  return packed("STRING", device, utc_us, body);
+}
+
+std::vector<std::byte> igtlStartTracking() {
+  constexpr int kEvery_ms = 10;
+  igtl_stt_tdata request{};
+  request.resolution = kEvery_ms;
+  igtl_stt_tdata_convert_byte_order(&request);
+  return packed("STT_TDATA", "Torsio", 0, std::as_bytes(std::span(&request, 1)));
+}
+
+}  // namespace torsio

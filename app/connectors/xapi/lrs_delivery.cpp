@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/xapi/lrs_delivery.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <QDateTime>
+#include <nlohmann/json.hpp>
+
+#include "app/connectors/xapi/learning_statement.h"
+#include "app/services/base/stored_sentence.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/repository/base/learning_events.h"
+#include "db/repository/system/learning_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/text.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kBatch = 100;
+constexpr std::int64_t kClaim_us = 2 * kMinute_us;  // longer than the store is waited for
+constexpr std::int64_t kFirstWait_us = kMinute_us / 2;
+constexpr std::int64_t kLongestWait_us = 6 * 60 * kMinute_us;
+constexpr std::int64_t kLongestRetryAfter_us = 24 * 60 * kMinute_us;
+constexpr std::size_t kAnswerShown = 300;
+
+constexpr int kConflict = 409;
+
+enum class Fate { kDelivered, kDead, kLater, kLaterAndStop };
+
+struct Outcome {
+  Fate fate = Fate::kLater;
+  Text words{};
+  std::string after{};
+};
+
+/// The answer in a line that somebody can act on.
+std::string wordsOf(const LrsAnswer& answer) {
+  std::string words = answer.status == 0 ? "" : "HTTP " + std::to_string(answer.status) + " ";
+  words += answer.body.substr(0, kAnswerShown);
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return words;
+}
+
+/// A store answers with the ids that it took; a page of a proxy does not.
+bool took(const LrsAnswer& answer, const std::string& id) {
+  const nlohmann::json ids = nlohmann::json::parse(answer.body, nullptr, false);
+  return ids.is_array() && ids.size() == 1 && ids[0].is_string() &&
+         QString::fromStdString(ids[0].get<std::string>())
+                 .compare(QString::fromStdString(id), Qt::CaseInsensitive) == 0;
+}
+
+/// What an answer other than "taken" and "known" means.
+Outcome refused(const LrsAnswer& answer) {
+  switch (answer.status) {
+    case 401:
+    case 403:
+      return {Fate::kLaterAndStop, Text::tr("the key is refused: %1", wordsOf(answer)), answer.after};
+    case 404:
+    case 405:
+      return {Fate::kLaterAndStop,
+              Text::tr("there is no learning record store at this address: %1", wordsOf(answer)),
+              answer.after};
+    case 408:
+    case 429:
+      return {Fate::kLaterAndStop, wordsOf(answer), answer.after};
+    default:
+      break;
+  }
+  const bool forGood = answer.status >= 400 && answer.status < 500;
+  return {forGood ? Fate::kDead : Fate::kLaterAndStop, wordsOf(answer), answer.after};
+}
+
+/// The store knows the id: is it this statement?
+Outcome afterConflict(LrsClient& store, const std::string& id, const std::string& statement) {
+  const LrsAnswer known = store.get(id);
+  if (known.status == 200) {
+    return sameStatement(statement, known.body)
+               ? Outcome{Fate::kDelivered, Text::tr("the store had it already"), {}}
+               : Outcome{Fate::kDead, Text::tr("the store has another statement under this id"), {}};
+  }
+  if (known.status == 404) {
+    return {Fate::kLater, Text::tr("the store knows the id, but the statement cannot be read yet"), {}};
+  }
+  return refused(known);
+}
+
+Outcome send(LrsClient& store, const std::string& id, const std::string& statement) {
+  const LrsAnswer answer = store.post(statement);
+  if (answer.status == 200) {
+    return took(answer, id)
+               ? Outcome{Fate::kDelivered, Text::tr("taken"), {}}
+               : Outcome{Fate::kLaterAndStop,
+                         Text::tr("what answers is no learning record store: %1", wordsOf(answer)),
+                         {}};
+  }
+  return answer.status == kConflict ? afterConflict(store, id, statement) : refused(answer);
+}
+
+/// One round.
+class Round {
+ public:
+  Round(Connection& connection, const LrsIdentity& identity, LrsClient& store, const UtcClock& now)
+      : connection_(connection), outbox_(connection), identity_(identity), store_(store), now_(now) {}
+
+  LrsDelivery run() {
+    for (;;) {
+      const std::vector<LearningEvent> due = outbox_.due(now_(), kBatch);
+      if (due.empty()) {
+        return done_;
+      }
+      for (const LearningEvent& event : due) {
+        if (outbox_.claim(event, now_() + kClaim_us)) {
+          take(event);
+        }
+        if (done_.stopped) {
+          return done_;
+        }
+      }
+    }
+  }
+
+ private:
+  void take(const LearningEvent& event) {
+    if (!agreesToLearningRecords(connection_, event.personId)) {
+      outbox_.forget(event);
+      ++done_.forgotten;
+      return;
+    }
+    std::string statement = event.statement;
+    if (statement.empty()) {
+      try {
+        statement = statementOf(connection_, event, identity_, rules_, now_());
+      } catch (const DbError&) {
+        throw;
+      } catch (const Error& error) {
+        outbox_.setDead(event, storedSentence(error.happenedText()), now_());
+        ++done_.dead;
+        return;
+      }
+      if (statement.empty()) {
+        outbox_.forget(event);
+        ++done_.forgotten;
+        return;
+      }
+      statement = outbox_.keepStatement(event, statement);
+    }
+    settle(event, send(store_, statementId(event), statement));
+  }
+
+  void settle(const LearningEvent& event, const Outcome& outcome) {
+    const std::int64_t now_us = now_();
+    switch (outcome.fate) {
+      case Fate::kDelivered:
+        outbox_.setDelivered(event, storedSentence(outcome.words), now_us);
+        ++done_.delivered;
+        return;
+      case Fate::kDead:
+        outbox_.setDead(event, storedSentence(outcome.words), now_us);
+        ++done_.dead;
+        return;
+      case Fate::kLater:
+      case Fate::kLaterAndStop: {
+        const std::int64_t asked_us = retryAfter_us(outcome.after, now_us);
+        const std::int64_t wait_us =
+            std::max(asked_us, waitBeforeNextTry_us(event.tries + 1, statementId(event)));
+        outbox_.setLater(event, storedSentence(outcome.words), now_us, now_us + wait_us);
+        ++done_.later;
+        done_.stopped = outcome.fate == Fate::kLaterAndStop;
+        return;
+      }
+    }
+  }
+
+  Connection& connection_;
+  LearningRepository outbox_;
+  const LrsIdentity& identity_;
+  LrsClient& store_;
+  const UtcClock& now_;
+  ExerciseRules rules_;
+  LrsDelivery done_;
+};
+
+}  // namespace
+
+std::int64_t waitBeforeNextTry_us(std::int64_t tries, const std::string& id) {
+  constexpr std::int64_t kDoublings = 20;
+  const std::int64_t doubled = kFirstWait_us << std::clamp<std::int64_t>(tries - 1, 0, kDoublings);
+  const std::int64_t wait_us = std::min(doubled, kLongestWait_us);
+  std::uint32_t spread = 2'166'136'261U;  // FNV-1a
+  for (const char c : id) {
+    spread = (spread ^ static_cast<unsigned char>(c)) * 16'777'619U;
+  }
+  return wait_us - wait_us / 4 + static_cast<std::int64_t>(spread % 1'000U) * (wait_us / 2'000);
+}
+
+std::int64_t retryAfter_us(const std::string& header, std::int64_t now_us) {
+  QString text = QString::fromStdString(header).trimmed();
+  bool isNumber = false;
+  const qlonglong seconds = text.toLongLong(&isNumber);
+  std::int64_t wait_us = 0;
+  if (isNumber) {
+    wait_us = std::clamp<qlonglong>(seconds, 0, kLongestRetryAfter_us / kSecond_us) * kSecond_us;
+  } else if (const QDateTime date = QDateTime::fromString(
+                 text.replace(QLatin1String("GMT"), QLatin1String("+0000")), Qt::RFC2822Date);
+             date.isValid()) {
+    wait_us = date.toMSecsSinceEpoch() * 1000 - now_us;
+  }
+  return std::clamp<std::int64_t>(wait_us, 0, kLongestRetryAfter_us);
+}
+
+LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,
+                                   const UtcClock& now) {
+  return Round(connection, identity, store, now).run();
+}
+
+}  // namespace torsio

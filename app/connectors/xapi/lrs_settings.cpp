@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connectors/xapi/lrs_settings.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <QFileInfo>
+#include <QSettings>
+#include <QUrl>
+#include <nlohmann/json.hpp>
+
+#include "app/outputs/tables/pseudonyms.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/base/this_computer.h"
+#include "assessment/domain/people/learning_event.h"
+#include "db/connection/connection.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/file_io.h"
+#include "sim/core/private_files.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kServerSetting = "learning_record_store";
+
+/// Beside the other settings of this account.
+fs::path keyFile() {
+  const QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("torsio"),
+                           QStringLiteral("lrs"));
+  return fs::path(QFileInfo(settings.fileName()).absolutePath().toStdString()) / "lrs.key";
+}
+
+void requireAddress(const std::string& address, bool protectedWay) {
+  const QUrl url(QString::fromStdString(address), QUrl::StrictMode);
+  const bool web = url.scheme() == QLatin1String("https") || url.scheme() == QLatin1String("http");
+  if (!url.isValid() || !web || url.host().isEmpty() || url.hasQuery() || url.hasFragment() ||
+      !url.userInfo().isEmpty()) {
+    refuseParameter(Text::tr("this is no address of a web server"), address,
+                    Text::tr("Write it like https://lrs.example.org/xapi"));
+  }
+  if (protectedWay && url.scheme() == QLatin1String("http") && !isThisComputer(url.host().toStdString())) {
+    refuseParameter(Text::tr("without encryption learning records go to a server on this computer only"),
+                    address, Text::tr("Use an address that begins with https://"));
+  }
+}
+
+}  // namespace
+
+std::optional<LrsIdentity> lrsIdentity(Connection& connection) {
+  const SettingRepository stored(connection);
+  const nlohmann::json json =
+      nlohmann::json::parse(stored.value(kServerSetting).value_or(""), nullptr, false);
+  if (!json.is_object()) {
+    return std::nullopt;
+  }
+  LrsIdentity identity;
+  identity.settings.on = stored.value(kLearningSetting).value_or("") == "yes";
+  identity.settings.endpoint = json.value("endpoint", "");
+  identity.settings.homePage = json.value("home_page", "");
+  identity.accountKey = json.value("account_key", "");
+  return identity;
+}
+
+LrsSettings lrsSettings(SessionContext& session) {
+  session.require(Operation::kSettingsEdit);
+  const std::optional<LrsIdentity> identity = lrsIdentity(session.connection());
+  return identity ? identity->settings : LrsSettings{};
+}
+
+void setLrsSettings(SessionContext& session, const LrsSettings& settings) {
+  session.require(Operation::kSettingsEdit);
+  Connection& connection = session.connection();
+  const std::optional<LrsIdentity> known = lrsIdentity(connection);
+  if (settings.on || !settings.endpoint.empty()) {
+    requireAddress(settings.endpoint, true);
+    requireAddress(settings.homePage, false);
+  }
+  Transaction transaction(connection);
+  if (!settings.endpoint.empty()) {
+    const nlohmann::json json{{"endpoint", settings.endpoint},
+                              {"home_page", settings.homePage},
+                              {"account_key", known ? known->accountKey : Pseudonyms::freshKey()}};
+    setCentreSetting(session, kServerSetting, json.dump());
+  }
+  setCentreSetting(session, kLearningSetting, settings.on ? "yes" : "no");
+  transaction.commit();
+}
+
+std::optional<LrsKey> stationLrsKey() {
+  const fs::path file = keyFile();
+  std::error_code unknown;
+  if (!fs::exists(file, unknown)) {
+    return std::nullopt;
+  }
+  if (makePrivate(file)) {
+    throw Error(ErrorCode::kPermission,
+                Text::tr("other accounts of this computer could read this key until now"), file.string(),
+                Text::tr("Ask the learning record store for a new one"));
+  }
+  const std::string text = readFile(file);
+  const std::size_t end = text.find('\n');
+  if (end == std::string::npos || end == 0) {
+    throw Error(ErrorCode::kBadData, Text::tr("is no key of a learning record store"), file.string(),
+                Text::tr("Set it again"));
+  }
+  LrsKey key{text.substr(0, end), text.substr(end + 1)};
+  if (!key.secret.empty() && key.secret.back() == '\n') {
+    key.secret.pop_back();
+  }
+  return key;
+}
+
+void setStationLrsKey(const LrsKey& key) {
+  const fs::path file = keyFile();
+  if (key.user.empty()) {
+    std::error_code gone;
+    fs::remove(file, gone);
+    return;
+  }
+  if (key.user.find_first_of(":\r\n") != std::string::npos ||
+      key.secret.find_first_of("\r\n") != std::string::npos || key.secret.empty()) {
+    refuseParameter(Text::tr("this is no name and secret for a learning record store"), key.user,
+                    Text::tr("Enter both as the store shows them, the name without a colon"));
+  }
+  ensureFolder(file.parent_path());
+  writeFileAtomically(file, key.user + "\n" + key.secret + "\n");
+  (void)makePrivate(file);
+}
+
+}  // namespace torsio

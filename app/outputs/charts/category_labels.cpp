@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/charts/category_labels.h"
+
+#include <QFontMetricsF>
+
+#include "app/outputs/charts/chart_style.h"
+#include "app/outputs/charts/text_fit.h"
+#include "app/outputs/charts/typeface.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kAcross_px = 570.0;  // the axis of a figure on paper; on the screen there is more
+constexpr double kAir_px = 8.0;       // left and right of a label, as Qt leaves it
+constexpr int kSmallest_px = 8;
+constexpr qsizetype kMostLines = 3;
+constexpr qsizetype kTogether = 6;  // Chinese characters that stay on one line
+
+/// Lines of a text as an axis takes them.
+QString htmlOf(const QStringList& lines) {
+  QStringList escaped;
+  for (const QString& line : lines) {
+    escaped << line.toHtmlEscaped();
+  }
+  return escaped.join(QStringLiteral("<br>"));
+}
+
+}  // namespace
+
+CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
+  // Qt divides the axis by its marks: one more than there are categories.
+  const double share_px = kAcross_px / static_cast<double>(names.size() + 1) - kAir_px;
+  CategoryLabels labels{{}, printedTypeface()};
+  labels.font.setPixelSize(largest_px);
+  while (true) {
+    const QFontMetricsF metrics(labels.font);
+    bool fits = true;
+    labels.html.clear();
+    for (const QString& name : names) {
+      const QStringList lines = wrappedLines(name, share_px, metrics);
+      labels.html << htmlOf(lines);
+      fits = fits && lines.size() <= kMostLines && widestPart(name, metrics, kTogether) <= share_px;
+    }
+    if (fits || labels.font.stretch() == QFont::SemiCondensed) {
+      return labels;
+    }
+    if (labels.font.pixelSize() > kSmallest_px) {
+      labels.font.setPixelSize(labels.font.pixelSize() - 1);
+    } else {
+      labels.font.setStretch(QFont::SemiCondensed);
+    }
+  }
+}
+
+}  // namespace torsio

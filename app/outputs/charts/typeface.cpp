@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/charts/typeface.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QFontDatabase>
+
+namespace torsio {
+
+QFont typeface() {
+  QFont font;
+  // Named one by one: left to itself a machine may take Japanese forms of the characters. The last two are
+  // what Windows and macOS have in place of the Chinese companion.
+  font.setFamilies({QLatin1String(kTypeface), QLatin1String(kFallbackTypeface),
+                    QLatin1String(kChineseTypeface), QStringLiteral("Microsoft YaHei"),
+                    QStringLiteral("PingFang SC")});
+  return font;
+}
+
+QFont printedTypeface() {
+  constexpr double kApart_px =
+      1.0 / 64.0;  // the least that counts: letters with any space between are not joined
+  QFont font = typeface();
+  font.setLetterSpacing(QFont::AbsoluteSpacing, kApart_px);
+  return font;
+}
+
+QStringList missingTypefaces(const QStringList& installed) {
+  QStringList missing;
+  for (const char* family : {kTypeface, kFallbackTypeface, kChineseTypeface}) {
+    if (!installed.contains(QLatin1String(family))) {
+      missing << QLatin1String(family);
+    }
+  }
+  return missing;
+}
+
+void useTypeface(QApplication& application) {
+  for (const QString& family : missingTypefaces(QFontDatabase::families())) {
+    std::fprintf(stderr, "torsio: the typeface '%s' is not installed; another takes its place\n",
+                 qPrintable(family));
+  }
+  application.setFont(typeface());
+}
+
+}  // namespace torsio

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/dataset/cohort_exchange.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/outputs/dataset/dataset_study.h"
+#include "app/outputs/report/report_names.h"
+#include "app/services/base/build_info.h"
+#include "app/services/base/csv_table.h"
+#include "app/services/study/curriculum_content.h"
+#include "app/services/study/curriculum_ids.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/shown_inputs.h"
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
+#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kRecordedRate_Hz = kSecond_us / kTickPeriod_us;
+
+/// Whoever owns the file of the record can read all of it.
+bool mayTakeCodes(const SessionContext& session) {
+  return !session.actor().systemAccount.empty() || session.may(Operation::kPersonViewIdentity);
+}
+
+ExchangeFiles noted(SessionContext& session, const ExchangeRequest& request, const std::string& format,
+                    std::int64_t people, bool named, const std::optional<PseudonymReport>& pseudonyms,
+                    std::vector<std::filesystem::path> files) {
+  ExchangeFiles done;
+  Digest digest;
+  for (const std::filesystem::path& file : files) {
+    const std::string content = readFile(file);
+    digest.update(content);
+    done.bytes += content.size();
+  }
+  done.files = std::move(files);
+  done.contentHash = digest.hex();
+  nlohmann::ordered_json what;
+  what["format"] = format;
+  what["identity"] = named ? "named" : pseudonyms ? "pseudonymised" : "coded";
+  what["campaign"] = request.campaignId.text();
+  what["frozen"] = request.frozenId.text();
+  what["trainees"] = people;
+  if (pseudonyms) {
+    what["smallest_cell"] = pseudonyms->smallestAfter;
+    what["free_text"] = request.withFreeText;
+  }
+  what["files"] = done.files.size();
+  what["bytes"] = done.bytes;
+  what["hash"] = done.contentHash;
+  AuditNote note{.action = named ? AuditAction::kReportExportNamed : AuditAction::kReportExportCoded,
+                 .objectKind = AuditObject::kCohort,
+                 .objectId = request.cohortId.text(),
+                 .newJson = what.dump(),
+                 .reason = request.reason};
+  Transaction transaction(session.connection());
+  session.note(note);
+  transaction.commit();
+  return done;
+}
+
+WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report) {
+  WorkbookContents contents;
+  contents.title = report.title;
+  contents.facts = report.facts;
+  contents.facts.emplace_back(Text::tr("Torsio"), report.softwareVersion);
+  if (report.demonstration) {
+    contents.facts.emplace_back(Text::tr("Demonstration"),
+                                Text::tr("People, movements and marks are simulated."));
+  }
+  contents.facts.emplace_back(Text::tr("Times"), Text::tr("All times are UTC."));
+  for (const Text& sentence : pseudonymSentences(data)) {
+    contents.facts.emplace_back(Text::tr("Pseudonymised"), sentence);
+  }
+  contents.tables = tablesOf(data.set);
+  for (const ReportSection& section : report.sections) {
+    for (const ReportFigure& figure : section.figures) {
+      contents.figures.push_back(&figure);
+    }
+  }
+  // As the report says them: the analysis behind them takes seconds for thousands of marks.
+  const auto methods = std::find_if(report.sections.begin(), report.sections.end(), [](const auto& section) {
+    return section.title == "Methods and limits";
+  });
+  if (methods != report.sections.end()) {
+    contents.methods = methods->paragraphs;
+  }
+  return contents;
+}
+
+}  // namespace
+
+void nameRequest(SessionContext& session, const std::string& cohort, const std::string& campaign,
+                 ExchangeRequest& request) {
+  session.require(Operation::kReportExportCoded);
+  request.cohortId = cohortNamed(session.connection(), cohort);
+  request.campaignId = campaignNamed(session.connection(), campaign);
+}
+
+ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
+                          const ProgressCallback& progress) {
+  session.require(Operation::kReportExportCoded);
+  ExchangeData data{request, {}, {}, {}, {}, {}};
+  data.inputs =
+      reportInputs(session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded},
+                   digests, progress);
+  std::map<TrialId, std::int64_t> starts = TrialRepository(session.connection()).startsOf(request.cohortId);
+  if (request.pseudonymised || !mayTakeCodes(session)) {
+    const Pseudonyms names(request.key.empty() ? Pseudonyms::freshKey() : request.key);
+    PseudonymReport report;
+    for (const TrialSummaryRow& trial : data.inputs.trials) {
+      data.recordings[TrialId(names.of("T", trial.trialId.text()))] = trial.trialId;
+    }
+    data.inputs = pseudonymised(std::move(data.inputs), starts, names, request.withFreeText, report);
+    data.pseudonyms = report;
+  } else {
+    for (const TrialSummaryRow& trial : data.inputs.trials) {
+      data.recordings[trial.trialId] = trial.trialId;
+    }
+  }
+  data.analysed = analysedCohort(data.inputs);
+  data.set = exportSet(data.inputs, data.analysed.rows, starts);
+  return data;
+}
+
+std::vector<Text> pseudonymSentences(const ExchangeData& data) {
+  if (!data.pseudonyms) {
+    return {};
+  }
+  const PseudonymReport& done = *data.pseudonyms;
+  return {
+      Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
+      Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
+               done.smallestBefore),
+      Text::tr("Left out: level of %1 {person|people}, sex of %2, free text of %3 {entry|entries}, "
+               "person of %4 {deviation|deviations}.",
+               done.levelsHidden, done.sexesHidden, done.textsLeftOut, done.deviationsUnlinked)};
+}
+
+ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
+                             const std::filesystem::path& file, const ProgressCallback& progress) {
+  session.require(Operation::kReportExportCoded);
+  const ReportModel report = cohortReport(data.inputs, data.analysed);
+  writeWorkbook(contentsOf(data, report), say, file, progress);
+  return noted(session, data.request, "workbook", std::ssize(data.inputs.trainees), false, data.pseudonyms,
+               {file});
+}
+
+ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, TableFormat format,
+                           const std::filesystem::path& folder, const ProgressCallback& progress) {
+  session.require(Operation::kReportExportCoded);
+  std::vector<std::filesystem::path> files = writeTables(tablesOf(data.set), format, folder, progress);
+  return noted(session, data.request, "tables", std::ssize(data.inputs.trainees), false, data.pseudonyms,
+               std::move(files));
+}
+
+ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
+                            const std::filesystem::path& folder, const ProgressCallback& progress) {
+  session.require(Operation::kReportExportCoded);
+  if (request.rate_Hz < 1 || kRecordedRate_Hz % request.rate_Hz != 0) {
+    refuseParameter(Text::tr("trajectories cannot be written at this rate"), std::to_string(request.rate_Hz),
+                    Text::tr("Use a rate that divides 1000 Hz, for example 100"));
+  }
+  if (request.whole && (data.pseudonyms || request.layout == DatasetLayout::kBids)) {
+    refuseParameter(Text::tr("a data set for another record needs codes, and is no BIDS"),
+                    std::string("whole"), Text::tr("Use frictionless or ro-crate, and not pseudonymised"));
+  }
+  if (request.whole && !data.inputs.singleMarks) {
+    refuseParameter(Text::tr("single marks may not be seen yet"), std::string("whole"),
+                    Text::tr("Freeze the data when every sheet is in, or export as the owner of the file"));
+  }
+  DatasetContents contents;
+  contents.about = request.about;
+  contents.about.madeUtc_us = session.now_us();
+  contents.tables = tablesOf(data.set);
+  contents.every = kRecordedRate_Hz / request.rate_Hz;
+  contents.softwareVersion = softwareVersion();
+  contents.progress = progress;
+  Connection& connection = session.connection();
+  TrialLoader recordings(connection);
+  for (const TrialSummaryRow& trial : data.inputs.trials) {
+    contents.recordings.push_back(
+        {trial.trialId.text(), trial.trainee,
+         [&recordings, &data, id = trial.trialId] { return recordings.load(data.recordings.at(id)); }});
+  }
+  const Cohort cohort = StudyRepository(connection).cohort(data.request.cohortId);
+  if (const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId)) {
+    contents.curriculumJson = curriculumJson(withCodes(*version));
+  }
+  if (request.whole) {
+    contents.studyJson = datasetStudyJson(connection, data);
+  }
+  std::vector<std::filesystem::path> files = writeDataset(contents, request.layout, folder);
+  return noted(session, data.request, "dataset", std::ssize(data.inputs.trainees), false, data.pseudonyms,
+               std::move(files));
+}
+
+ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
+                              const std::filesystem::path& file) {
+  session.require(Operation::kReportExportNamed);
+  const CohortInputs inputs =
+      reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
+  std::vector<Text> left;
+  const CohortInputs shown = shownInputs(inputs, left);
+  std::map<std::string, std::vector<std::string>> grades;  // by code, one an occasion
+  for (const TraineeScore& score : shown.scores) {
+    auto& own = grades[score.trainee];
+    own.resize(shown.occasions.size(), "-");
+    own.at(score.occasion) = formatExact(score.score);
+  }
+  if (grades.empty()) {
+    refuse(Text::tr("nobody has a score that may be shown"), inputs.title,
+           Text::tr("Wait until every sheet is in, or freeze the data"));
+  }
+  PeopleRepository people(session.connection());
+  std::map<std::string, std::string> codeOf;  // by person
+  for (const Trainee& trainee : people.trainees()) {
+    codeOf[trainee.person.id.text()] = trainee.person.code;
+  }
+  std::map<std::string, Identity> identityOf;  // by code
+  for (const Identity& identity : people.identities()) {
+    if (const auto code = codeOf.find(identity.personId.text()); code != codeOf.end()) {
+      identityOf[code->second] = identity;
+    }
+  }
+  std::vector<std::string> head{"ID number", "Email address"};
+  for (const Text& occasion : shown.occasions) {
+    head.push_back(shown.title.str() + ": " + occasion.str());
+  }
+  std::string text = csvLine(head);
+  for (const auto& [code, own] : grades) {
+    const Identity& known = identityOf[code];
+    std::vector<std::string> line{known.externalId.empty() ? code : known.externalId, known.email};
+    line.insert(line.end(), own.begin(), own.end());
+    text += csvLine(line);
+  }
+  writeFileAtomically(file, text);
+  return noted(session, request, "gradebook", std::ssize(grades), true, {}, {file});
+}
+
+}  // namespace torsio

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/outputs/dataset/dataset.h"
+
+namespace torsio {
+
+/// Writes the head of a BIDS data set and its recordings (sub-*/motion) into `folder`: what writeDataset()
+/// does for DatasetLayout::kBids besides the tables. Returns the files. Throws Error{kFileUnwritable}.
+std::vector<std::filesystem::path> writeBids(const DatasetContents& contents,
+                                             const std::filesystem::path& folder);
+
+}  // namespace torsio

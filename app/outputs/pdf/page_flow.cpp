@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/pdf/page_flow.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <QFontMetricsF>
+#include <QPageSize>
+#include <QPdfWriter>
+
+#include "app/outputs/charts/chart_style.h"
+#include "app/outputs/charts/typeface.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kPageWidth_mm = 210.0;
+constexpr double kPageHeight_mm = 297.0;
+constexpr double kReference_pt = 5.5;  // a hash in each of two lines
+constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
+const QColor kInk(0x26, 0x32, 0x38);
+const QColor kHeaderFill(0xE4, 0xEC, 0xF2);
+const QColor kRule(0xC3, 0xCD, 0xD3);
+
+}  // namespace
+
+PageFlow::PageFlow(QPdfWriter& writer, Style style)
+    : writer_(writer), style_(std::move(style)), unit_(writer.resolution() / 25.4), cursor_mm_(0.0) {
+  newPage();
+}
+
+double PageFlow::width_mm() const {
+  return kPageWidth_mm - 2.0 * style_.marginSide_mm;
+}
+
+double PageFlow::bottom_mm() const {
+  return kPageHeight_mm - style_.marginBottom_mm;
+}
+
+QFont PageFlow::font(double points, bool bold) const {
+  QFont f = printedTypeface();
+  f.setPointSizeF(points);
+  f.setBold(bold);
+  return f;
+}
+
+void PageFlow::newPage() {
+  if (!pages_.empty() && pages_.back().empty()) {
+    return;
+  }
+  pages_.emplace_back();
+  cursor_mm_ = style_.marginTop_mm;
+}
+
+void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm, PdfPart part) {
+  if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) {
+    newPage();
+  }
+  pages_.back().push_back({cursor_mm_, height_mm, std::move(draw), std::move(part)});
+  cursor_mm_ += height_mm;
+}
+
+double PageFlow::page_mm() const {
+  return bottom_mm() - style_.marginTop_mm;
+}
+
+double PageFlow::room_mm() const {
+  return bottom_mm() - cursor_mm_;
+}
+
+void PageFlow::space(double height_mm) {
+  if (!pages_.back().empty()) {
+    cursor_mm_ += height_mm;
+  }
+}
+
+double PageFlow::textHeight_mm(const QString& content, double points, bool bold) const {
+  const QFontMetricsF metrics(font(points, bold), &writer_);
+  const QRectF room(0, 0, width_mm() * unit_, 1e9);
+  return metrics.boundingRect(room, kTextFlags, content).height() / unit_ + 0.6;
+}
+
+void PageFlow::text(const QString& content, double points, bool bold, const QColor& colour,
+                    double keepWithNext_mm) {
+  const QFont f = font(points, bold);
+  add(textHeight_mm(content, points, bold),
+      [=](QPainter& painter, const QRectF& area, double) {
+        painter.setFont(f);
+        painter.setPen(colour);
+        painter.drawText(area, kTextFlags, content);
+      },
+      keepWithNext_mm, {PdfRole::kParagraph});
+}
+
+void PageFlow::bookmark(const QString& title, int level) {
+  if (!pages_.back().empty()) {
+    bookmarks_.push_back({title, pages_.size() - 1, pages_.back().back().top_mm, level});
+    pages_.back().back().part.role = level == 0 ? PdfRole::kSection : PdfRole::kTitle;
+  }
+}
+
+TableLayout PageFlow::layOut(const PlainTable& table) const {
+  return torsio::layOut(table, width_mm(), writer_, unit_,
+                        [this](double points, bool bold) { return font(points, bold); });
+}
+
+void PageFlow::table(const PlainTable& table) {
+  this->table(table, layOut(table));
+}
+
+void PageFlow::table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm) {
+  const double total_mm = std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0);
+  const std::size_t number = ++tables_;
+  const auto drawRow = [this, number, widths = layout.widths_mm, numeric = layout.numeric, total_mm](
+                           const std::vector<QString>& cells, const QFont& f, const QColor& fill,
+                           PdfRole role, std::size_t row) {
+    return [=, this](QPainter& painter, const QRectF& area, double unit) {
+      double x = area.left();
+      const double total = total_mm * unit;
+      if (fill.isValid()) {
+        painter.fillRect(QRectF(x, area.top(), total, area.height()), fill);
+      }
+      painter.setPen(QPen(kRule, 0.15 * unit));
+      painter.drawLine(QPointF(x, area.bottom()), QPointF(x + total, area.bottom()));
+      painter.setFont(f);
+      painter.setPen(kInk);
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        const QRectF cell(x + kCellPadding_mm * unit, area.top(), (widths[c] - 2.0 * kCellPadding_mm) * unit,
+                          area.height());
+        if (role != PdfRole::kArtifact) {
+          begin(painter, {role, {}, 0, number, row});
+          painter.setPen(kInk);
+        }
+        painter.drawText(cell,
+                         Qt::TextWordWrap | Qt::AlignVCenter | (numeric[c] ? Qt::AlignRight : Qt::AlignLeft),
+                         cells[c]);
+        x += widths[c] * unit;
+      }
+    };
+  };
+  const auto header = [&](PdfRole role) {
+    if (layout.header_mm > 0.0) {
+      add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill, role, 0), 6.0);
+    }
+  };
+  header(PdfRole::kHeaderCell);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const double under_mm = r + 1 == table.rows.size() ? keepWithLast_mm : 0.0;
+    if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
+      newPage();
+      header(PdfRole::kArtifact);  // it was read already
+    }
+    add(layout.rows_mm[r], drawRow(table.rows[r], layout.regular, QColor(), PdfRole::kCell, r + 1));
+  }
+}
+
+void PageFlow::begin(QPainter& painter, PdfPart part) {
+  part.page = page_;
+  markPart(painter, parts_.size());
+  parts_.push_back(std::move(part));
+}
+
+void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) {
+  begin(painter, {});
+  const double left = style_.marginSide_mm * unit;
+  const double wide = width_mm() * unit;
+  painter.setFont(font(7.5, false));
+  painter.setPen(kQuietInk);
+  const QRectF foot(left, (kPageHeight_mm - 14.0) * unit, wide, 6.0 * unit);
+  painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, style_.footerText);
+  painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, style_.pageText(page + 1, pages_.size()));
+  if (!style_.reference.isEmpty()) {
+    painter.setFont(font(kReference_pt, false));
+    painter.drawText(QRectF(left, (kPageHeight_mm - 9.2) * unit, wide, 5.2 * unit),
+                     Qt::AlignLeft | Qt::AlignVCenter, style_.reference);
+  }
+  const QRectF head(left, 9.0 * unit, wide, 6.0 * unit);
+  if (page > 0) {
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, style_.headerText);
+  }
+  if (!style_.watermark.isEmpty()) {
+    painter.setFont(font(8.0, true));
+    painter.setPen(kWarningInk);
+    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, style_.watermark);
+  }
+}
+
+void PageFlow::render(QPainter& painter,
+                      const std::function<void(std::size_t page, std::size_t pages)>& progress) {
+  for (std::size_t page = 0; page < pages_.size(); ++page) {
+    if (page > 0) {
+      writer_.newPage();
+    }
+    page_ = page;
+    drawFrame(painter, page, unit_);
+    for (const Block& block : pages_[page]) {
+      begin(painter, block.part);
+      painter.save();
+      block.draw(painter,
+                 QRectF(style_.marginSide_mm * unit_, block.top_mm * unit_, width_mm() * unit_,
+                        block.height_mm * unit_),
+                 unit_);
+      painter.restore();
+    }
+    if (progress) {
+      progress(page + 1, pages_.size());
+    }
+  }
+}
+
+}  // namespace torsio

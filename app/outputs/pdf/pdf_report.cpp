@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/pdf/pdf_report.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <QCoreApplication>
+#include <QGraphicsScene>
+#include <QGraphicsWidget>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "app/outputs/charts/chart_builder.h"
+#include "app/outputs/pdf/page_flow.h"
+#include "app/outputs/pdf/pdf_file.h"
+#include "app/outputs/pdf/pdf_outline.h"
+#include "app/outputs/pdf/pdf_tags.h"
+#include "app/outputs/wording/joined_sentences.h"
+#include "assessment/results/figure_table.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/provenance_line.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kResolution_dpi = 600;
+constexpr double kChartHeight_mm = 61.0;
+constexpr double kCloudHeight_mm = 84.0;  // flat, a cloud hides its shape; thirty values fit beneath
+constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
+constexpr double kFrame_mm = 24.0;        // axis, labels and legend round the rows
+constexpr double kTallestChart_mm = 170.0;
+constexpr int kTableDecimals = 4;
+constexpr std::size_t kLongestTwin = 40;  // rows; longer ones would bury the report
+constexpr std::size_t kWidestTwin = 12;   // columns that a page can hold
+constexpr double kSectionStart_mm =
+    130.0;  // a section begins on the page of the last one if half of it is free
+constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
+constexpr double kNote_pt = 7.5;
+constexpr double kHeading_mm = 8.0;
+constexpr std::size_t kRowsWithTitle = 2;
+constexpr double kShortTable_mm = 60.0;
+const QColor kAccent(0x00, 0x4A, 0x7C);
+
+double heightOf(const ReportFigure& figure) {
+  const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
+                           : figure.kind == FigureKind::kForest ? figure.categories.size()
+                                                                : 0;
+  if (rows == 0) {
+    return figure.kind == FigureKind::kScatter ? kCloudHeight_mm : kChartHeight_mm;
+  }
+  return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
+}
+
+/// Puts a report on pages, in the words of one language.
+class Composer {
+ public:
+  Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
+
+  /// `whole`: a page of its own; else something stands below that has to fit the page.
+  void title(const ReportModel& model, bool whole) {
+    const double above_mm = whole ? 12.0 : 2.0;
+    flow_.add(above_mm + (whole ? 18.0 : 4.0), [above_mm](QPainter& painter, const QRectF& area,
+                                                          double unit) {
+      painter.fillRect(QRectF(area.left(), area.top() + above_mm * unit, 18.0 * unit, 1.6 * unit), kAccent);
+    });
+    flow_.text(say_(model.title), whole ? 24.0 : 17.0, true, kAccent);
+    flow_.space(whole ? 2.0 : 1.0);
+    flow_.text(say_(model.subtitle), whole ? 13.0 : 10.0, false, kQuietInk);
+    flow_.space(whole ? 8.0 : 3.0);
+    if (model.demonstration) {
+      flow_.text(say_(Text::tr("Demonstration: the people, their movements and all marks in this report are "
+                               "simulated. Nothing in it is a result about real trainees.")),
+                 whole ? 10.5 : 8.5, true, kWarningInk);
+      flow_.space(whole ? 6.0 : 3.0);
+    }
+  }
+
+  void facts(const ReportModel& model) {
+    PlainTable facts{{QString(), QString()}, {}};
+    if (!model.centre.empty()) {
+      facts.rows.push_back({say_(Text::tr("Centre")), say_(model.centre)});
+    }
+    for (const auto& [label, value] : model.facts) {
+      facts.rows.push_back({say_(label), say_(value)});
+    }
+    flow_.table(facts);
+    flow_.space(8.0);
+    flow_.text(
+        say_(Text::tr("Torsio is a training tool. It is not a medical device and holds no patient data.")),
+        8.5, false, kQuietInk);
+  }
+
+  void section(const ReportSection& section) {
+    const double gap_mm = section.onFirstPage ? 1.2 : 2.0;
+    flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, 20.0);
+    flow_.bookmark(say_(section.title), 0);
+    flow_.space(gap_mm);
+    for (const Text& paragraph : section.paragraphs) {
+      flow_.text(say_(paragraph), 9.5);
+      flow_.space(gap_mm);
+    }
+    flow_.space(gap_mm);
+    for (const ReportFigure& figure : section.figures) {
+      addFigure(figure);
+    }
+    for (const ReportTable& table : section.tables) {
+      addTable(table);
+    }
+  }
+
+ private:
+  [[nodiscard]] PlainTable plain(const ReportTable& table) const {
+    PlainTable out;
+    for (const Text& column : table.columns) {  // "[95 %]" and "Eq. 25" stay together
+      out.columns.push_back(say_(column)
+                                .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
+                                .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
+    }
+    for (const std::vector<Text>& row : table.rows) {
+      TORSIO_EXPECTS(row.size() == table.columns.size());
+      out.rows.emplace_back();
+      for (const Text& cell : row) {
+        out.rows.back().push_back(say_(cell));
+      }
+    }
+    return out;
+  }
+
+  void addFigure(const ReportFigure& figure) {
+    const ReportTable twin = figureTable(figure, kTableDecimals);
+    const bool printed =
+        !figure.valuesInLabels && twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
+    const PlainTable values = printed ? plain(twin) : PlainTable{};
+    const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
+    const double height_mm = heightOf(figure);
+    // A figure and its values stand on one page if one can hold them.
+    const double together_mm =
+        height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);
+    flow_.text(say_(figure.title), 9.5, true, kAccent,
+               together_mm < flow_.page_mm() - kHeading_mm ? together_mm : height_mm + kHeading_mm);
+    flow_.bookmark(say_(figure.title), 1);
+    const double width_mm = flow_.width_mm();
+    flow_.add(height_mm,
+              [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
+                QGraphicsScene scene;
+                QGraphicsWidget* chart =
+                    buildFigure(figure, {}, say).release();  // the scene owns it from here
+                scene.addItem(chart);
+                chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
+                scene.setSceneRect(chart->geometry());
+                scene.render(&painter, area, scene.sceneRect());
+              },
+              0.0, {PdfRole::kFigure, say_(figure.title)});
+    if (printed) {
+      flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
+      flow_.space(1.0);
+    } else if (!figure.valuesInLabels) {
+      QString line = say_(Text::tr("The %1 values drawn are too many to print here.",
+                                   twin.rows.size() * (twin.columns.size() - 1)));
+      if (!figure.valuesStand.empty()) {
+        line = joinedSentences({line, say_(figure.valuesStand)});
+      }
+      flow_.text(line, kNote_pt, false, kQuietInk);
+    }
+    addNotes(figure.notes, figure.provenance);
+  }
+
+  void addTable(const ReportTable& table) {
+    const PlainTable cells = plain(table);
+    const TableLayout layout = flow_.layOut(cells);
+    const double notes_mm = notesHeight_mm(table.notes, table.provenance);
+    // A title takes the head and the first rows with it, or the whole of a short table.
+    double begin_mm = kHeading_mm + layout.header_mm;
+    for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r) {
+      begin_mm += layout.rows_mm[r];
+    }
+    if (layout.height_mm() + notes_mm < kShortTable_mm) {
+      begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
+    }
+    flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
+    flow_.bookmark(say_(table.title), 1);
+    flow_.space(1.0);
+    flow_.table(cells, layout, notes_mm);
+    flow_.space(1.0);
+    addNotes(table.notes, table.provenance);
+  }
+
+  [[nodiscard]] double notesHeight_mm(const std::vector<Text>& notes, const Provenance& from) const {
+    double height_mm = 1.0;
+    for (const Text& note : notes) {
+      height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
+    }
+    const Text line = provenanceLine(from);
+    return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt);
+  }
+
+  void addNotes(const std::vector<Text>& notes, const Provenance& from) {
+    const Text line = provenanceLine(from);
+    const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
+    for (const Text& note : notes) {  // the last line never stands alone on a page
+      flow_.text(say_(note), kNote_pt, false, kQuietInk, &note == &notes.back() ? last_mm : 0.0);
+    }
+    if (!line.empty()) {
+      flow_.text(say_(line), kNote_pt, false, kQuietInk);
+    }
+    flow_.space(4.0);
+  }
+
+  PageFlow& flow_;
+  const Wording& say_;
+};
+
+void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
+  Composer composer(flow, wording);
+  auto next = model.sections.begin();
+  const bool board = next != model.sections.end() && next->onFirstPage;
+  composer.title(model, !board);
+  if (board) {
+    composer.section(*next++);
+    flow.newPage();
+  }
+  composer.facts(model);
+  for (auto at = next; at != model.sections.end(); ++at) {
+    const ReportSection& section = *at;
+    const bool first = at == next;
+    if (first || flow.room_mm() < kSectionStart_mm) {
+      flow.newPage();
+    } else {
+      flow.space(6.0);
+    }
+    composer.section(section);
+  }
+}
+
+/// What Qt does not write: language and author, bookmarks, and what each part of a page is.
+void complete(const std::filesystem::path& file, const PageFlow& flow, const QString& author,
+              const std::string& language) {
+  PdfFile pdf(readFile(file));
+  addDescription(pdf, author, QString::fromStdString(language).replace(QLatin1Char('_'), QLatin1Char('-')));
+  addBookmarks(pdf, flow.bookmarks());
+  addTags(pdf, flow.parts());
+  writeFileAtomically(file, pdf.written());
+}
+
+}  // namespace
+
+void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
+                    const PdfProgress& progress, const std::string& language) {
+  TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
+  PartFile part(file);
+  bool painted = false;
+  std::optional<PageFlow> flow;
+  {
+    const QString version = QString::fromStdString(model.softwareVersion);
+    QPdfWriter writer(QString::fromStdString(part.path().string()));
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b);
+    writer.setResolution(kResolution_dpi);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+    writer.setTitle(wording(model.title));
+    writer.setCreator(QStringLiteral("Torsio ") + version);
+    const QString created = wording(formatUtc(model.createdUtc_us));
+    PageFlow::Style style;
+    style.headerText = wording(model.title);
+    style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
+    if (!model.number.empty()) {
+      style.reference = wording(model.auditHead.empty()
+                                    ? Text::tr("Report %1  |  numbers %2", model.number, model.numbersHash)
+                                    : Text::tr("Report %1  |  numbers %2\naudit trail %3", model.number,
+                                               model.numbersHash, model.auditHead));
+    }
+    if (model.demonstration) {
+      style.watermark = wording(Text::tr("DEMONSTRATION DATA \u2013 SIMULATED"));
+    }
+    style.pageText = [&wording](std::size_t page, std::size_t pages) {
+      return wording(Text::tr("page %1 of %2", page, pages));
+    };
+    flow.emplace(writer, style);
+    compose(*flow, model, wording);
+    QPainter painter;
+    if (painter.begin(&writer)) {
+      try {
+        flow->render(painter, progress);
+      } catch (...) {
+        painter.end();
+        throw;
+      }
+      painted = painter.end();
+    }
+  }
+  if (!painted) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("the report cannot be written"), file.string(),
+                Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
+  }
+  const QString centre = wording(model.centre);
+  complete(part.path(), *flow, centre.isEmpty() ? QStringLiteral("Torsio") : centre, language);
+  part.finish();
+}
+
+}  // namespace torsio

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/tables/table_files.h"
+
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "app/services/base/csv_table.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<std::string_view, TableFormat>, 3> kFormats = {
+    {{"csv", TableFormat::kCsv}, {"r", TableFormat::kR}, {"spss", TableFormat::kSpss}}};
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Files of one folder that are written one after the other; unless they are kept, those that were not there
+/// before go again.
+class NewFiles {
+ public:
+  explicit NewFiles(fs::path folder) : folder_(std::move(folder)), hadFolder_(fs::exists(folder_)) {
+    ensureFolder(folder_);
+  }
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+  ~NewFiles() {
+    if (kept_) {
+      return;
+    }
+    std::error_code ignored;
+    for (const fs::path& file : fresh_) {
+      fs::remove(file, ignored);
+    }
+    if (!hadFolder_) {
+      fs::remove(folder_, ignored);  // only an empty one
+    }
+  }
+  const fs::path& add(const std::string& name) {
+    files_.push_back(folder_ / name);
+    if (!fs::exists(files_.back())) {
+      fresh_.push_back(files_.back());
+    }
+    return files_.back();
+  }
+  std::vector<fs::path> keep() {
+    kept_ = true;
+    return std::move(files_);
+  }
+
+ private:
+  fs::path folder_;
+  bool hadFolder_;
+  bool kept_ = false;
+  std::vector<fs::path> files_;
+  std::vector<fs::path> fresh_;
+};
+
+std::string typeWord(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::kText:
+      return "text";
+    case ColumnKind::kNumber:
+      return "number";
+    case ColumnKind::kTime:
+      return "time";
+  }
+  return "";
+}
+
+std::string codebookText(const std::vector<const ExportTable*>& tables) {
+  std::string text(kByteOrderMark);
+  text += csvLine({"table", "column", "meaning", "unit", "type", "source"});
+  for (const ExportTable* table : tables) {
+    for (const ExportColumn& column : table->columns) {
+      text += csvLine({table->name, column.name, column.title.str(), column.unit, typeWord(column.kind),
+                       table->source.str()});
+    }
+  }
+  return text;
+}
+
+/// Base R only; read.csv() keeps names and all digits.
+std::string readerScript(const std::vector<const ExportTable*>& tables) {
+  std::string text =
+      "# Reads the tables of this folder. Run R in a UTF-8 locale, in this folder or with setwd() to it.\n";
+  for (const ExportTable* table : tables) {
+    std::string classes;
+    std::string times;
+    for (const ExportColumn& column : table->columns) {
+      classes += (classes.empty() ? "" : ", ") + column.name + " = \"" +
+                 (column.kind == ColumnKind::kNumber ? "numeric" : "character") + "\"";
+      if (column.kind == ColumnKind::kTime) {
+        times += table->name + "$" + column.name + " <- as.POSIXct(" + table->name + "$" + column.name +
+                 ", format = \"%Y-%m-%dT%H:%M:%OSZ\", tz = \"UTC\")\n";
+      }
+    }
+    text +=
+        table->name + " <- read.csv(\"" + table->name +
+        ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
+        classes + "))\n" + times;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string tableText(const ExportTable& table) {
+  std::string text;
+  std::vector<std::string> cells;
+  for (const ExportColumn& column : table.columns) {
+    cells.push_back(column.name);
+  }
+  text += csvLine(cells);
+  for (const auto& row : table.rows) {
+    cells.clear();
+    for (const ExportCell& cell : row) {
+      cells.push_back(cellText(cell));
+    }
+    text += csvLine(cells);
+  }
+  return text;
+}
+
+TableFormat tableFormat(const std::string& word) {
+  for (const auto& [name, format] : kFormats) {
+    if (name == word) {
+      return format;
+    }
+  }
+  throw Error(ErrorCode::kUsage, Text::tr("there is no such format of tables"), word,
+              Text::tr("Use csv, r or spss"));
+}
+
+std::vector<fs::path> writeTables(const std::vector<const ExportTable*>& tables, TableFormat format,
+                                  const fs::path& folder, const ProgressCallback& progress) {
+  NewFiles made(folder);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    writeFileAtomically(made.add(name), text);
+  };
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const ExportTable& table = *tables[i];
+    tellProgress(progress, Text::tr("Writing %1", table.title),
+                 static_cast<double>(i) / static_cast<double>(tables.size()));
+    if (format == TableFormat::kSpss) {
+      writeSpssFile(table, made.add(table.name + ".sav"));
+    } else {
+      write(table.name + ".csv", std::string(kByteOrderMark) + tableText(table));
+    }
+  }
+  if (format == TableFormat::kR) {
+    write("read_tables.R", readerScript(tables));
+  }
+  write("codebook.csv", codebookText(tables));
+  return made.keep();
+}
+
+}  // namespace torsio

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/access_service.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/person_text.h"
+#include "app/services/access/signing.h"
+#include "app/services/access/two_people.h"
+#include "assessment/domain/ids.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+AccessRepository repository(SessionContext& session) {
+  return AccessRepository(session.connection(), session.passwordCost());
+}
+
+/// For whoever comes in: the secret that is typed is the right.
+AccessRepository entrance(SessionContext& session) {
+  return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
+}
+
+UserAccount userOf(const AccessRepository& access, const UserId& userId) {
+  for (const UserAccount& user : access.users()) {
+    if (user.id == userId) {
+      return user;
+    }
+  }
+  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such user"), userId,
+              Text::tr("Choose one from the list"));
+}
+
+/// Somebody must be left who can let others in.
+void keepAnAdministrator(SessionContext& session, const std::string& withoutUser) {
+  const std::vector<UserAccount> all = repository(session).users();
+  const bool remains = std::any_of(all.begin(), all.end(), [&](const UserAccount& user) {
+    return user.id != withoutUser && isActiveAdministrator(user);
+  });
+  if (remains) {
+    return;
+  }
+  throw Error(ErrorCode::kBadParameter, Text::tr("this is the last administrator who can sign in"), "",
+              Text::tr("Make somebody else an administrator first"));
+}
+
+const char* failureName(SignIn outcome) {
+  switch (outcome) {
+    case SignIn::kWait:
+      return "too many failures";
+    case SignIn::kDisabled:
+      return "disabled";
+    default:
+      return "wrong";
+  }
+}
+
+/// A failure, without what was typed: an unknown login may be a password in the wrong field.
+void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
+  UserId userId;
+  for (const UserAccount& user : entrance(session).users()) {
+    if (user.login == login) {
+      userId = user.id;
+    }
+  }
+  session.note({.action = AuditAction::kUserSignInFailed,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
+}
+
+SignInAnswer answer(SessionContext& session, const std::string& login, const SignInResult& result,
+                    bool practiceOnly) {
+  SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
+  if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) {
+    noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
+    return answer;
+  }
+  const UserAccount user = userOf(entrance(session), result.userId);
+  // Where each signature asks for the password, the one of the sign-in is good for none.
+  const bool signs = !practiceOnly && signMinutes(session.connectionWithoutRight()) > 0;
+  answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
+  if (result.outcome == SignIn::kOk) {
+    session.setActor(answer.actor);
+    session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = user.id});
+  }
+  return answer;
+}
+
+std::string rolesJson(const std::vector<std::string>& roles) {
+  return nlohmann::json{{"roles", roles}}.dump();
+}
+
+/// Nobody gets a second way in as a person who has an account.
+void requireNoAccount(SessionContext& session, const PersonId& personId) {
+  const std::string login = personId.empty() ? std::string() : repository(session).loginOf(personId);
+  if (!login.empty()) {
+    throw Error(ErrorCode::kBadData, Text::tr("this person has the account %1 already", login),
+                Text::tr("user"), Text::tr("Give that account the role, or switch it on again"));
+  }
+}
+
+/// A sign-in name that everybody can read and type.
+void requireLegible(const std::string& login) {
+  if (login.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the account has no sign-in name"), Text::tr("login"),
+                Text::tr("Enter one"));
+  }
+  if (const Text flaw = flawOf(login, kLongestLogin); !flaw.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the sign-in name %1", flaw), Text::tr("login"),
+                Text::tr("Type it again"));
+  }
+}
+
+/// Nobody is to be taken for somebody else in lists, reports and the audit trail.
+void requireUnlikeOthers(const AccessRepository& access, const std::string& login) {
+  const std::string likeness = likenessOf(login);
+  for (const std::string& other : access.logins()) {
+    if (other != login && likenessOf(other) == likeness) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
+                  Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
+    }
+  }
+}
+
+}  // namespace
+
+bool needsFirstRun(Connection& connection) {
+  return AccessRepository(connection).users().empty();
+}
+
+void setUpCentre(SessionContext& session, const FirstRun& first) {
+  if (first.centre.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the centre has no name"), Text::tr("centre"),
+                Text::tr("Enter the name of your centre"));
+  }
+  if (first.login.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the administrator has no sign-in name"),
+                Text::tr("login"), Text::tr("Enter one"));
+  }
+  requireLegible(first.login);
+  AccessRepository access = entrance(session);
+  const SealedSecret password = access.sealPassword(first.login, first.password);
+  const std::int64_t now_us = session.now_us();
+  Transaction transaction(session.connectionWithoutRight());
+  if (!needsFirstRun(session.connectionWithoutRight())) {
+    throw Error(ErrorCode::kPermission, Text::tr("this database belongs to a centre already"),
+                Text::tr("first run"), Text::tr("Sign in, or choose another database"));
+  }
+  StudyRepository(session.connectionWithoutRight())
+      .setCentre({session.ids().newUuid(), first.centre, now_us, false});
+  SettingRepository settings(session.connectionWithoutRight());
+  settings.set("language", first.language, now_us);
+  const UserId userId = session.ids().newUuid();
+  access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},
+                 password);
+  access.setPassword(userId, password, false);
+  session.note({.action = AuditAction::kCentreSetUp,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .newJson = rolesJson({kAdministratorRole})});
+  transaction.commit();
+}
+
+SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
+  return answer(session, login, entrance(session).signIn(login, password, session.now_us()), false);
+}
+
+SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
+  return answer(session, login, entrance(session).signInForPractice(login, pin, session.now_us()), true);
+}
+
+SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
+                               const std::string& oldPassword, const std::string& newPassword) {
+  AccessRepository access = entrance(session);
+  const SignInResult old = access.signIn(login, oldPassword, session.now_us());
+  if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
+    noteFailure(session, login, old.outcome, "password");
+    throw Error(ErrorCode::kPermission, Text::tr("the present password is not right"), Text::tr("password"),
+                Text::tr("Try again"));
+  }
+  if (newPassword == oldPassword) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("the new password is the old one"), Text::tr("password"),
+                Text::tr("Choose another one"));
+  }
+  const SealedSecret password = access.sealPassword(login, newPassword);
+  Transaction transaction(session.connectionWithoutRight());
+  access.setPassword(old.userId, password, false);
+  SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
+  session.note({.action = AuditAction::kUserChangePassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = old.userId});
+  transaction.commit();
+  return signedIn;
+}
+
+SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password) {
+  const std::string login = session.actor().login;
+  const SignInResult result = entrance(session).signIn(login, password, session.now_us());
+  if (result.outcome != SignIn::kOk) {
+    noteFailure(session, login, result.outcome, "password");
+  }
+  return {result.outcome, {}, result.waitUntilUtc_us};
+}
+
+Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
+  session.require(Operation::kUserManage);
+  const bool physician = role == SimulatedRole::kPhysician;
+  const std::vector<std::string> wanted{physician ? "rater" : "trainee"};
+  for (const UserAccount& user : repository(session).users()) {
+    if (!user.demonstration || !user.active || user.roles != wanted) {
+      continue;
+    }
+    session.note({.action = AuditAction::kUserSignIn,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = user.id,
+                  .reason = physician ? "an administrator entered as a simulated physician"
+                                      : "an administrator entered as a simulated trainee"});
+    return {.userId = user.id,
+            .login = user.login,
+            .personId = user.personId,
+            .roles = user.roles,
+            .passwordShownUtc_us = kNoPasswordToShow};
+  }
+  throw Error(ErrorCode::kBadParameter,
+              physician ? Text::tr("there is no simulated physician here")
+                        : Text::tr("there is no simulated trainee here"),
+              Text::tr("people"),
+              Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
+}
+
+void signOut(SessionContext& session) {
+  if (!session.actor().userId.empty()) {
+    session.note({.action = AuditAction::kUserSignOut,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = session.actor().userId});
+  }
+  session.setActor({});
+}
+
+UserId addUser(SessionContext& session, const NewUser& user) {
+  session.require(Operation::kUserManage);
+  requireNoAccount(session, user.personId);
+  if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
+    throw SecondPersonNeeded(DutyAct::kGrantRoles, user.login);
+  }
+  requireLegible(user.login);
+  const UserId id = session.ids().newUuid();
+  AccessRepository access = repository(session);
+  requireUnlikeOthers(access, user.login);
+  const SealedSecret password = access.sealPassword(user.login, user.startPassword);
+  Transaction transaction(session.connection());
+  access.addUser({.id = id,
+                  .login = user.login,
+                  .personId = user.personId,
+                  .createdUtc_us = session.now_us(),
+                  .demonstration = user.demonstration,
+                  .roles = user.roles},
+                 password);
+  session.note({.action = AuditAction::kUserAdd,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = id,
+                .newJson = rolesJson(user.roles)});
+  transaction.commit();
+  return id;
+}
+
+std::vector<UserAccount> users(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  return repository(session).users();
+}
+
+void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
+                  const std::string& reason) {
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  const UserAccount before = userOf(repository(session), userId);
+  const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministratorRole) != roles.end();
+  if (isActiveAdministrator(before) && !keepsRole) {
+    keepAnAdministrator(session, userId);
+  }
+  if (givesGuardedRole(session, before.demonstration, before.roles, roles)) {
+    throw SecondPersonNeeded(DutyAct::kGrantRoles, userId);
+  }
+  repository(session).setRoles(userId, roles);
+  session.note({.action = AuditAction::kUserSetRoles,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .oldJson = rolesJson(before.roles),
+                .newJson = rolesJson(roles),
+                .reason = reason});
+  transaction.commit();
+}
+
+void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason) {
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
+    keepAnAdministrator(session, userId);
+  }
+  repository(session).setActive(userId, active);
+  session.note({.action = active ? AuditAction::kUserEnable : AuditAction::kUserDisable,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .reason = reason});
+  transaction.commit();
+}
+
+void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
+                   const std::string& reason) {
+  session.require(Operation::kUserManage);
+  AccessRepository access = repository(session);
+  const UserAccount user = userOf(access, userId);
+  if (passwordNeedsTwo(session, user)) {
+    throw SecondPersonNeeded(DutyAct::kResetPassword, userId);
+  }
+  const SealedSecret password = access.sealPassword(user.login, startPassword);
+  Transaction transaction(session.connection());
+  access.setPassword(userId, password, true);
+  session.note({.action = AuditAction::kUserResetPassword,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = userId,
+                .reason = reason});
+  transaction.commit();
+}
+
+void setOwnPin(SessionContext& session, const std::string& pin) {
+  session.require(Operation::kPractice);
+  if (session.actor().practiceOnly) {
+    throw Error(ErrorCode::kPermission, Text::tr("you signed in with the PIN"), Text::tr("PIN"),
+                Text::tr("Sign in with your password to change it"));
+  }
+  AccessRepository access = repository(session);
+  const SealedSecret sealed = access.sealPin(pin);
+  Transaction transaction(session.connection());
+  access.setPin(session.actor().userId, sealed);
+  session.note({.action = pin.empty() ? AuditAction::kUserRemovePin : AuditAction::kUserSetPin,
+                .objectKind = AuditObject::kAppUser,
+                .objectId = session.actor().userId});
+  transaction.commit();
+}
+
+Home homeOf(const Actor& actor) {
+  if (actor.practiceOnly) {
+    return Home::kStation;
+  }
+  for (const char* role : {kAdministratorRole, "allocator", "statistician"}) {
+    if (actor.hasRole(role)) {
+      return Home::kAdministrator;
+    }
+  }
+  return actor.hasRole("rater") ? Home::kReview : Home::kStation;
+}
+
+}  // namespace torsio

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/first_run.h"
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <QFileInfo>
+#include <QRandomGenerator>
+
+#include "assessment/domain/people/account.h"
+#include "db/connection/connection.h"
+#include "db/connection/database_file.h"
+#include "db/connection/locator.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // no l and 1, no o and 0
+constexpr int kGroups = 4;
+constexpr int kLettersInGroup = 5;
+
+/// What a killed program left half done is taken back first, which only somebody who writes can do.
+Connection openToLook(const std::string& locator, const Locator& place) {
+  try {
+    return openDatabase(locator, OpenMode::kReadOnly);
+  } catch (const Error&) {
+    if (place.engine != Engine::kSqlite || !hasJournal(place.file)) {
+      throw;
+    }
+  }
+  (void)openDatabase(locator, OpenMode::kReadWrite);
+  return openDatabase(locator, OpenMode::kReadOnly);
+}
+
+}  // namespace
+
+CentreSign centreSign(Connection& connection) {
+  CentreSign sign;
+  if (const auto centre = StudyRepository(connection).centre()) {
+    sign.name = centre->name;
+  }
+  sign.language = SettingRepository(connection).value("language").value_or("");
+  return sign;
+}
+
+bool saysPassword(const std::string& locator) {
+  return !locator.empty() && !parseLocator(locator).password.empty();
+}
+
+RecordPlace lookAtRecord(const std::string& locator) {
+  const Locator place = parseLocator(locator);
+  std::error_code ignored;
+  if (place.engine == Engine::kSqlite && !std::filesystem::exists(place.file, ignored)) {
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(place.file, ignored))) {
+      requireUsableFile(place.file, OpenMode::kReadOnly);  // a new record in its place would hide the old one
+    }
+    const QFileInfo folder(QFileInfo(QString::fromStdString(place.file)).absolutePath());
+    if (!folder.isDir() || !folder.isWritable()) {
+      throw Error(ErrorCode::kFileUnwritable,
+                  folder.isDir() ? Text::tr("folder is read-only") : Text::tr("no such folder"),
+                  folder.filePath().toStdString(), Text::tr("Choose a folder in which you may write"));
+    }
+    return RecordPlace::kNothing;
+  }
+  Connection connection = openToLook(locator, place);
+  if (checkSchema(connection, embeddedMigrations()).version == 0) {
+    return RecordPlace::kEmpty;
+  }
+  return needsFirstRun(connection) ? RecordPlace::kEmpty : RecordPlace::kCentre;
+}
+
+void requireKnownRecord(const std::string& locator) {
+  switch (lookAtRecord(locator)) {
+    case RecordPlace::kCentre:
+      return;
+    case RecordPlace::kNothing:
+      throw Error(ErrorCode::kFileMissing, Text::tr("the record of this station is gone"), locator,
+                  Text::tr("Connect the disk that it lies on, or restore the latest backup"));
+    case RecordPlace::kEmpty:
+      break;
+  }
+  throw Error(ErrorCode::kVerifyFailed, Text::tr("the record of this station holds no centre any more"),
+              parseLocator(locator).shown(), Text::tr("Restore the latest backup"));
+}
+
+std::string randomStartPassword() {
+  std::string password;
+  for (int group = 0; group < kGroups; ++group) {
+    if (group > 0) {
+      password += '-';
+    }
+    for (int i = 0; i < kLettersInGroup; ++i) {
+      password += kLegible[QRandomGenerator::system()->bounded(static_cast<quint32>(kLegible.size()))];
+    }
+  }
+  return password;
+}
+
+std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
+                                          const AddPeople& addPeople) {
+  std::vector<StartAccount> accounts;
+  Transaction transaction(session.connectionWithoutRight());
+  try {
+    setUpCentre(session, first);
+    const SignInAnswer answer = signIn(session, first.login, first.password);
+    TORSIO_EXPECTS(answer.outcome == SignIn::kOk);
+    if (first.demonstration) {
+      accounts = addPeople(session);
+    }
+    transaction.commit();
+  } catch (...) {
+    session.setActor({});  // nothing was kept, nobody is signed in
+    throw;
+  }
+  return accounts;
+}
+
+}  // namespace torsio

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/kiosk_codes.h"
+
+#include <algorithm>
+
+#include <QRandomGenerator>
+#include <nlohmann/json.hpp>
+
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/digest.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kCodeDigits = 20;  // 66 bits: nobody finds one by trying
+
+/// Digits lie alike on the keyboards that a scanner may take itself for.
+std::string freshCode() {
+  std::string code;
+  for (std::size_t i = 0; i < kCodeDigits; ++i) {
+    code.push_back(static_cast<char>('0' + QRandomGenerator::system()->bounded(10)));
+  }
+  return code;
+}
+
+std::string hashOf(const std::string& code) {
+  std::string digits;
+  for (const char c : code) {
+    if (c != ' ' && c != '-') {
+      digits.push_back(c);
+    }
+  }
+  Digest digest;
+  digest.update(std::string_view("torsio kiosk code"));
+  digest.update(std::string_view(digits));
+  return digest.hex();
+}
+
+UserAccount accountOf(const std::vector<UserAccount>& users, const UserId& userId) {
+  const auto found =
+      std::find_if(users.begin(), users.end(), [&](const UserAccount& user) { return user.id == userId; });
+  if (found == users.end()) {
+    refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
+  }
+  return *found;
+}
+
+}  // namespace
+
+bool kioskCodesAllowed(Connection& connection) {
+  return SettingRepository(connection).value(kKioskCodesSetting) == "yes";
+}
+
+std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const UserId> userIds) {
+  session.require(Operation::kUserManage);
+  if (!kioskCodesAllowed(session.connection())) {
+    refuseParameter(Text::tr("the centre does not allow sign-in by code"), Text::tr("cards for the kiosk"),
+                    Text::tr("Switch it on under Devices, At every station"));
+  }
+  if (userIds.empty()) {
+    refuseParameter(Text::tr("nobody is chosen"), Text::tr("cards for the kiosk"),
+                    Text::tr("Choose at least one trainee"));
+  }
+  Transaction transaction(session.connection());
+  AccessRepository access(session.connection());
+  const std::vector<UserAccount> users = access.users();
+  std::vector<KioskCard> cards;
+  for (const UserId& id : userIds) {
+    const UserAccount user = accountOf(users, id);
+    if (user.roles != std::vector<std::string>{"trainee"}) {
+      refuseParameter(Text::tr("a card opens a kiosk for trainees only"), user.login,
+                      Text::tr("Choose users whose only role is that of a trainee"));
+    }
+    cards.push_back({id, user.login, freshCode()});
+    access.setKioskCode(session.ids().newUuid(), id, hashOf(cards.back().code), session.now_us());
+    session.note(
+        {.action = AuditAction::kKioskCodeMake, .objectKind = AuditObject::kAppUser, .objectId = id});
+  }
+  transaction.commit();
+  return cards;
+}
+
+std::size_t revokeKioskCodes(SessionContext& session, std::span<const UserId> userIds,
+                             const std::string& reason) {
+  session.require(Operation::kUserManage);
+  if (reason.empty()) {
+    refuseParameter(Text::tr("revoking a code needs a reason"), Text::tr("cards for the kiosk"),
+                    Text::tr("Say in a few words why"));
+  }
+  Transaction transaction(session.connection());
+  AccessRepository access(session.connection());
+  std::size_t revoked = 0;
+  for (const UserId& id : userIds) {
+    if (!access.revokeKioskCode(id, session.now_us())) {
+      continue;
+    }
+    ++revoked;
+    session.note({.action = AuditAction::kKioskCodeRevoke,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = id,
+                  .reason = reason});
+  }
+  transaction.commit();
+  return revoked;
+}
+
+std::map<UserId, std::int64_t> kioskCodesInForce(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  std::map<UserId, std::int64_t> since;
+  for (const KioskCodeRow& row : AccessRepository(session.connection()).kioskCodes()) {
+    since[row.userId] = row.madeUtc_us;
+  }
+  return since;
+}
+
+SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
+  Connection& connection = session.connectionWithoutRight();
+  AccessRepository access(connection);
+  const SignInResult result = kioskCodesAllowed(connection)
+                                  ? access.signInWithCode(hashOf(code), session.station(), session.now_us())
+                                  : SignInResult{SignIn::kDisabled};
+  SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
+  if (result.outcome != SignIn::kOk) {
+    session.note({.action = AuditAction::kUserSignInFailed,
+                  .objectKind = AuditObject::kAppUser,
+                  .objectId = result.userId,
+                  .newJson = nlohmann::json{{"with", "card"}}.dump()});
+    return answer;
+  }
+  const UserAccount user = accountOf(access.users(), result.userId);
+  answer.actor = {user.id, user.login, user.personId, user.roles, false, 0};
+  session.setActor(answer.actor);
+  session.note(
+      {.action = AuditAction::kUserSignInCode, .objectKind = AuditObject::kAppUser, .objectId = user.id});
+  return answer;
+}
+
+}  // namespace torsio

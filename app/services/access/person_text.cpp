@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/person_text.h"
+
+#include <QString>
+
+namespace torsio {
+
+namespace {
+
+QString unicodeOf(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// The two joiners belong to names in Persian and Indic scripts.
+bool isJoiner(char32_t character) {
+  return character == 0x200C || character == 0x200D;
+}
+
+/// Letters and signs that are drawn as nothing.
+bool isFiller(char32_t character) {
+  constexpr std::u32string_view kFillers = U"\u115F\u1160\u17B4\u17B5\u2800\u3164\uFFA0";
+  return kFillers.find(character) != std::u32string_view::npos;
+}
+
+bool cannotBeSeen(char32_t character) {
+  switch (QChar::category(character)) {
+    case QChar::Other_Control:
+    case QChar::Other_Format:  // direction marks, blanks without width
+    case QChar::Other_Surrogate:
+    case QChar::Separator_Line:
+    case QChar::Separator_Paragraph:
+      return true;
+    default:
+      return character == QChar::ReplacementCharacter || isFiller(character);
+  }
+}
+
+/// Capitals of other scripts beside the Latin letter that they, or their small forms, look like.
+char32_t latinFor(char32_t letter) {
+  constexpr std::u32string_view kOthers =
+      U"\u0410\u0412\u0415\u041A\u041C\u041D\u041E\u0420\u0421\u0422\u0423\u0425\u0406\u0408\u0405"
+      U"\u04AE\u04BA\u04C0\u0500\u051A\u051C"
+      U"\u0391\u0392\u0395\u0396\u0397\u0399\u039A\u039C\u039D\u039F\u03A1\u03A4\u03A5\u03A7"
+      U"\u0540\u0548\u054D\u0555"
+      U"\u2C6D\uA7AC\uA7AE";
+  constexpr std::u32string_view kLatin =
+      U"ABEKMHOPCTYXIJS"
+      U"YHIDQW"
+      U"ABEZHIKMNOPTYX"
+      U"HNUO"
+      U"AGI";
+  static_assert(kOthers.size() == kLatin.size());
+  const std::size_t at = kOthers.find(letter);
+  return at == std::u32string_view::npos ? letter : kLatin[at];
+}
+
+char32_t looksLike(char32_t character) {
+  if (QChar::category(character) == QChar::Punctuation_Dash || character == 0x2212) {
+    return U'-';
+  }
+  const int digit = QChar::digitValue(character);
+  const char32_t letter = digit < 0 ? latinFor(character) : U'0' + static_cast<char32_t>(digit);
+  return letter == U'0' ? U'O' : letter;
+}
+
+}  // namespace
+
+Text flawOf(std::string_view text, std::size_t longest) {
+  const std::u32string characters = unicodeOf(text.substr(0, longest * 4 + 4)).toStdU32String();
+  if (characters.size() > longest) {
+    return Text::tr("is longer than %1 characters", longest);
+  }
+  for (const char32_t character : characters) {
+    if (cannotBeSeen(character) && !isJoiner(character)) {
+      return Text::tr(
+          "holds the character U+%1, which nobody can see",
+          QString::number(character, 16).rightJustified(4, QLatin1Char('0')).toUpper().toStdString());
+    }
+  }
+  return {};
+}
+
+std::string likenessOf(std::string_view number) {
+  const QString folded = unicodeOf(number).normalized(QString::NormalizationForm_KD).toUpper();
+  std::u32string likeness;
+  for (const char32_t character : folded.toStdU32String()) {
+    if (!QChar::isMark(character) && !QChar::isSpace(character) && !cannotBeSeen(character)) {
+      likeness += looksLike(character);
+    }
+  }
+  return QString::fromStdU32String(likeness).toStdString();
+}
+
+}  // namespace torsio

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/qr_code.h"
+
+#include <cstddef>
+#include <memory>
+
+#include <qrencode.h>
+
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+QrCode qrCode(const std::string& text) {
+  const std::unique_ptr<QRcode, decltype(&QRcode_free)> made(
+      QRcode_encodeData(static_cast<int>(text.size()), reinterpret_cast<const unsigned char*>(text.data()), 0,
+                        QR_ECLEVEL_M),
+      &QRcode_free);
+  if (made == nullptr) {
+    refuseParameter(Text::tr("this does not fit into a QR code"), std::to_string(text.size()),
+                    Text::tr("Use a shorter address"));
+  }
+  const auto side = static_cast<std::size_t>(made->width);
+  QrCode code;
+  for (std::size_t row = 0; row < side; ++row) {
+    std::vector<bool>& modules = code.dark.emplace_back();
+    for (std::size_t column = 0; column < side; ++column) {
+      modules.push_back((made->data[row * side + column] & 1) != 0);
+    }
+  }
+  return code;
+}
+
+}  // namespace torsio

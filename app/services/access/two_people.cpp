@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/two_people.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/first_run.h"
+#include "app/services/access/invitations.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/duty_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/contracts.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kRaterRole = "rater";
+constexpr std::size_t kHalf = 11;  // of a random start password: two of its four groups
+
+AccessRepository accountsOf(SessionContext& session) {
+  return AccessRepository(session.connection(), session.passwordCost());
+}
+
+std::optional<UserAccount> findUser(SessionContext& session, const UserId& userId) {
+  for (const UserAccount& user : accountsOf(session).users()) {
+    if (user.id == userId) {
+      return user;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Who could confirm: administrators that are real and may sign in.
+std::int64_t administrators(SessionContext& session) {
+  const std::vector<UserAccount> all = accountsOf(session).users();
+  return std::count_if(all.begin(), all.end(), [](const UserAccount& user) {
+    return !user.demonstration && isActiveAdministrator(user);
+  });
+}
+
+/// A simulated physician signs nothing of the centre's (signing.cpp). Every other role reaches real data.
+bool isHarmless(bool demonstration, const std::string& role) {
+  return demonstration && role == kRaterRole;
+}
+
+bool changesAccount(DutyAct act) {
+  return act == DutyAct::kResetPassword || act == DutyAct::kGrantRoles || act == DutyAct::kInvite;
+}
+
+void requireRightTo(SessionContext& session, DutyAct act) {
+  switch (act) {
+    case DutyAct::kResetPassword:
+    case DutyAct::kGrantRoles:
+    case DutyAct::kInvite:
+      return session.require(Operation::kUserManage);
+    case DutyAct::kErase:
+      return session.require(Operation::kPersonErase);
+    case DutyAct::kRestore:
+      return session.require(Operation::kDatabaseRestore);
+    case DutyAct::kRevealAllocation:
+      return session.requireEither(Operation::kAllocationReveal, Operation::kStudySetup);
+    case DutyAct::kOnePerson:
+      return session.require(Operation::kSettingsEdit);
+    case DutyAct::kEnd:
+      break;
+  }
+  throw ContractError("no such act");
+}
+
+nlohmann::json detailOf(const DutyRequest& request) {
+  return nlohmann::json::parse(request.detailJson, nullptr, false);
+}
+
+std::vector<DutyRequest> openIn(SessionContext& session) {
+  return DutyRepository(session.connection()).open(session.now_us() - kRequestLife_us);
+}
+
+/// Why the actor cannot confirm the request; empty: they can.
+Text hindrance(SessionContext& session, const DutyRequest& request) {
+  const Actor& actor = session.actor();
+  if (request.requestedBy == actor.userId) {
+    return Text::tr("you asked for this yourself");
+  }
+  const std::optional<UserAccount> asker = findUser(session, request.requestedBy);
+  const std::optional<UserAccount> self = findUser(session, actor.userId);
+  if (!asker || !asker->active) {
+    return Text::tr("whoever asked for this may not sign in any more");
+  }
+  if (!actor.personId.empty() && asker->personId == actor.personId) {
+    return Text::tr("you asked for this yourself, with another account");
+  }
+  if (self && self->demonstration && !asker->demonstration) {
+    return Text::tr("an account of the demonstration confirms nothing");
+  }
+  if (changesAccount(request.act) && request.subject == actor.userId.text()) {
+    return Text::tr("this is your own account");
+  }
+  return {};
+}
+
+void close(SessionContext& session, const DutyRequest& request, DutyDecision decision,
+           const std::string& reason) {
+  DutyRepository(session.connection()).decide(request.id, decision, session.actor().userId, session.now_us());
+  session.note(
+      {.action = decision == DutyDecision::kConfirmed ? AuditAction::kDutyConfirm : AuditAction::kDutyDecline,
+       .objectKind = AuditObject::kDutyRequest,
+       .objectId = request.id,
+       .newJson = nlohmann::json{{"act", storedText(request.act)},
+                                 {"subject", request.subject},
+                                 {"requested_by", request.requestedBy.text()}}
+                      .dump(),
+       .reason = reason});
+}
+
+DutyRequest openRequest(SessionContext& session, const std::string& requestId) {
+  for (DutyRequest& request : openIn(session)) {
+    if (request.id == requestId) {
+      return std::move(request);
+    }
+  }
+  throw Error(ErrorCode::kBadData, Text::tr("this request is not open any more"), requestId,
+              Text::tr("Read the list again"));
+}
+
+void confirm(SessionContext& session, const DutyRequest& request) {
+  if (const Text why = hindrance(session, request); !why.str().empty()) {
+    throw Error(ErrorCode::kPermission, why, Text::tr("two people"),
+                Text::tr("Let another administrator confirm it"));
+  }
+  close(session, request, DutyDecision::kConfirmed, request.reason);
+}
+
+/// The system owns the record, and can do anything with it.
+bool oneIsEnough(SessionContext& session) {
+  return !session.actor().systemAccount.empty() || !needsTwoPeople(session.connection());
+}
+
+/// The request of somebody else for this act, which the actor may confirm.
+std::optional<DutyRequest> confirmable(SessionContext& session, DutyAct act, const std::string& subject) {
+  for (DutyRequest& request : openIn(session)) {
+    if (request.act == act && request.subject == subject && hindrance(session, request).str().empty()) {
+      return std::move(request);
+    }
+  }
+  return std::nullopt;
+}
+
+/// Gives the account its new start password, and returns the half that was not told yet.
+std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, const UserAccount& user,
+                           const std::vector<std::string>* roles) {
+  const std::string second = randomStartPassword().substr(0, kHalf);
+  AccessRepository access = accountsOf(session);
+  const SealedSecret sealed =
+      access.sealPassword(user.login, detailOf(request).value("first_half", "") + "-" + second);
+  Transaction transaction(session.connection());
+  confirm(session, request);
+  access.setPassword(user.id, sealed, true);
+  AuditNote note{.action = AuditAction::kUserResetPassword,
+                 .objectKind = AuditObject::kAppUser,
+                 .objectId = user.id,
+                 .reason = request.reason};
+  session.note(note);
+  if (roles != nullptr) {
+    access.setRoles(user.id, *roles);
+    note.action = AuditAction::kUserSetRoles;
+    note.oldJson = nlohmann::json{{"roles", user.roles}}.dump();
+    note.newJson = nlohmann::json{{"roles", *roles}}.dump();
+    session.note(note);
+  }
+  transaction.commit();
+  return second;
+}
+
+/// Makes the link that goes with the code of whoever asked.
+std::string confirmInvitation(SessionContext& session, const DutyRequest& request, const UserAccount& user) {
+  if (!user.active) {
+    throw Error(ErrorCode::kBadData, Text::tr("this account may not sign in"), user.login,
+                Text::tr("Enable it first, or leave it out"));
+  }
+  Transaction transaction(session.connection());
+  confirm(session, request);
+  std::string secret = makeInvitation(session, user.id, detailOf(request).value("first_half", ""));
+  transaction.commit();
+  return secret;
+}
+
+std::string shownOf(SessionContext& session, const DutyRequest& request) {
+  if (changesAccount(request.act)) {
+    const std::optional<UserAccount> user = findUser(session, request.subject);
+    return user ? user->login : request.subject;
+  }
+  if (request.act == DutyAct::kErase) {
+    const std::optional<Person> person = PeopleRepository(session.connection()).find(request.subject);
+    return person ? person->code : request.subject;
+  }
+  return detailOf(request).value("shown", "");
+}
+
+void requireAskable(SessionContext& session, const DutyWish& wish) {
+  if (wish.reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("a request needs a reason"), Text::tr("two people"),
+                Text::tr("Say why, for whoever confirms it and for the audit trail"));
+  }
+  if (changesAccount(wish.act)) {
+    if (!findUser(session, wish.subject)) {
+      throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), wish.subject,
+                  Text::tr("Choose one from the list"));
+    }
+    if (wish.subject == session.actor().userId.text()) {
+      throw Error(ErrorCode::kPermission, Text::tr("this is your own account"), Text::tr("two people"),
+                  Text::tr("Let other administrators ask for it and confirm it"));
+    }
+  }
+  for (const DutyRequest& request : openIn(session)) {
+    if (request.act == wish.act && request.subject == wish.subject) {
+      throw Error(ErrorCode::kBadData, Text::tr("this is asked for already"), Text::tr("two people"),
+                  Text::tr("Let another administrator confirm it, or withdraw the request first"));
+    }
+  }
+}
+
+}  // namespace
+
+SecondPersonNeeded::SecondPersonNeeded(DutyAct act, std::string subject)
+    : Error(ErrorCode::kPermission, Text::tr("this needs two people: one asks for it, another confirms it"),
+            Text::tr("two people"),
+            Text::tr("Ask for it, and let another administrator confirm it under Requests; a small centre "
+                     "can switch this off in its settings")),
+      act_(act),
+      subject_(std::move(subject)) {}
+
+bool needsTwoPeople(Connection& connection) {
+  return SettingRepository(connection).value(kTwoPeopleSetting).value_or("yes") != "no";
+}
+
+bool isGuardedRole(const std::string& role) {
+  return role != "trainee";
+}
+
+bool givesGuardedRole(SessionContext& session, bool demonstration, const std::vector<std::string>& before,
+                      const std::vector<std::string>& after) {
+  if (!needsTwoPeople(session.connection())) {
+    return false;
+  }
+  bool guarded = false;
+  for (const std::string& role : after) {
+    const bool given = std::find(before.begin(), before.end(), role) == before.end();
+    const bool second = role == kAdministratorRole && administrators(session) < 2;
+    guarded = guarded || (given && isGuardedRole(role) && !second && !isHarmless(demonstration, role));
+  }
+  return guarded;
+}
+
+std::string askSecondPerson(SessionContext& session, const DutyWish& wish) {
+  requireRightTo(session, wish.act);
+  requireAskable(session, wish);
+  nlohmann::json detail{{"shown", wish.shown}};
+  std::string half;
+  if (changesAccount(wish.act)) {
+    half = randomStartPassword().substr(0, kHalf);
+    detail["first_half"] = half;
+  }
+  if (wish.act == DutyAct::kGrantRoles) {
+    detail["roles"] = wish.roles;
+  }
+  const DutyRequest request{.id = session.ids().newUuid(),
+                            .act = wish.act,
+                            .subject = wish.subject,
+                            .detailJson = detail.dump(),
+                            .reason = wish.reason,
+                            .requestedBy = session.actor().userId,
+                            .requestedUtc_us = session.now_us()};
+  Transaction transaction(session.connection());
+  DutyRepository(session.connection()).add(request);
+  detail.erase("first_half");
+  detail["act"] = storedText(wish.act);
+  detail["subject"] = wish.subject;
+  session.note({.action = AuditAction::kDutyRequest,
+                .objectKind = AuditObject::kDutyRequest,
+                .objectId = request.id,
+                .newJson = detail.dump(),
+                .reason = wish.reason});
+  transaction.commit();
+  return half;
+}
+
+std::vector<OpenRequest> openRequests(SessionContext& session) {
+  session.requireEither(Operation::kAllocationReveal, Operation::kUserManage);
+  std::vector<OpenRequest> open;
+  for (const DutyRequest& request : openIn(session)) {
+    const std::optional<UserAccount> asker = findUser(session, request.requestedBy);
+    open.push_back({.request = request,
+                    .requestedBy = asker ? asker->login : std::string(request.requestedBy.text()),
+                    .shown = shownOf(session, request),
+                    .roles = detailOf(request).value("roles", std::vector<std::string>()),
+                    .own = request.requestedBy == session.actor().userId});
+    open.back().request.detailJson.clear();  // nobody is shown a half of a password again
+  }
+  return open;
+}
+
+void declineRequest(SessionContext& session, const std::string& requestId, const std::string& reason) {
+  session.requireEither(Operation::kAllocationReveal, Operation::kUserManage);
+  const DutyRequest request = openRequest(session, requestId);
+  Transaction transaction(session.connection());
+  close(session, request,
+        request.requestedBy == session.actor().userId ? DutyDecision::kWithdrawn : DutyDecision::kRefused,
+        reason);
+  transaction.commit();
+}
+
+std::string confirmRequest(SessionContext& session, const std::string& requestId) {
+  session.require(Operation::kUserManage);
+  const DutyRequest request = openRequest(session, requestId);
+  if (request.act == DutyAct::kOnePerson) {
+    requireRightTo(session, request.act);
+    Transaction transaction(session.connection());
+    confirm(session, request);
+    SettingRepository(session.connection()).set(kTwoPeopleSetting, "no", session.now_us());
+    session.note({.action = AuditAction::kSettingChange,
+                  .objectKind = AuditObject::kSetting,
+                  .objectId = kTwoPeopleSetting,
+                  .newJson = nlohmann::json{{"value", "no"}}.dump(),
+                  .reason = request.reason});
+    transaction.commit();
+    return {};
+  }
+  TORSIO_EXPECTS(changesAccount(request.act));
+  const std::optional<UserAccount> user = findUser(session, request.subject);
+  if (!user) {
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), request.subject,
+                Text::tr("Withdraw the request"));
+  }
+  if (request.act == DutyAct::kInvite) {
+    return confirmInvitation(session, request, *user);
+  }
+  if (request.act == DutyAct::kResetPassword) {
+    return drawSecondHalf(session, request, *user, nullptr);
+  }
+  const auto roles = detailOf(request).value("roles", std::vector<std::string>());
+  return drawSecondHalf(session, request, *user, &roles);
+}
+
+UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject) {
+  if (oneIsEnough(session)) {
+    return {};
+  }
+  const std::optional<DutyRequest> request = confirmable(session, act, subject);
+  if (!request) {
+    throw SecondPersonNeeded(act, subject);
+  }
+  close(session, *request, DutyDecision::kConfirmed, request->reason);
+  return request->requestedBy;
+}
+
+bool secondPersonIsThere(SessionContext& session, DutyAct act, const std::string& subject) {
+  return oneIsEnough(session) || confirmable(session, act, subject);
+}
+
+bool passwordNeedsTwo(SessionContext& session, const UserAccount& user) {
+  session.require(Operation::kUserManage);
+  if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
+    return true;
+  }
+  // Whoever took the role away first would sign in as a rater's person.
+  const std::vector<Rater> raters = PeopleRepository(session.connection()).raters();
+  return needsTwoPeople(session.connection()) && !user.demonstration && !user.personId.empty() &&
+         std::any_of(raters.begin(), raters.end(),
+                     [&](const Rater& rater) { return rater.person.id == user.personId; });
+}
+
+bool mayDropTheRule(SessionContext& session) {
+  return administrators(session) < 2;
+}
+
+MadeUser makeUser(SessionContext& session, NewUser user) {
+  session.require(Operation::kUserManage);
+  const std::vector<std::string> wanted = user.roles;
+  if (!givesGuardedRole(session, user.demonstration, {}, wanted)) {
+    return {addUser(session, user), user.startPassword};
+  }
+  std::erase_if(user.roles, isGuardedRole);
+  user.startPassword = randomStartPassword();  // nobody is told
+  Transaction transaction(session.connection());
+  MadeUser made{.id = addUser(session, user), .awaitsSecond = true};
+  made.startPassword = askSecondPerson(
+      session, {.act = DutyAct::kGrantRoles, .subject = made.id, .roles = wanted, .reason = "new account"});
+  transaction.commit();
+  return made;
+}
+
+}  // namespace torsio

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/comparison/comparison_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
+#include "sim/baseline/lattice_update.h"
+#include "sim/core/contracts.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+using RunClock = std::chrono::steady_clock;
+constexpr int kReferenceSteps = 12;   ///< of the ramp
+constexpr double kMostTime_s = 6.0;   ///< simulated, until a model counts as at rest
+constexpr int kRestFrames = 10;       ///< over so many frames
+constexpr double kRestChange = 1e-3;  ///< the angle changes by less than this share
+constexpr double kMostTorque_Nm = 100.0;
+
+double secondsSince(RunClock::time_point start) {
+  return std::chrono::duration<double>(RunClock::now() - start).count();
+}
+
+double medianOf(std::vector<double> values) {
+  TORSIO_EXPECTS(!values.empty());
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void checkOptions(const ComparisonOptions& options) {
+  if (options.torque_Nm && !(std::abs(*options.torque_Nm) <= kMostTorque_Nm && *options.torque_Nm != 0.0)) {
+    refuseParameter(Text::tr("The torque must not be 0 and lie within 100 N m"), Text::tr("torque"),
+                    Text::tr("Give newton metres, such as 0.03"));
+  }
+  if (!(options.ramp_s >= 0.1 && options.ramp_s <= 5.0)) {
+    refuseParameter(Text::tr("The torque must grow for 0.1 to 5 s"), Text::tr("growth of the torque"),
+                    Text::tr("Give seconds, such as 1"));
+  }
+  if (options.rings < 1 || options.rings > 12) {
+    refuseParameter(Text::tr("Elements need 1 to 12 rings"), Text::tr("rings"),
+                    Text::tr("Give a whole number such as 4"));
+  }
+  if (options.springs.substeps < 1 || options.springs.substeps > 1000) {
+    refuseParameter(Text::tr("A frame of the springs needs 1 to 1000 substeps"), Text::tr("substeps"),
+                    Text::tr("Give a whole number such as 10"));
+  }
+  if (options.grasp && !(*options.grasp > 0.0 && *options.grasp <= 1.0)) {
+    refuseParameter(Text::tr("The grasp must lie in (0, 1], as a fraction of the organ's length"),
+                    Text::tr("grasp"), Text::tr("Give a fraction such as 0.8"));
+  }
+}
+
+/// Tells the progress of a piece of the work again and again while the work has nothing new to tell, so that
+/// who listens can end it. Several threads may call.
+class Heartbeat {
+ public:
+  explicit Heartbeat(const ProgressCallback& progress) : progress_(progress) {}
+
+  /// The work has come to another step.
+  void tell(const Text& step, double fraction) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool another = !(step == now_.step);
+    now_ = {step, std::max(now_.fraction, fraction), -1.0};
+    pass(another);
+  }
+  /// Passes on what was told last, unless it was passed on a moment ago.
+  void beat() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pass(false);
+  }
+  /// Makes the callback of a part of the work that reaches from `from` to `to`.
+  [[nodiscard]] ProgressCallback part(double from, double to) {
+    return partOf([this](const Progress& progress) { tell(progress.step, progress.fraction); }, from, to);
+  }
+
+ private:
+  void pass(bool atOnce) {
+    constexpr double kEvery_s = 0.1;
+    if (progress_ && (atOnce || secondsSince(passed_) >= kEvery_s)) {
+      passed_ = RunClock::now();
+      progress_(now_);
+    }
+  }
+
+  const ProgressCallback& progress_;
+  std::mutex mutex_;
+  Progress now_;
+  RunClock::time_point passed_ = RunClock::now();
+};
+
+/// One organ with everything that its models share, and how they are read.
+class ComparisonBench {
+ public:
+  ComparisonBench(const Scene& scene, const ComparedOrgan& organ, ComparisonResult& result)
+      : result_(result),
+        rest_(restPlaces(scene.lattice())),
+        end_(scene.lattice().frameAt(organ.hold.span[1] * scene.lattice().length_m())) {
+    for (const OrganMarker& marker : result.markers) {
+      anchors_.push_back(anchorMarker(scene.mesh, scene.lattice(), marker.position_m));
+    }
+  }
+
+  [[nodiscard]] double displacement_m(const MarkerAnchor& anchor, const LatticePlaces& now,
+                                      double angle_rad) const {
+    const Vec3 place = result_.options.grasp ? markerPlace_m(anchor, rest_, now)
+                                             : markerPlace_m(anchor, rest_, now, end_, angle_rad);
+    return norm(place - anchor.rest_m);
+  }
+
+  [[nodiscard]] CoursePoint coursePoint(const TwistSimulation& model, double time_s, double torque_Nm) const {
+    CoursePoint point{time_s, torque_Nm, model.angle_rad(), 0.0};
+    const auto marker = static_cast<std::size_t>(result_.options.courseMarker - 1);
+    if (marker < anchors_.size()) {
+      point.displacement_m = displacement_m(anchors_[marker], model.surface(), point.angle_rad);
+    }
+    return point;
+  }
+
+  /// Keeps the pose of a model if it is time for another one.
+  void keep(const TwistSimulation& model, double processing_s, ModelResult& run) const {
+    const double every_s = result_.options.poseEvery_s;
+    const auto due = static_cast<double>(run.poses.size()) * every_s;
+    if (every_s > 0.0 && run.course.back().time_s >= due) {
+      run.poses.push_back({processing_s, model.angle_rad(), model.surface()});
+    }
+  }
+
+  [[nodiscard]] ModelState state(const TwistSimulation& model) const {
+    const LatticePlaces now = model.surface();
+    ModelState state;
+    state.angle_rad = model.angle_rad();
+    state.energy_J = model.energy_J();
+    state.volumeRatio = latticeVolume_m3(now) / latticeVolume_m3(rest_);
+    state.radiusChange = largestRadiusChange(rest_, now);
+    state.roughness_m = roughness_m(rest_, now);
+    for (const MarkerAnchor& anchor : anchors_) {
+      state.displacements_m.push_back(displacement_m(anchor, now, state.angle_rad));
+    }
+    if (!result_.models.empty()) {
+      state.rmse_m = rootMeanSquareDistance_m(now, reference_);
+      state.markerRmse_m = markerRmse_m(state.displacements_m);
+    }
+    return state;
+  }
+
+  /// The reference goes first: it only knows equilibria, and shows a few of the ramp.
+  void runReference(const ComparedOrgan& organ, const ProgressCallback& progress) {
+    const auto start = RunClock::now();
+    const auto model = referenceSimulation(organ, result_.options.referenceRings);
+    ModelResult run =
+        opened("reference", Text::tr("Reference (quadratic elements, neo-Hookean)"), *model, start);
+    std::vector<double> times_s;
+    run.course.push_back({});
+    for (int step = 1; step <= kReferenceSteps; ++step) {
+      const double share = static_cast<double>(step) / kReferenceSteps;
+      tellProgress(progress, Text::tr("Reference"), share);
+      const auto stepStart = RunClock::now();
+      model->step(share * result_.torque_Nm);
+      times_s.push_back(secondsSince(stepStart));
+      run.course.push_back(coursePoint(*model, share * result_.options.ramp_s, share * result_.torque_Nm));
+    }
+    close(run, times_s);
+    run.settled = run.moving = state(*model);
+    reference_ = model->surface();
+    result_.models.push_back(std::move(run));
+  }
+
+  /// Frames until the torque is reached and the end stands still.
+  [[nodiscard]] ModelResult runFrames(const std::string& id, const Text& title, const ComparedOrgan& organ,
+                                      TwistSimulation& model, RunClock::time_point start,
+                                      const ProgressCallback& progress) const {
+    ModelResult run = opened(id, title, model, start);
+    std::vector<double> times_s;
+    double processing_s = 0.0;
+    run.course.push_back({});
+    keep(model, processing_s, run);
+    const double frame_s = organ.dynamics.frame_s;
+    const int ramp = static_cast<int>(std::lround(result_.options.ramp_s / frame_s));
+    const int most = static_cast<int>((result_.options.ramp_s + kMostTime_s) / frame_s);
+    for (int frame = 1; frame <= most; ++frame) {
+      const double torque_Nm = result_.torque_Nm * std::min(1.0, static_cast<double>(frame) / ramp);
+      const auto stepStart = RunClock::now();
+      model.step(torque_Nm);
+      times_s.push_back(secondsSince(stepStart));
+      processing_s += times_s.back();
+      run.course.push_back(coursePoint(model, frame * frame_s, torque_Nm));
+      keep(model, processing_s, run);
+      tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
+      if (frame >= ramp + kRestFrames || (frame >= ramp && run.course.size() > 1 && stillAtOnce(id))) {
+        const double before = run.course[run.course.size() - 1 - kRestFrames].angle_rad;
+        const double now = run.course.back().angle_rad;
+        if (stillAtOnce(id) || std::abs(now - before) <= kRestChange * std::abs(now)) {
+          break;
+        }
+      }
+    }
+    close(run, times_s);
+    if (!run.poses.empty()) {
+      run.poses.push_back({processing_s, model.angle_rad(), model.surface()});
+    }
+    run.moving = state(model);
+    run.courseRmse_m = courseRmse_m(run);
+    return run;
+  }
+
+ private:
+  static bool stillAtOnce(const std::string& id) { return id == "pm" || id == "paper"; }
+
+  static ModelResult opened(const std::string& id, const Text& title, const TwistSimulation& model,
+                            RunClock::time_point start) {
+    ModelResult run;
+    run.setUp_s = secondsSince(start);
+    run.id = id;
+    run.title = title;
+    run.unknowns = model.unknowns();
+    return run;
+  }
+
+  static void close(ModelResult& run, const std::vector<double>& times_s) {
+    run.frames = static_cast<int>(times_s.size());
+    run.frameMedian_s = medianOf(times_s);
+    run.frameWorst_s = *std::max_element(times_s.begin(), times_s.end());
+    for (const double t : times_s) {
+      run.deformation_s += t;
+    }
+  }
+
+  [[nodiscard]] double markerRmse_m(const std::vector<double>& displacements_m) const {
+    const std::vector<double>& wanted = result_.models.front().settled.displacements_m;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      sum += (displacements_m[i] - wanted[i]) * (displacements_m[i] - wanted[i]);
+    }
+    return wanted.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(wanted.size()));
+  }
+
+  /// Over the moments of the reference's course: where the model's marker is then.
+  [[nodiscard]] double courseRmse_m(const ModelResult& run) const {
+    const std::vector<CoursePoint>& wanted = result_.models.front().course;
+    double sum = 0.0;
+    for (const CoursePoint& point : wanted) {
+      const auto nearer = [&](const CoursePoint& a, const CoursePoint& b) {
+        return std::abs(a.time_s - point.time_s) < std::abs(b.time_s - point.time_s);
+      };
+      const double there = std::min_element(run.course.begin(), run.course.end(), nearer)->displacement_m;
+      sum += (there - point.displacement_m) * (there - point.displacement_m);
+    }
+    return std::sqrt(sum / static_cast<double>(wanted.size()));
+  }
+
+  ComparisonResult& result_;
+  LatticePlaces rest_;
+  LatticePlaces reference_;
+  AxisFrame end_;
+  std::vector<MarkerAnchor> anchors_;
+};
+
+/// Brings a model to equilibrium and reads it there; a model that has none says why.
+void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBench& bench, ModelResult& run) {
+  const auto start = RunClock::now();
+  try {
+    model.settle(torque_Nm);
+    run.settled = bench.state(model);
+  } catch (const Error& none) {
+    run.noEquilibrium = none.happenedText();
+    run.settled = run.moving;
+  }
+  run.settle_s = secondsSince(start);
+}
+
+/// The curved rod: frames of its ticks, then its equilibrium.
+void runRod(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
+            ComparisonResult& result) {
+  const auto start = RunClock::now();
+  const auto rod = rodSimulation(organ, twist);
+  ModelResult run =
+      bench.runFrames("rod", Text::tr("Rod (ticks of the simulator, and its skin)"), organ, *rod, start, {});
+  settleAndRead(*rod, result.torque_Nm, bench, run);
+  result.models.push_back(std::move(run));
+}
+
+/// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
+void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
+                     ComparisonResult& result, Heartbeat& heart) {
+  const ComparisonOptions& options = result.options;
+  auto start = RunClock::now();
+  const auto elements = finiteElementSimulation(organ, options.rings);
+  ModelResult fem = bench.runFrames("fem", Text::tr("FEM (corotational linear tetrahedra)"), organ, *elements,
+                                    start, heart.part(0.15, 0.45));
+  start = RunClock::now();
+  const auto springs = massSpringSimulation(organ, twist, options.rings, options.springs);
+  ModelResult msm =
+      bench.runFrames("msm", Text::tr("MSM (springs, XPBD)"), organ, *springs, start, heart.part(0.45, 0.6));
+  heart.tell(Text::tr("Equilibrium of elements and springs"), 0.6);
+  auto waiting =
+      std::async(std::launch::async, [&] { settleAndRead(*elements, result.torque_Nm, bench, fem); });
+  settleAndRead(*springs, result.torque_Nm, bench, msm);
+  waiting.get();
+  result.models.push_back(std::move(fem));
+  result.models.push_back(std::move(msm));
+}
+
+double usualTorque_Nm(const Scene& scene, const TwistModel& twist, double arc_m) {
+  return scene.pattern.targetAngle_rad / twist.graspCompliance(arc_m);
+}
+
+}  // namespace
+
+double usualTorque_Nm(const Scene& scene) {
+  const TwistModel twist(scene.mesh, scene.lattice(), scene.model.material(), {});
+  return usualTorque_Nm(scene, twist, scene.lattice().length_m());
+}
+
+const ModelResult& ComparisonResult::model(const std::string& id) const {
+  const auto found =
+      std::find_if(models.begin(), models.end(), [&](const ModelResult& m) { return m.id == id; });
+  TORSIO_EXPECTS(found != models.end());
+  return *found;
+}
+
+ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker>& markers,
+                               const std::vector<MeasuredSubject>& measured, const ComparisonOptions& options,
+                               const ProgressCallback& progress) {
+  checkOptions(options);
+  ComparisonResult result;
+  result.organ = scene.title;
+  result.organWarnings = scene.organWarnings;
+  result.ridges = scene.lattice().ridges();
+  result.sections = scene.lattice().sections();
+  result.vertices = scene.mesh.vertices_m.size();
+  result.length_m = scene.lattice().length_m();
+  result.options = options;
+  result.machine = machineFacts();
+  result.markers = markers;
+  result.measured = measured;
+  const Material& material = scene.model.material();
+  result.shearModulus_Pa = material.shearModulus_Pa;
+
+  Heartbeat heart(progress);
+  heart.tell(Text::tr("Twist model"), 0.0);
+  auto start = RunClock::now();
+  TwistModelOptions twistOptions;  // about the organ's own axis, one end clamped, the other free
+  const TwistModel twist(scene.mesh, scene.lattice(), material, twistOptions);
+  const double twistSetUp_s = secondsSince(start);
+  start = RunClock::now();
+  twistOptions.formulation = Formulation::kPaper;
+  const TwistModel paper(scene.mesh, scene.lattice(), material, twistOptions);
+  const double paperSetUp_s = secondsSince(start);
+  result.latticeUpdate_s = latticeUpdateTime_s(twist);
+
+  ComparedOrgan organ{&scene.mesh,
+                      &scene.lattice(),
+                      {material.shearModulus_Pa, options.poissonRatio},
+                      {},
+                      {rodSpan(scene.lattice(), twist), options.grasp},
+                      [&heart] { heart.beat(); }};
+  result.torque_Nm = options.torque_Nm.value_or(usualTorque_Nm(scene, twist, organ.graspArc_m()));
+  organ.dynamics.drag_per_s =
+      criticalDrag_per_s(organ.constants, organ.dynamics.density_kg_per_m3, result.length_m);
+  ComparisonBench bench(scene, organ, result);
+  bench.runReference(organ, heart.part(0.02, 0.15));
+  for (const auto& [id, title, model, setUp_s] :
+       {std::tuple{"pm", Text::tr("PM (twist model, Saint-Venant)"), &twist, twistSetUp_s},
+        std::tuple{"paper", Text::tr("PM as printed (linear rotation, cone)"), &paper, paperSetUp_s}}) {
+    start = RunClock::now();
+    const auto simulation = twistModelSimulation(organ, *model);
+    ModelResult run = bench.runFrames(id, title, organ, *simulation, start, {});
+    run.setUp_s += setUp_s;
+    run.settled = run.moving;
+    result.models.push_back(std::move(run));
+  }
+  runRod(organ, twist, bench, result);
+  runMovingModels(organ, twist, bench, result, heart);
+  heart.tell(Text::tr("Writing"), 1.0);
+  return result;
+}
+
+}  // namespace torsio

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/maintenance/copies.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "app/services/maintenance/record_privacy.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/base/copy_register.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/clock.h"
+#include "sim/core/private_files.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::int64_t keep_us(Connection& connection) {
+  int days = kCopyKeep_days;
+  if (const auto set = SettingRepository(connection).value("copy_keep_days")) {
+    int stored = 0;
+    std::from_chars(set->data(), set->data() + set->size(), stored);
+    days = stored > 0 ? stored : days;
+  }
+  return days * kDay_us;
+}
+
+bool onServer(const RecordCopy& copy) {
+  return copy.place.starts_with("postgresql://");
+}
+
+/// Where a record lies, as the register names it.
+std::string placeOf(const std::string& locator) {
+  const Locator place = parseLocator(locator);
+  return place.engine == Engine::kSqlite ? fs::absolute(place.file).lexically_normal().string()
+                                         : place.shown();
+}
+
+/// Whether an end of a move is the record at `locator` itself.
+bool isSelf(const RecordCopy& copy, const std::string& locator) {
+  return copy.kind == CopyKind::kMoved && copy.place == placeOf(locator) &&
+         (onServer(copy) || copy.station == stationName());
+}
+
+bool isGone(const RecordCopy& copy) {
+  std::error_code unreadable;
+  return !onServer(copy) && copy.station == stationName() && !fs::exists(copy.place, unreadable) &&
+         !unreadable;
+}
+
+std::vector<ListedCopy> listed(Connection& connection, std::vector<RecordCopy> copies) {
+  const std::int64_t keep = keep_us(connection);
+  std::vector<ListedCopy> list;
+  for (RecordCopy& copy : copies) {
+    const std::int64_t due_us = copy.madeUtc_us + keep;
+    list.push_back({std::move(copy), due_us});
+  }
+  return list;
+}
+
+}  // namespace
+
+void registerCopy(Connection& connection, CopyKind kind, const fs::path& place, std::int64_t now_us,
+                  const PersonId& personId) {
+  CopyRegister(connection)
+      .add({.kind = kind,
+            .place = fs::absolute(place).lexically_normal().string(),
+            .station = stationName(),
+            .personId = personId,
+            .madeUtc_us = now_us});
+}
+
+RegisteredMove::RegisteredMove(Connection& connection, const std::string& from, const std::string& to,
+                               std::int64_t now_us)
+    : connection_(connection) {
+  CopyRegister copies(connection);
+  const std::vector<RecordCopy> before = copies.all();
+  for (const std::string& end : {from, to}) {
+    const RecordCopy copy{
+        .kind = CopyKind::kMoved, .place = placeOf(end), .station = stationName(), .madeUtc_us = now_us};
+    const bool known = std::any_of(before.begin(), before.end(),
+                                   [&](const RecordCopy& one) { return one.place == copy.place; });
+    const std::string id = copies.add(copy);
+    if (!known) {
+      fresh_.push_back(id);
+    }
+  }
+}
+
+void RegisteredMove::giveUp(std::int64_t now_us) {
+  for (const std::string& id : fresh_) {
+    CopyRegister(connection_).setGone(id, now_us);
+  }
+}
+
+std::vector<Text> closeKnownCopies(Connection& connection) {
+  std::vector<Text> told;
+  for (const RecordCopy& copy : CopyRegister(connection).all()) {
+    std::error_code unreadable;
+    const fs::path place = copy.place;
+    const bool ours =
+        fs::is_regular_file(place, unreadable) || fs::exists(place / "manifest.json", unreadable);
+    if (copy.station == stationName() && !onServer(copy) && ours && makePrivate(place)) {
+      told.push_back(othersCouldRead(place));
+    }
+  }
+  return told;
+}
+
+std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& personId) {
+  session.require(Operation::kPersonErase);
+  CopyRegister copies(session.connection());
+  std::vector<RecordCopy> there;
+  for (RecordCopy& copy : copies.holding(personId)) {
+    if (isSelf(copy, session.key().locator)) {
+      continue;
+    }
+    if (isGone(copy)) {
+      copies.setGone(copy.id, session.now_us());
+    } else {
+      there.push_back(std::move(copy));
+    }
+  }
+  return listed(session.connection(), std::move(there));
+}
+
+std::vector<ListedCopy> copiesOf(const std::string& locator) {
+  Connection connection = openRecord(locator, OpenMode::kReadOnly);
+  std::vector<RecordCopy> copies = CopyRegister(connection).all();
+  std::erase_if(copies, [&](const RecordCopy& copy) { return isGone(copy) || isSelf(copy, locator); });
+  return listed(connection, std::move(copies));
+}
+
+void registerCopyIn(const std::string& locator, CopyKind kind, const fs::path& place) {
+  Connection connection = openRecord(locator, OpenMode::kReadWrite);
+  registerCopy(connection, kind, place, utcNow_us());
+}
+
+}  // namespace torsio

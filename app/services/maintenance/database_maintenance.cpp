@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/maintenance/database_maintenance.h"
+
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <QDir>
+#include <QTemporaryDir>
+
+#include "app/services/maintenance/copies.h"
+#include "db/connection/connection.h"
+#include "db/connection/db_error.h"
+#include "db/connection/locator.h"
+#include "db/migrations/file_in_the_making.h"
+#include "db/migrations/migrations.h"
+#include "db/migrations/schema_check.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/server_roles.h"
+#include "db/repository/system/audit_verification.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void requireSqlite(const std::string& locator, Phrase remedy) {
+  const Locator parsed = parseLocator(locator);
+  if (parsed.engine == Engine::kSqlite) {
+    return;
+  }
+  throw Error(ErrorCode::kUsage, Text::tr("a PostgreSQL database is backed up and restored by its own tools"),
+              parsed.shown(), remedy);
+}
+
+constexpr std::size_t kCopyStep_bytes = 4 << 20;
+constexpr double kReferencesShare = 0.3;  // of a check; the rest goes to the recordings
+
+constexpr const char* kCheckFolder = "torsio-check-";  // of copies that are being checked
+constexpr const char* kCheckLock = "in-use";
+
+DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {}) {
+  DatabaseCheck result;
+  result.location = connection.location();
+  result.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
+  tellProgress(progress, Text::tr("Checking tables and references"), 0.0);
+  try {
+    result.damage = integrityFindings(connection);
+    if (!result.damage.empty()) {
+      return result;  // a damaged file cannot be read to its end
+    }
+    tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
+    const std::vector<SchemaFinding> schema = schemaFindings(connection, serverParts());
+    result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
+      tellProgress(
+          progress, Text::tr("Checking recording %1 of %2", done + 1, all),
+          kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
+    });
+    for (const SchemaFinding& finding : schema) {
+      result.audit.push_back({0, "schema", finding.part, finding.what});
+    }
+    result.auditEntries = AuditRepository(connection).length();
+  } catch (const DbError& error) {
+    if (error.fault() != DbFault::kCorrupt && error.fault() != DbFault::kOther) {
+      throw;
+    }
+    result.damage.push_back(error.happened());  // a page or a table that cannot be read
+  }
+  return result;
+}
+
+/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end. The lock
+/// tells sweepLeftovers() that somebody is at it.
+class ScratchFile {
+ public:
+  explicit ScratchFile(const fs::path& original)
+      : folder_(QDir::tempPath() + QLatin1Char('/') + QLatin1String(kCheckFolder) + QStringLiteral("XXXXXX")),
+        lock_(fs::path(folder_.path().toStdString()) / kCheckLock),
+        path_(fs::path(folder_.path().toStdString()) / original.filename()) {
+    if (!folder_.isValid() || !lock_.held()) {
+      throw Error(ErrorCode::kFileUnwritable, Text::tr("no folder for the check can be made"),
+                  fs::temp_directory_path().string(), Text::tr("Free some space in the temporary folder"));
+    }
+  }
+  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+ private:
+  QTemporaryDir folder_;
+  FileLock lock_;
+  fs::path path_;
+};
+
+/// Removes the folder of a check whose program is gone.
+void sweepCheck(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kCheckLock, ignored)) {
+    return;
+  }
+  if (const FileLock lock(folder / kCheckLock); lock.held()) {
+    fs::remove_all(folder, ignored);
+  }
+}
+
+}  // namespace
+
+void sweepLeftovers(const std::string& locator) {
+  if (const Locator record = parseLocator(locator); record.engine == Engine::kSqlite) {
+    sweepUnfinished(fs::path(record.file).parent_path());
+  }
+  std::error_code unreadable;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(QDir::tempPath().toStdString(), unreadable)) {
+    if (entry.path().filename().string().starts_with(kCheckFolder)) {
+      sweepCheck(entry.path());
+    }
+  }
+}
+
+void requireOwnBackups(const std::string& locator) {
+  requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
+}
+
+void requireOwnRestore(const std::string& locator) {
+  requireSqlite(locator, Text::tr("Use pg_restore on the server"));
+}
+
+void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
+  std::ifstream in(from, std::ios::binary);
+  if (!in) {
+    throw Error(ErrorCode::kFileMissing, Text::tr("the file cannot be read"), from.string(),
+                Text::tr("Choose another file"));
+  }
+  const std::uintmax_t whole = fs::file_size(from);
+  try {
+    std::ofstream out(to, std::ios::binary | std::ios::trunc);
+    std::vector<char> piece(kCopyStep_bytes);
+    for (std::uintmax_t done = 0; done < whole && out;) {
+      tellProgress(progress, Text::tr("Copying"), static_cast<double>(done) / static_cast<double>(whole));
+      in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      if (in.gcount() <= 0) {
+        break;
+      }
+      out.write(piece.data(), in.gcount());
+      done += static_cast<std::uintmax_t>(in.gcount());
+    }
+    out.close();
+    if (!out || fs::file_size(to) != whole) {
+      throw Error(ErrorCode::kFileUnwritable, Text::tr("the file cannot be copied"), to.string(),
+                  Text::tr("Check the folder and the free space"));
+    }
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(to, ignored);
+    throw;
+  }
+}
+
+BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progress,
+                         const std::function<void(Connection&)>& look) {
+  BackupCheck result;
+  tellProgress(progress, Text::tr("Reading the backup"), 0.0);
+  result.content = checkBackup(backup);
+  const ScratchFile copy(backup);
+  copyStepwise(backup, copy.path(), partOf(progress, 0.1, 0.3));
+  Connection connection = openRecord(copy.path().string(), OpenMode::kReadWrite, {.backup = false});
+  result.database = check(connection, partOf(progress, 0.3, 1.0));
+  result.database.location = backup.string();
+  if (look && result.database.sound()) {
+    look(connection);
+  }
+  return result;
+}
+
+DatabaseCheck checkDatabase(const std::string& locator) {
+  Connection connection = openRecord(locator, OpenMode::kReadOnly);
+  return check(connection);
+}
+
+BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
+                             const ProgressCallback& progress, Replace replace) {
+  session.require(Operation::kDatabaseBackup);
+  if (session.connection().engine() != Engine::kSqlite) {
+    requireOwnBackups(session.key().locator);
+  }
+  // Before the copy, so that the backup itself tells of it.
+  requireReplaceable(target, replace);
+  Transaction together(session.connection());
+  registerCopy(session.connection(), CopyKind::kBackup, target, session.now_us());
+  session.note({.action = AuditAction::kDatabaseBackup,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = target.filename().string()});
+  together.commit();
+  tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
+  backupSqlite(session.connection(), target, replace);
+  tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
+  return checkBackup(target);
+}
+
+DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseBackup);
+  DatabaseCheck result = check(session.connection(), progress);
+  session.note({.action = AuditAction::kDatabaseCheck,
+                .objectKind = AuditObject::kDatabase,
+                .newJson = R"({"damage":)" + std::to_string(result.damage.size()) + R"(,"audit":)" +
+                           std::to_string(result.audit.size()) + "}"});
+  return result;
+}
+
+}  // namespace torsio

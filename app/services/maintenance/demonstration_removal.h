@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "app/services/access/session_context.h"
+
+namespace torsio {
+
+/// How much of the record is simulated.
+struct DemonstrationSize {
+  std::int64_t people = 0;
+  std::int64_t trials = 0;
+  std::int64_t marks = 0;
+  std::int64_t rows = 0;  ///< of all tables
+};
+
+/// For the question before removing. kPersonErase.
+[[nodiscard]] DemonstrationSize demonstrationSize(SessionContext& session);
+
+/// Removes all demonstration data at once; real data stay untouched (removeDemonstration in
+/// db/repository/system/demonstration_data.h). kPersonErase, audited. Returns what was removed. Throws Error
+/// (kBadData) when real data use simulated ones; nothing is removed then.
+DemonstrationSize removeDemonstrationData(SessionContext& session, const std::string& reason);
+
+}  // namespace torsio

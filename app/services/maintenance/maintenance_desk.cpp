@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/maintenance/maintenance_desk.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "app/services/access/access_service.h"
+#include "app/services/maintenance/copies.h"
+#include "app/services/maintenance/record_privacy.h"
+#include "db/connection/locator.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/people/server_roles.h"
+#include "sim/core/clock.h"
+#include "sim/core/clock_text.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+[[noreturn]] void refuse(const Text& what, const std::string& where, const Text& remedy) {
+  throw Error(ErrorCode::kPermission, what, where, remedy);
+}
+
+/// The record of this file, or this database of a server, is the account's own.
+void requireOwner(const Maintainer& maintainer, Connection& connection, const std::string& owned) {
+  const Locator place = parseLocator(owned);
+  const bool own =
+      place.engine == Engine::kSqlite ? maintainer.ownsFile(place.file) : isOwnerOfTables(connection);
+  if (!own) {
+    refuse(Text::tr("this record belongs to another account"), place.shown(),
+           Text::tr("Run the command as its owner, or sign in with --as LOGIN"));
+  }
+}
+
+void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
+  switch (answer.outcome) {
+    case SignIn::kOk:
+      return;
+    case SignIn::kMustChange:
+      refuse(Text::tr("the start password must be changed first"), login,
+             Text::tr("Sign in once in the window, and choose a password of your own"));
+    case SignIn::kWait:
+      refuse(Text::tr("too many failures: wait %1", clockLeftText(answer.waitUntilUtc_us - utcNow_us())),
+             login, Text::tr("Then try again"));
+    default:
+      refuse(Text::tr("sign-in name or password is not right, or the account is disabled"), login,
+             Text::tr("Try again"));
+  }
+}
+
+}  // namespace
+
+MaintenanceDesk::MaintenanceDesk(const Maintainer& maintainer, const std::string& locator)
+    : MaintenanceDesk(maintainer, openRecord(locator, OpenMode::kReadWrite), locator) {}
+
+MaintenanceDesk::MaintenanceDesk(const Maintainer& maintainer, Connection opened, const std::string& owned)
+    : connection_(std::move(opened)),
+      session_(connection_, ids_, {.locator = owned, .station = stationName(), .actor = {}}, utcNow_us) {
+  enter(maintainer, owned);
+  for (const std::vector<Text>& closed : {closeRecordFiles(owned, {}), closeKnownCopies(connection_)}) {
+    for (const Text& sentence : closed) {
+      if (maintainer.tell) {
+        maintainer.tell(sentence);
+      }
+    }
+  }
+}
+
+void MaintenanceDesk::enter(const Maintainer& maintainer, const std::string& owned) {
+  if (!maintainer.login.empty()) {
+    requireSignedIn(signIn(session_, maintainer.login, maintainer.password()), maintainer.login);
+    return;
+  }
+  if (maintainer.systemAccount.empty()) {
+    refuse(Text::tr("nobody is signed in"), parseLocator(owned).shown(),
+           Text::tr("Give --as LOGIN, or --as-system as the owner of the record"));
+  }
+  requireOwner(maintainer, connection_, owned);
+  session_.setActor({.systemAccount = maintainer.systemAccount});
+}
+
+void MaintenanceDesk::handOver(const Maintainer& maintainer, const DutyWish& wish) {
+  if (maintainer.secondLogin.empty()) {
+    return;
+  }
+  const std::vector<OpenRequest> open = openRequests(session());
+  const bool asked = std::any_of(open.begin(), open.end(), [&](const OpenRequest& one) {
+    return one.request.act == wish.act && one.request.subject == wish.subject;
+  });
+  if (!asked) {
+    (void)askSecondPerson(session(), wish);
+  }
+  requireSignedIn(signIn(session_, maintainer.secondLogin, maintainer.secondPassword()),
+                  maintainer.secondLogin);
+}
+
+}  // namespace torsio

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/services/access/session_context.h"
+#include "app/services/base/progress.h"
+#include "assessment/domain/ids.h"
+
+namespace torsio {
+
+/// What a person's package holds.
+struct PersonPackage {
+  std::filesystem::path folder;
+  std::int64_t tables = 0;
+  std::int64_t rows = 0;
+  std::int64_t recordings = 0;
+};
+
+/// Writes everything about one person into a new folder: each table as CSV and JSON, their recordings as
+/// trial files, manifest.json with the BLAKE2b-256 of every file, README.txt in plain words. The folder gets
+/// its name when it is complete. kPersonExport, audited. Throws Error: kFileUnwritable when the folder exists
+/// already, kBadData when there is no such person.
+PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId,
+                                  const std::filesystem::path& folder, const std::string& reason);
+
+/// The same of several people, each in a folder "record-CODE" of their own in a new folder. kPersonExport,
+/// each audited. Throws as above, and Cancelled; what was complete by then stays.
+std::vector<PersonPackage> exportPersonPackages(SessionContext& session, std::span<const PersonId> people,
+                                                const std::filesystem::path& folder,
+                                                const std::string& reason,
+                                                const ProgressCallback& progress = {});
+
+/// Erases a person: what goes and what stays is said at erasePerson (db/repository/people/person_data.h).
+/// kPersonErase, audited. Throws Error (kBadParameter) without a reason.
+void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
+
+}  // namespace torsio

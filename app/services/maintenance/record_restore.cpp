@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/maintenance/record_restore.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <QDateTime>
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/two_people.h"
+#include "app/services/base/build_info.h"
+#include "app/services/maintenance/copies.h"
+#include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/maintenance/others_at_work.h"
+#include "assessment/domain/ids.h"
+#include "db/connection/connection.h"
+#include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/base/copy_register.h"
+#include "db/repository/people/person_data.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
+
+void requireFile(SessionContext& session) {
+  if (session.connection().engine() == Engine::kSqlite) {
+    return;
+  }
+  throw Error(ErrorCode::kUsage,
+              Text::tr("this record lies on a database server, which restores its own backups"),
+              session.connection().location(), Text::tr("Use pg_restore on the server"));
+}
+
+std::set<std::string> idsOf(Connection& connection, const std::string& table) {
+  std::set<std::string> ids;
+  Statement row = connection.prepare("SELECT id FROM " + table);
+  row.execute();
+  while (row.step()) {
+    ids.insert(row.text(0));
+  }
+  return ids;
+}
+
+std::int64_t missing(const std::set<std::string>& from, const std::set<std::string>& in) {
+  return std::count_if(from.begin(), from.end(), [&](const std::string& id) { return !in.contains(id); });
+}
+
+std::int64_t newest(Connection& connection) {
+  std::int64_t newest_us = 0;
+  for (const char* sql :
+       {"SELECT max(started_utc_us) FROM trial", "SELECT max(submitted_utc_us) FROM training_mark",
+        "SELECT max(submitted_utc_us) FROM evaluation_mark"}) {
+    Statement row = connection.prepare(sql);
+    row.execute();
+    while (row.step()) {
+      newest_us = std::max(newest_us, row.int64(0));
+    }
+  }
+  return newest_us;
+}
+
+/// What two records are compared by.
+struct Contents {
+  explicit Contents(Connection& connection)
+      : people(idsOf(connection, "person")),
+        trials(idsOf(connection, "trial")),
+        marks(idsOf(connection, "training_mark")),
+        newest_us(newest(connection)) {
+    marks.merge(idsOf(connection, "evaluation_mark"));
+  }
+  [[nodiscard]] RecordExtent extent() const {
+    return {std::ssize(people), std::ssize(trials), std::ssize(marks), newest_us};
+  }
+
+  std::set<std::string> people;
+  std::set<std::string> trials;
+  std::set<std::string> marks;
+  std::int64_t newest_us;
+};
+
+struct Erasure {
+  PersonId personId;
+  std::string requestedBy;
+  std::string reason;
+  std::int64_t erasedUtc_us = 0;
+};
+
+/// Erased in the present record, and still whole in the other one.
+std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
+  std::set<std::string> already;
+  Statement there = older.prepare("SELECT person_id FROM erasure");
+  there.execute();
+  while (there.step()) {
+    already.insert(there.text(0));
+  }
+  const std::set<std::string> people = idsOf(older, "person");
+  std::vector<Erasure> out;
+  Statement row = present.prepare("SELECT person_id, requested_by, reason, erased_utc_us FROM erasure");
+  row.execute();
+  while (row.step()) {
+    if (people.contains(row.text(0)) && !already.contains(row.text(0))) {
+      out.push_back({row.text(0), row.text(1), row.text(2), row.int64(3)});
+    }
+  }
+  return out;
+}
+
+/// Id and name of the centre whose record it is; empty: it has none yet.
+std::pair<std::string, std::string> centreOf(Connection& connection) {
+  Statement row = connection.prepare("SELECT id, name FROM centre");
+  row.execute();
+  return row.step() ? std::pair(row.text(0), row.text(1)) : std::pair<std::string, std::string>();
+}
+
+/// "record-before-restore-20261121T143000Z.sqlite", beside the record.
+fs::path safetyName(const fs::path& record, std::int64_t now_us) {
+  const QString when =
+      QDateTime::fromMSecsSinceEpoch(now_us / 1000, Qt::UTC).toString(QStringLiteral("yyyyMMddTHHmmssZ"));
+  return freeName(record.parent_path() / (record.stem().string() + "-before-restore-" + when.toStdString() +
+                                          record.extension().string()));
+}
+
+void requireRoom(const fs::path& record, const fs::path& backup) {
+  std::error_code failed;
+  const fs::path folder = fs::absolute(record).parent_path();
+  const fs::space_info space = fs::space(folder, failed);
+  if (failed) {
+    return;  // then writing says what is wrong
+  }
+  if (!fs::exists(backup)) {
+    throw Error(ErrorCode::kFileMissing, Text::tr("the backup is not there any more"), backup.string(),
+                Text::tr("Choose the backup again"));
+  }
+  const std::uintmax_t needed = fs::file_size(record) + fs::file_size(backup) + kSpareRoom_bytes;
+  if (space.available >= needed) {
+    return;
+  }
+  throw Error(
+      ErrorCode::kFileUnwritable,
+      Text::tr("there is not enough room for a safety backup and the restored record: %1 MiB are needed, "
+               "%2 MiB are "
+               "free",
+               needed >> 20, space.available >> 20),
+      folder.string(), Text::tr("Free some space on this disk"));
+}
+
+std::string hashOfFile(const fs::path& file) {
+  constexpr std::size_t kPiece_bytes = 1 << 20;
+  std::ifstream in(file, std::ios::binary);
+  Digest digest;
+  for (std::vector<char> piece(kPiece_bytes); in;) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    digest.update(std::string_view(piece.data(), static_cast<std::size_t>(in.gcount())));
+  }
+  return digest.hex();
+}
+
+DutyWish wishOf(const fs::path& backup, const std::string& hash) {
+  return {.act = DutyAct::kRestore,
+          .subject = hash,
+          .shown = backup.filename().string(),
+          .reason = "restore from the command line"};
+}
+
+void requireSoundBackup(const BackupCheck& check, const fs::path& backup) {
+  if (!check.database.sound()) {
+    throw Error(ErrorCode::kVerifyFailed, Text::tr("the backup is not sound, so nothing was restored"),
+                backup.string(), Text::tr("Choose an older backup"));
+  }
+}
+
+/// The record at `file` as it is. None, with the reason where there is one, when it cannot be opened.
+std::optional<Connection> presentRecord(const std::string& file, std::string& unreadable) {
+  if (!fs::exists(file)) {
+    return std::nullopt;
+  }
+  (void)foldSqlite(file);  // refuses while another program has it
+  try {
+    return openRecord(file, OpenMode::kReadWrite);
+  } catch (const Error& error) {
+    unreadable = error.what();
+    return std::nullopt;
+  }
+}
+
+/// Adds who asked and who did it, where two people were needed: the requests stay in the record that goes.
+std::string withPeople(nlohmann::ordered_json what, const SessionContext& session, const UserId& askedBy) {
+  if (!askedBy.empty()) {
+    what["asked_by"] = askedBy.text();
+    what["confirmed_by"] = session.actor().userId.text();
+  }
+  return what.dump();
+}
+
+/// The audit entry in the trail of `connection`.
+void tell(SessionContext& session, Connection& connection, AuditAction action, const RestorePlan& plan,
+          const fs::path& safety, const UserId& askedBy) {
+  SessionKey key = session.key();
+  const SessionContext there(connection, session.ids(), key, [&session] { return session.now_us(); });
+  there.note({.action = action,
+              .objectKind = AuditObject::kDatabase,
+              .objectId = plan.backup.filename().string(),
+              .newJson = withPeople({{"trials", plan.restored.trials},
+                                     {"marks", plan.restored.marks},
+                                     {"lost_trials", plan.lostTrials},
+                                     {"lost_marks", plan.lostMarks},
+                                     {"safety_backup", safety.filename().string()}},
+                                    session, askedBy)});
+}
+
+/// Copies that were made since hold people of the older record too: it has to know them. Those of a person
+/// whom it does not have are left out.
+void keepRegister(Connection& present, Connection& older) {
+  const std::set<std::string> known = idsOf(older, "record_copy");
+  const std::set<std::string> people = idsOf(older, "person");
+  for (const RecordCopy& copy : CopyRegister(present).all()) {
+    if (!known.contains(copy.id) && (copy.personId.empty() || people.contains(copy.personId.text()))) {
+      CopyRegister(older).add(copy);
+    }
+  }
+}
+
+/// Brings the copy up to date, erases again, tells of the restore.
+void bringToday(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
+                const fs::path& safety, const UserId& askedBy) {
+  Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
+                               {.softwareVersion = softwareVersion(), .backup = false});
+  for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
+    erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
+  }
+  keepRegister(session.connection(), copy);
+  registerCopy(copy, CopyKind::kBeforeRestore, safety, session.now_us());
+  registerCopy(copy, CopyKind::kBackup, plan.backup, session.now_us());
+  tell(session, copy, AuditAction::kDatabaseRestore, plan, safety, askedBy);
+}
+
+}  // namespace
+
+RestorePlan planRestore(SessionContext& session, const fs::path& backup, const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseRestore);
+  requireFile(session);
+  requireNobodyAtWork(session);
+  RestorePlan plan;
+  plan.backup = backup;
+  const Contents present(session.connection());
+  plan.present = present.extent();
+  const std::pair<std::string, std::string> here = centreOf(session.connection());
+  plan.presentCentre = here.second;
+  const BackupCheck check = verifyBackup(backup, progress, [&](Connection& copy) {
+    const Contents restored(copy);
+    plan.restored = restored.extent();
+    const std::pair<std::string, std::string> there = centreOf(copy);
+    plan.backupCentre = there.second;
+    plan.otherCentre = here.first != there.first;
+    plan.lostPeople = missing(present.people, restored.people);
+    plan.lostTrials = missing(present.trials, restored.trials);
+    plan.lostMarks = missing(present.marks, restored.marks);
+    plan.erasedSince = std::ssize(erasedSince(session.connection(), copy));
+  });
+  requireSoundBackup(check, backup);
+  plan.backupHash = hashOfFile(backup);
+  return plan;
+}
+
+bool mayRestoreNow(SessionContext& session, const RestorePlan& plan) {
+  session.require(Operation::kDatabaseRestore);
+  return secondPersonIsThere(session, DutyAct::kRestore, plan.backupHash);
+}
+
+std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const RestorePlan& plan,
+                                                const ProgressCallback& progress) {
+  session.require(Operation::kDatabaseRestore);
+  requireFile(session);
+  requireNobodyAtWork(session);
+  const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
+  const fs::path record = beyondLinks(session.key().locator);
+  requireRoom(record, plan.backup);
+  const fs::path safety = safetyName(record, session.now_us());
+  tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety, askedBy);
+  tellProgress(progress, Text::tr("Backing up the record as it is now"), 0.0);
+  backupSqlite(session.connection(), safety);
+  (void)checkBackup(safety);
+
+  auto prepared = std::make_shared<PreparedRestore>(record, safety);
+  const fs::path& ready = prepared->ready();
+  copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
+  tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
+  bringToday(session, ready, plan, safety, askedBy);
+  tellProgress(progress, Text::tr("Checking the restored record"), 0.8);
+  settleSqlite(ready);
+  tellProgress(progress, Text::tr("Ready"), 1.0);
+  return prepared;
+}
+
+PreparedRestore::PreparedRestore(const fs::path& target, fs::path safety)
+    : ready_(std::make_unique<FileInTheMaking>(target)), target_(target), safety_(std::move(safety)) {}
+
+PreparedRestore::~PreparedRestore() = default;
+
+const fs::path& PreparedRestore::ready() const noexcept {
+  return ready_->path();
+}
+
+fs::path PreparedRestore::takeOver() {
+  return replaceSqlite(ready_->path(), target_);
+}
+
+void noteRestore(SessionContext& session, const fs::path& backup) {
+  session.require(Operation::kDatabaseRestore);
+  Transaction transaction(session.connection());
+  const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, hashOfFile(backup));
+  session.note({.action = AuditAction::kDatabaseRestore,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = backup.filename().string(),
+                .newJson = withPeople({{"present", "unreadable"}}, session, askedBy)});
+  transaction.commit();
+}
+
+Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, const std::string& locator) {
+  requireOwnRestore(locator);
+  const std::string file = beyondLinks(locator).string();
+  sweepLeftovers(file);
+  Restored restored{.content = checkBackup(backup)};
+  if (std::optional<Connection> present = presentRecord(file, restored.unreadable)) {
+    std::shared_ptr<PreparedRestore> prepared;
+    {
+      MaintenanceDesk desk(maintainer, std::move(*present), file);
+      present.reset();
+      restored.plan = planRestore(desk.session(), backup);
+      desk.handOver(maintainer, wishOf(backup, restored.plan->backupHash));
+      prepared = prepareRestore(desk.session(), *restored.plan);
+    }
+    restored.before = prepared->takeOver();
+    return restored;
+  }
+  requireSoundBackup(verifyBackup(backup), backup);
+  restored.before = restoreSqlite(backup, file, [&](const fs::path& copy) {
+    MaintenanceDesk desk(maintainer,
+                         openRecord(copy.string(), OpenMode::kReadWrite,
+                                    {.softwareVersion = softwareVersion(), .backup = false}),
+                         fs::exists(file) ? file : backup.string());
+    desk.handOver(maintainer, wishOf(backup, hashOfFile(backup)));
+    noteRestore(desk.session(), backup);
+  });
+  if (!restored.before.empty()) {
+    registerCopyIn(file, CopyKind::kBeforeRestore, restored.before);
+  }
+  registerCopyIn(file, CopyKind::kBackup, backup);
+  return restored;
+}
+
+}  // namespace torsio

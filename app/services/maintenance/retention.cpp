@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/maintenance/retention.h"
+
+#include <algorithm>
+
+#include "app/services/access/two_people.h"
+#include "app/services/maintenance/guarded_erase.h"
+#include "assessment/domain/ids.h"
+#include "db/connection/connection.h"
+#include "db/repository/people/retention_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+void requireReason(const std::string& reason, const std::string& where) {
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("this needs a reason"), where,
+                Text::tr("Say why, for the audit trail"));
+  }
+}
+
+AuditAction actionOf(HoldKind kind) {
+  switch (kind) {
+    case HoldKind::kLock:
+      return AuditAction::kRetentionLock;
+    case HoldKind::kExtend:
+      return AuditAction::kRetentionExtend;
+    case HoldKind::kRelease:
+      return AuditAction::kRetentionRelease;
+  }
+  throw ContractError("no such decision");
+}
+
+void hold(SessionContext& session, std::span<const PersonId> personIds, RetentionHold decision) {
+  session.require(Operation::kRetentionManage);
+  if (personIds.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("nobody was chosen"), Text::tr("retention"),
+                Text::tr("Choose at least one person"));
+  }
+  requireReason(decision.reason, personIds.front());
+  Transaction transaction(session.connection());
+  decision.decidedBy = session.actor().userId;
+  decision.decidedUtc_us = session.now_us();
+  for (const PersonId& id : personIds) {
+    decision.personId = id;
+    RetentionRepository(session.connection()).addHold(decision);
+    session.note({.action = actionOf(decision.kind),
+                  .objectKind = AuditObject::kPerson,
+                  .objectId = id,
+                  .reason = decision.reason});
+  }
+  transaction.commit();
+}
+
+std::int64_t recordingsOf(Connection& connection, const std::string& code) {
+  return static_cast<std::int64_t>(
+      TrialRepository(connection).list({.traineeCode = code, .limit = 1'000'000}).size());
+}
+
+}  // namespace
+
+std::vector<RetentionRule> retentionRules(SessionContext& session) {
+  session.require(Operation::kRetentionManage);
+  return RetentionRepository(session.connection()).rules();
+}
+
+void setRetentionRule(SessionContext& session, const std::string& category, std::int64_t keep_days,
+                      const std::string& basis) {
+  session.require(Operation::kRetentionManage);
+  Transaction transaction(session.connection());
+  RetentionRepository(session.connection()).setRule({category, keep_days, basis, session.now_us()});
+  session.note({.action = AuditAction::kRetentionRule,
+                .objectKind = AuditObject::kRetentionRule,
+                .objectId = category,
+                .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
+                .reason = basis});
+  transaction.commit();
+}
+
+void removeRetentionRule(SessionContext& session, const std::string& category) {
+  session.require(Operation::kRetentionManage);
+  Transaction transaction(session.connection());
+  RetentionRepository(session.connection()).removeRule(category);
+  session.note({.action = AuditAction::kRetentionRemoveRule,
+                .objectKind = AuditObject::kRetentionRule,
+                .objectId = category});
+  transaction.commit();
+}
+
+std::vector<RetentionItem> retentionQueue(SessionContext& session) {
+  session.require(Operation::kRetentionManage);
+  return RetentionRepository(session.connection()).due(session.now_us());
+}
+
+void lockRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason) {
+  hold(session, personIds, {.kind = HoldKind::kLock, .reason = reason});
+}
+
+void extendRecords(SessionContext& session, std::span<const PersonId> personIds, std::int64_t untilUtc_us,
+                   const std::string& reason) {
+  session.require(Operation::kRetentionManage);
+  if (untilUtc_us <= session.now_us()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("this day has passed"), Text::tr("retention"),
+                Text::tr("Choose a later day"));
+  }
+  hold(session, personIds, {.kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
+}
+
+void releaseRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason) {
+  hold(session, personIds, {.kind = HoldKind::kRelease, .reason = reason});
+}
+
+RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> personIds,
+                          const std::string& reason, bool dryRun) {
+  if (!dryRun) {
+    session.require(Operation::kPersonErase);
+    requireReason(reason, "retention");
+  }
+  const std::vector<RetentionItem> queue = retentionQueue(session);
+  RetentionOutcome outcome{.dryRun = dryRun};
+  for (const PersonId& id : personIds) {
+    const auto item = std::find_if(queue.begin(), queue.end(),
+                                   [&](const RetentionItem& due) { return due.personId == id; });
+    if (item == queue.end()) {
+      throw Error(ErrorCode::kBadData, Text::tr("this record is not due; nothing was erased"), id,
+                  Text::tr("Read the queue again"));
+    }
+    (item->held ? outcome.skipped : outcome.erased).push_back(*item);
+  }
+  for (const RetentionItem& item : outcome.erased) {
+    if (!dryRun && !mayEraseNow(session, item.personId)) {
+      throw SecondPersonNeeded(DutyAct::kErase, item.personId);  // before anybody is erased
+    }
+  }
+  for (const RetentionItem& item : outcome.erased) {
+    outcome.recordings += recordingsOf(session.connection(), item.code);
+    if (dryRun) {
+      continue;
+    }
+    eraseGuarded(session, item.personId, reason + " (retention: " + item.category + ")");
+  }
+  return outcome;
+}
+
+}  // namespace torsio

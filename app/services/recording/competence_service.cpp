@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/competence_service.h"
+
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/recording/competence.h"
+#include "app/services/recording/kept_digests.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/study/competence_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kRunsOfOne = 10'000;
+
+TrainingModule publishedModule(Connection& connection, const ModuleId& moduleId) {
+  CurriculumRepository repository(connection);
+  for (const Curriculum& curriculum : repository.curricula()) {
+    for (const CurriculumVersionId& id : repository.versionIds(curriculum.id)) {
+      CurriculumVersion version = repository.version(id).value();
+      for (TrainingModule& module : version.modules) {
+        if (module.id == moduleId) {
+          return std::move(module);
+        }
+      }
+    }
+  }
+  throw Error(ErrorCode::kBadData, Text::tr("there is no such exercise in a published curriculum"), moduleId,
+              Text::tr("Choose one from the list"));
+}
+
+/// The mean absolute error of all completed twists of one person at an exercise, degrees; empty: none.
+std::optional<double> meanError_deg(Connection& connection, const EnrolmentId& enrolmentId,
+                                    const TrainingModule& module, ExerciseRules& rules, std::int64_t now_us) {
+  TrialFilter filter;
+  filter.enrolmentId = enrolmentId;
+  filter.sceneId = module.sceneId;
+  filter.limit = kRunsOfOne;
+  double sum = 0.0;
+  std::int64_t twists = 0;
+  for (const TrialListing& trial : TrialRepository(connection).list(filter)) {
+    if (trial.patternId != module.patternId || !trial.summary ||
+        trial.summary->outcome == TrialOutcome::kInterrupted) {
+      continue;
+    }
+    for (const auto& [error_deg, onTarget] : digestOf(connection, trial, rules, now_us).attempts) {
+      sum += error_deg;
+      ++twists;
+    }
+  }
+  return twists > 0 ? std::optional(sum / static_cast<double>(twists)) : std::nullopt;
+}
+
+nlohmann::ordered_json designJson(const CompetenceDesign& design) {
+  nlohmann::ordered_json json;
+  json["version"] = design.version;
+  json["tolerance_rad"] = design.tolerance_rad;
+  json["tolerance_source"] = storedText(design.source);
+  json["experts"] = design.experts;
+  json["adequate"] = design.adequate;
+  json["inadequate"] = design.inadequate;
+  json["attempts"] = design.attempts;
+  json["false_pass_most"] = design.falsePassMost;
+  json["false_fail_most"] = design.falseFailMost;
+  json["limit"] = design.limit;
+  return json;
+}
+
+}  // namespace
+
+std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
+                                               const CurriculumVersionId& versionId) {
+  session.require(Operation::kPersonViewCoded);
+  CurriculumRepository repository(session.connection());
+  const CompetenceRepository designs(session.connection());
+  std::vector<ExerciseDesigns> all;
+  bool found = versionId.empty();
+  for (const Curriculum& curriculum : repository.curricula()) {
+    for (const CurriculumVersionId& id : repository.versionIds(curriculum.id)) {
+      if (!versionId.empty() && id != versionId) {
+        continue;
+      }
+      found = true;
+      const CurriculumVersion version = repository.version(id).value();
+      for (const TrainingModule& module : version.modules) {
+        all.push_back({module.id, curriculum.name, version.number, module.code, module.title,
+                       asksForUntwisting(module), shippedCompetence(module.id, module.tolerance_rad),
+                       designs.ofModule(module.id)});
+      }
+    }
+  }
+  if (!found) {
+    throw Error(ErrorCode::kBadData, Text::tr("there is no such version"), versionId,
+                Text::tr("Choose one from the list"));
+  }
+  return all;
+}
+
+CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDesign& design) {
+  session.require(Operation::kCurriculumEdit);
+  CompetenceDesign planned = plannedCompetence(design);
+  requireFalseFailKept(planned);
+  if (planned.source == ToleranceSource::kChosen && planned.reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("a tolerance chosen by hand needs a reason"),
+                Text::tr("competence design"), Text::tr("Write why, in a few words"));
+  }
+  Transaction transaction(session.connection());
+  const TrainingModule module = publishedModule(session.connection(), planned.moduleId);
+  if (planned.source == ToleranceSource::kExercise) {
+    planned.tolerance_rad = module.tolerance_rad;
+  }
+  planned.registeredUtc_us = session.now_us();
+  planned = CompetenceRepository(session.connection()).add(std::move(planned));
+  session.note({.action = AuditAction::kCompetenceRegister,
+                .objectKind = AuditObject::kCompetenceDesign,
+                .objectId = planned.moduleId,
+                .newJson = designJson(planned).dump(),
+                .reason = planned.reason});
+  transaction.commit();
+  return planned;
+}
+
+ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId& moduleId,
+                                         const CohortId& expertCohortId) {
+  session.require(Operation::kCurriculumEdit);
+  Connection& connection = session.connection();
+  const TrainingModule module = publishedModule(connection, moduleId);
+  ExerciseRules rules;
+  std::vector<double> errors;
+  for (const Enrolment& enrolment : StudyRepository(connection).enrolments(expertCohortId)) {
+    if (const auto error = meanError_deg(connection, enrolment.id, module, rules, session.now_us())) {
+      errors.push_back(*error);
+    }
+  }
+  if (errors.size() < kFewestExperts) {
+    throw Error(ErrorCode::kBadData,
+                Text::tr("%1 {person of this cohort has|people of this cohort have} a finished run at this "
+                         "exercise; %2 {is|are} needed",
+                         errors.size(), kFewestExperts),
+                module.title, Text::tr("Let more experts make a run, or keep the tolerance of the exercise"));
+  }
+  const Outcome<ProficiencyThreshold> threshold = proficiencyThreshold(errors);
+  if (!threshold) {
+    throw Error(ErrorCode::kBadData, threshold.reason(), module.title,
+                Text::tr("Keep the tolerance of the exercise"));
+  }
+  return *threshold;
+}
+
+}  // namespace torsio

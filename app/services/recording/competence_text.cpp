@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/competence_text.h"
+
+#include "assessment/results/number_format.h"
+#include "sim/core/angle.h"
+
+namespace torsio {
+
+std::string percentText(double share) {
+  constexpr double kLeast = 0.0005;
+  const std::string number = share < kLeast ? "<\u00A00.1" : formatFixed(100.0 * share, 1);
+  return number + "\u00A0%";  // no line ends between number and sign
+}
+
+Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
+  const Text success =
+      untwisting ? Text::tr("an untwisting that passes")
+                 : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
+                            formatFixed(degrees(design.tolerance_rad), 1),
+                            Text(termsOf(design.source)[static_cast<std::size_t>(design.source)].label));
+  const Text which =
+      design.version > 0
+          ? Text::tr("Competence design, version %1", design.version)
+          : Text::tr(
+                "Competence design shipped with the exercise (none was registered before the first attempt)");
+  return Text::tr(
+      "%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for "
+      "%6 "
+      "{attempt|attempts}.",
+      which, success, percentText(design.adequate), percentText(design.inadequate),
+      formatFixed(design.limit, 2), design.attempts);
+}
+
+Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
+  return Text::tr(
+      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent "
+      "(false "
+      "pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false "
+      "alarm.",
+      errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
+      percentText(errors.falseFail), percentText(design.adequate), percentText(errors.falseAlarm));
+}
+
+Text competenceLevelText(const CompetenceVerdict& verdict) {
+  switch (verdict.level) {
+    case SkillLevel::kNotShown:
+      return Text::tr("not shown yet, %1 {attempt|attempts} missing", verdict.attemptsUntilLevel);
+    case SkillLevel::kLearning:
+      return Text::tr("learning");
+    case SkillLevel::kSteady:
+      return Text::tr("competent since attempt %1", verdict.ableAt.value_or(0));
+    case SkillLevel::kWatch:
+      return Text::tr("competent since attempt %1; the last attempts raise a doubt",
+                      verdict.ableAt.value_or(0));
+    case SkillLevel::kRelapsed:
+      return Text::tr("competent at attempt %1, no longer so", verdict.ableAt.value_or(0));
+  }
+  return {};
+}
+
+}  // namespace torsio

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/kept_digests.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/services/base/assets.h"
+#include "app/services/recording/detorsion_rules.h"
+#include "assessment/domain/ids.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/time_units.h"
+#include "sim/record/sample_codec.h"
+#include "sim/scene/scene_file.h"
+
+namespace torsio {
+
+AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
+                               const ModuleId& moduleId) {
+  if (!moduleId.empty()) {
+    if (const auto known = modules_.find(moduleId); known != modules_.end()) {
+      return known->second;
+    }
+    if (const auto stored = DigestRepository(connection).rulesOfModule(moduleId)) {
+      const AttemptRules rules{.tolerance_rad = stored->tolerance_rad,
+                               .forceLimit_N = stored->forceLimit_N,
+                               .torqueLimit_Nm = stored->torqueLimit_Nm,
+                               .hold_s = static_cast<double>(stored->hold_us) * 1e-6,
+                               .leastTwists = stored->leastTwists};
+      return modules_.emplace(moduleId, rules).first->second;
+    }
+  }
+  return ofPattern(sceneId, patternId);
+}
+
+AttemptRules ExerciseRules::ofPattern(const SceneId& sceneId, const PatternId& patternId) {
+  AttemptRules rules;
+  rules.tolerance_rad = patternTolerance_rad(sceneId, patternId);
+  return rules;
+}
+
+double ExerciseRules::patternTolerance_rad(const SceneId& sceneId, const PatternId& patternId) {
+  const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kUsualTolerance_rad);
+  if (!isNew) {
+    return known->second;
+  }
+  try {
+    const std::filesystem::path folder = assets_.empty() ? assetsFolder() : assets_;
+    for (const PatternDescription& description : readSceneFile(folder, sceneId).patterns) {
+      if (description.pattern.id == patternId) {
+        known->second = description.pattern.tolerance_rad;
+      }
+    }
+  } catch (const Error&) {
+    // A scene of another installation: the usual tolerance of two degrees counts.
+  }
+  return known->second;
+}
+
+std::string modelName(const std::string& parametersJson) {
+  try {
+    const std::optional<Formulation> formulation = sceneRequestFor(parametersJson).formulation;
+    return formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
+  } catch (const Error&) {
+    return "not known";  // parameters of a later version: the recording counts all the same
+  }
+}
+
+TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, const AttemptRules& rules,
+                       std::int64_t now_us) {
+  TrialDigest kept;
+  kept.trialId = trial.header.trialId;
+  kept.formulaVersion = kMetricsVersion;
+  kept.tolerance_rad = rules.tolerance_rad;
+  kept.forceLimit_N = rules.forceLimit_N;
+  kept.torqueLimit_Nm = rules.torqueLimit_Nm;
+  kept.contentHash = trial.summary.contentHash;
+  kept.model =
+      isForeign(trial.header.sceneId) ? std::string(kForeignModel) : modelName(trial.header.parametersJson);
+  kept.duration_us = measures.duration_us;
+  kept.unfinishedTwists = measures.unfinished;
+  kept.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
+  kept.peakTorque_Nm = measures.peakTorque_Nm;
+  kept.peakForce_N = measures.peakForce_N;
+  for (const JudgedTwist& twist : measures.twists) {
+    kept.attempts.emplace_back(twist.error_deg, twist.onTarget);
+  }
+  kept.measures = measures.values;
+  kept.computedUtc_us = now_us;
+  return kept;
+}
+
+AttemptMeasures measuresFrom(const TrialDigest& kept) {
+  AttemptMeasures measures;
+  measures.duration_us = kept.duration_us;
+  for (const auto& [error_deg, onTarget] : kept.attempts) {
+    measures.twists.push_back({error_deg, onTarget});
+  }
+  measures.unfinished = kept.unfinishedTwists;
+  measures.meanAbsoluteError_deg = kept.meanAbsoluteError_deg;
+  measures.peakTorque_Nm = kept.peakTorque_Nm;
+  measures.peakForce_N = kept.peakForce_N;
+  measures.values = kept.measures;
+  return measures;
+}
+
+const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
+                              const AttemptRules& rules) {
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const TrialDigest& digest) {
+    return digest.contentHash == contentHash && digest.tolerance_rad == rules.tolerance_rad &&
+           digest.forceLimit_N == rules.forceLimit_N && digest.torqueLimit_Nm == rules.torqueLimit_Nm;
+  });
+  return found == kept.end() ? nullptr : &*found;
+}
+
+TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest) {
+  const TrialSummary& summary = listing.summary.value();
+  const AttemptMeasures measures = measuresFrom(digest);
+  TrialSummaryRow row;
+  row.trialId = listing.trialId;
+  row.trainee = listing.traineeCode;
+  row.phase = listing.phaseLabel;
+  row.model = digest.model;
+  row.minutes = static_cast<double>(measures.duration_us) / kMinute_us;
+  row.samples = summary.samples;
+  row.refusedSamples = summary.refusedSamples;
+  row.lateTicks = summary.lateTicks;
+  row.forceCuts = summary.health ? summary.health->forceCuts : 0;
+  row.interrupted = summary.outcome == TrialOutcome::kInterrupted;
+  row.contentHash = summary.contentHash;
+  row.twists = std::ssize(measures.twists);
+  row.twistsOnTarget = measures.twistsOnTarget();
+  row.unfinishedTwists = measures.unfinished;
+  row.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
+  row.peakTorque_Nm = measures.peakTorque_Nm;
+  row.peakForce_N = measures.peakForce_N;
+  const auto device = measures.values.find(kDeviceForceMetric);
+  if (device != measures.values.end() && measures.peakForce_N) {
+    row.peakDeviceForce_N = device->second;
+  }
+  for (const JudgedTwist& twist : measures.twists) {
+    row.attempts.push_back({twist.error_deg, twist.onTarget});
+  }
+  for (const auto& [metric, value] : measures.values) {
+    if (isDetorsionMetric(metric) || digest.model == kForeignModel) {  // there are no twists
+      row.detorsion.emplace(metric, value);
+    }
+  }
+  return row;
+}
+
+TrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& exercises,
+                     std::int64_t now_us) {
+  const AttemptRules rules = exercises.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
+  const std::vector<TrialDigest> kept =
+      DigestRepository(connection).ofTrial(listing.trialId, kMetricsVersion);
+  if (const TrialDigest* known = findDigest(kept, listing.summary.value().contentHash, rules)) {
+    return *known;
+  }
+  const Trial trial = TrialRepository(connection).load(listing.trialId);
+  const AttemptMeasures measures =
+      measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
+  keepDigest(connection, trial, measures, rules, now_us);
+  return keptDigest(trial, measures, rules, now_us);
+}
+
+void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasures& measures,
+                const AttemptRules& rules, std::int64_t now_us) {
+  if (connection.readOnly() || trial.summary.contentHash.empty()) {
+    return;
+  }
+  const TrialDigest kept = keptDigest(trial, measures, rules, now_us);
+  DigestRepository(connection).add({&kept, 1});
+}
+
+}  // namespace torsio

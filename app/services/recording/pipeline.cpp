@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/pipeline.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "app/services/recording/recorded_run.h"
+#include "sim/core/tick_period.h"
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/scene/hollow_organ.h"
+#include "sim/servo/detorsion.h"
+#include "sim/servo/hand_task.h"
+
+namespace torsio {
+
+namespace {
+
+/// The task of undoing the organ as it comes in this trial, as this hand goes about it.
+HandTask untwistingOf(const Scene& scene, const ScriptedTrial& trial) {
+  HandTask task = detorseTask(scene, detorsionSeed(trial.recording.trialId));
+  const std::size_t leftOut = std::min(trial.turnsLeftOut, task.turns.size() - 1);
+  task.turns.resize(task.turns.size() - leftOut);
+  task.closure = trial.closure.value_or(task.closure);
+  return task;
+}
+
+ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
+  ScriptedHandOptions hand;
+  hand.seed = trial.trialSeed;
+  hand.task = scene.hollow ? untwistingOf(scene, trial) : handTask(scene);
+  hand.profile = handProfile(trial.personSeed);
+  hand.practisedBefore_min = trial.practisedBefore_min;
+  hand.practiceScale = trial.practiceScale;
+  hand.duration_s = trial.duration_s;
+  return hand;
+}
+
+/// Lengthens the trial by a tenth at a time until the plan holds enough twists.
+void lengthen(ScriptedHandOptions& hand, std::size_t fewestTwists) {
+  constexpr double kLonger = 1.1;
+  constexpr double kLongest_s = 3600.0;
+  const double practice = hand.practiceScale * hand.duration_s;
+  while (hand.duration_s < kLongest_s && ScriptedHand(hand).cycles() < fewestTwists) {
+    hand.duration_s *= kLonger;
+    hand.practiceScale = practice / hand.duration_s;
+  }
+}
+
+}  // namespace
+
+TrialSummary recordScriptedTrial(const Scene& scene, const ScriptedTrial& trial, TrialSink& sink) {
+  ScriptedHandOptions hand = handOf(scene, trial);
+  if (scene.hollow) {
+    hand.duration_s = std::max(hand.duration_s, undone_s(*scene.hollow, ScriptedHand(hand)));
+  } else {
+    lengthen(hand, trial.fewestTwists);
+  }
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), trial.recording, borrowed(sink));
+  run.step(ticksIn(hand.duration_s));
+  return run.finish(TrialOutcome::kCompleted).summary;
+}
+
+}  // namespace torsio

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/station_writer.h"
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "app/services/recording/station_heartbeat.h"
+#include "assessment/domain/ids.h"
+#include "db/connection/db_error.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+using Steady = std::chrono::steady_clock;
+
+bool isAway(const std::exception& problem) {
+  const auto* database = dynamic_cast<const DbError*>(&problem);
+  return database != nullptr && database->retryable();
+}
+
+/// The line's own session with its heartbeat.
+struct Desk {
+  std::unique_ptr<SessionContext> session;
+  std::optional<StationHeartbeat> heartbeat;
+};
+
+}  // namespace
+
+struct StationWriter::State {
+  struct Waiting {
+    Actor actor;
+    Write write;
+  };
+
+  Open open;
+  LinePatience patience;
+  mutable std::mutex mutex;
+  mutable std::condition_variable changed;
+  std::deque<Waiting> writes;
+  Actor actor;
+  TrialId trialId;
+  StationDevice device;
+  std::optional<Steady::time_point> since;  // of the present try
+  std::size_t refused = 0;
+  bool fresh = true;  // something is to be done at once
+  bool failed = false;
+  bool stop = false;
+  bool leaveBoard = false;
+  bool ended = false;
+
+  /// One round. Throws what the database throws.
+  void serve(Desk& desk) {
+    if (!desk.session) {
+      desk.session = open();
+      desk.heartbeat.emplace(*desk.session);
+    }
+    while (std::optional<Waiting> next = front()) {
+      desk.session->setActor(next->actor);
+      perform(*desk.session, *next);
+    }
+    const auto [who, trial, tool, leaves] = shown();
+    desk.session->setActor(who);
+    desk.heartbeat->show(trial);
+    desk.heartbeat->showDevice(tool);
+    if (leaves) {
+      desk.heartbeat->leave();
+    } else {
+      desk.heartbeat->send();
+    }
+    if (!desk.heartbeat->answered()) {
+      throw DbError(DbFault::kUnreachable, "", Text::tr("the database does not answer"),
+                    desk.session->station(), "");
+    }
+  }
+
+  void perform(SessionContext& session, const Waiting& waiting) {
+    bool given = false;
+    try {
+      waiting.write(session);
+    } catch (const std::exception& problem) {
+      if (isAway(problem)) {
+        throw;
+      }
+      given = true;
+    }
+    const std::lock_guard lock(mutex);
+    writes.pop_front();
+    if (given) {
+      ++refused;
+    }
+  }
+
+  [[nodiscard]] std::optional<Waiting> front() const {
+    const std::lock_guard lock(mutex);
+    return writes.empty() ? std::nullopt : std::optional(writes.front());
+  }
+
+  [[nodiscard]] std::tuple<Actor, std::string, StationDevice, bool> shown() const {
+    const std::lock_guard lock(mutex);
+    return {actor, trialId, device, leaveBoard};
+  }
+};
+
+StationWriter::StationWriter(const SessionKey& key, const LinePatience& patience)
+    : StationWriter([key] { return std::make_unique<SessionContext>(key); }, patience) {
+  signIn(key.actor);
+}
+
+StationWriter::StationWriter(Open open, const LinePatience& patience) : state_(std::make_shared<State>()) {
+  state_->open = std::move(open);
+  state_->patience = patience;
+  thread_ = std::thread([state = state_] { run(state); });
+}
+
+StationWriter::~StationWriter() {
+  end(false);
+}
+
+void StationWriter::run(const std::shared_ptr<State>& state) {
+  Desk desk;
+  for (;;) {
+    bool last = false;
+    {
+      std::unique_lock lock(state->mutex);
+      const auto pause = state->failed ? state->patience.again : state->patience.heartbeat;
+      state->changed.wait_for(lock, pause, [&] { return state->stop || (state->fresh && !state->failed); });
+      last = state->stop;
+      state->fresh = false;
+      state->since = Steady::now();
+    }
+    bool failed = false;
+    try {
+      state->serve(desk);
+    } catch (const std::exception&) {
+      failed = true;
+      desk = {};  // a connection that was lost stays lost
+    }
+    const std::lock_guard lock(state->mutex);
+    state->since.reset();
+    state->failed = failed;
+    state->ended = last;
+    state->changed.notify_all();
+    if (last) {
+      return;
+    }
+  }
+}
+
+void StationWriter::signIn(const Actor& actor) {
+  const std::lock_guard lock(state_->mutex);
+  if (state_->actor.userId == actor.userId && state_->actor.practiceOnly == actor.practiceOnly) {
+    return;
+  }
+  state_->actor = actor;
+  state_->fresh = true;
+  state_->changed.notify_all();
+}
+
+void StationWriter::show(const TrialId& trialId) {
+  const std::lock_guard lock(state_->mutex);
+  if (state_->trialId == trialId) {
+    return;
+  }
+  state_->trialId = trialId;
+  state_->fresh = true;
+  state_->changed.notify_all();
+}
+
+void StationWriter::showDevice(const StationDevice& device) {
+  const std::lock_guard lock(state_->mutex);
+  const bool known = state_->device.light && state_->device.haptic == device.haptic;
+  if (state_->device == device || (known && !device.light)) {
+    return;
+  }
+  state_->device = device;
+  state_->fresh = true;
+  state_->changed.notify_all();
+}
+
+void StationWriter::write(Write write) {
+  const std::lock_guard lock(state_->mutex);
+  state_->writes.push_back({state_->actor, std::move(write)});
+  state_->fresh = true;
+  state_->changed.notify_all();
+}
+
+bool StationWriter::answers() const {
+  const std::lock_guard lock(state_->mutex);
+  if (state_->since && Steady::now() - *state_->since > state_->patience.silence) {
+    return false;
+  }
+  return !state_->failed;
+}
+
+std::size_t StationWriter::waiting() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->writes.size();
+}
+
+std::size_t StationWriter::refused() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->refused;
+}
+
+bool StationWriter::settled(std::chrono::milliseconds limit) const {
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_for(lock, limit, [&] {
+    return state_->ended || (state_->writes.empty() && !state_->fresh && !state_->since && !state_->failed);
+  });
+}
+
+void StationWriter::leave() {
+  end(true);
+}
+
+void StationWriter::end(bool leaveBoard) {
+  if (!thread_.joinable()) {
+    return;
+  }
+  bool ended = false;
+  {
+    std::unique_lock lock(state_->mutex);
+    state_->stop = true;
+    state_->leaveBoard = leaveBoard;
+    state_->changed.notify_all();
+    ended = state_->changed.wait_for(lock, state_->patience.farewell, [&] { return state_->ended; });
+  }
+  // A thread that waits for a dead server is left to itself: it owns all that it touches.
+  if (ended) {
+    thread_.join();
+  } else {
+    thread_.detach();
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/review/case_sheet.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/signing.h"
+#include "app/services/review/sheet_editor.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/written_words.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/call_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+std::optional<double> numberIn(const std::string& text) {
+  double number = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
+  nlohmann::json json;
+  if (!shown.live) {
+    json["watched"] = std::round(watched.share() * 1000.0) / 1000.0;
+    json["slowest"] = watched.slowest();
+    json["fastest"] = watched.fastest();
+  }
+  json["worked_s"] = watched.worked_us() / 1'000'000;
+  return json.dump();
+}
+
+void requireSheetWords(const Sheet& sheet, const std::string& label) {
+  const Text where = Text::tr("case %1", label);
+  requireWords(sheet.comment, kLongestComment, where);
+  requireWords(sheet.notAssessableReason, kLongestReason, where);
+  for (const SheetRow& row : sheet.rows) {
+    requireWords(row.notAssessableReason, kLongestReason, where);
+  }
+}
+
+/// Somebody's sheet opens when an administrator calls the case: nobody scores a trainee who is not
+/// at the arm.
+void requireCalled(SessionContext& session, const Assignment& assignment) {
+  if (assignment.trialId.empty() &&
+      !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {
+    throw Error(ErrorCode::kBadData, Text::tr("this case has not been called to the real arm yet"),
+                Text::tr("case %1", assignment.caseLabel),
+                Text::tr("Its sheet opens by itself when an administrator calls it"));
+  }
+}
+
+}  // namespace
+
+ViewingRules viewingRules(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  ViewingRules rules;
+  SettingRepository settings(session.connection());
+  if (const auto text = settings.value("review.minimum_watched_percent")) {
+    const auto percent = numberIn(*text);
+    if (percent && *percent >= 0.0 && *percent <= 100.0) {
+      rules.minimumWatched = *percent / 100.0;
+    }
+  }
+  if (const auto text = settings.value("review.speeds")) {
+    std::vector<double> speeds;
+    std::string rest = *text;
+    while (!rest.empty()) {
+      const std::size_t comma = std::min(rest.find(','), rest.size());
+      const auto speed = numberIn(rest.substr(0, comma));
+      rest.erase(0, comma + 1);
+      if (speed && *speed >= 0.1 && *speed <= 4.0) {
+        speeds.push_back(*speed);
+      }
+    }
+    std::sort(speeds.begin(), speeds.end());
+    if (!speeds.empty()) {
+      rules.speeds = std::move(speeds);
+    }
+  }
+  return rules;
+}
+
+KeptAt keptAt(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  return session.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
+}
+
+OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  SheetRepository sheets(session.connection());
+  DeskRepository desk(session.connection());
+  OpenedSheet opened;
+  opened.shown = blindedCase(session, assignmentId);
+  opened.rubric = RubricRepository(session.connection()).revision(assignment.rubricRevisionId).value();
+  const std::int64_t length_us = opened.shown.length_us.value_or(0);
+  opened.watched = WatchLog(length_us);
+  if (const auto sealed = sheets.submitted(assignmentId)) {
+    opened.sheet = *sealed;
+    opened.state = SheetState::kSubmitted;
+    opened.panelOpen = sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode).has_value();
+  } else if (const auto draft = sheets.draft(assignmentId)) {
+    opened.sheet = *draft;
+    opened.state = SheetState::kDraft;
+  }
+  if (opened.state != SheetState::kSubmitted) {
+    requireCalled(session, assignment);
+    if (const auto seen = desk.draftViewing(assignmentId)) {
+      opened.watched = WatchLog(length_us, *seen);
+    }
+  }
+  return opened;
+}
+
+std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
+                       const WatchLog& watched) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  requireCalled(session, assignment);
+  sheet.changedUtc_us = session.now_us();
+  requireSheetWords(sheet, assignment.caseLabel);
+  Transaction transaction(session.connection());
+  const std::int64_t revision = SheetRepository(session.connection()).saveDraft(assignmentId, sheet);
+  DeskRepository desk(session.connection());
+  WatchLog all = watched;
+  if (const auto seen = desk.draftViewing(assignmentId)) {
+    all.join(WatchLog(watched.length_us(), *seen));
+  }
+  desk.saveDraftViewing(assignmentId, all.stored());
+  transaction.commit();
+  return revision;
+}
+
+SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live, const WatchLog& watched,
+                      const ViewingRules& rules) {
+  const SheetEditor whole(rubric, sheet);
+  std::vector<SheetLine> lines;
+  for (const std::string& row : whole.order()) {
+    lines.push_back({row, whole.scale(row), whole.answer(row)});
+  }
+  std::optional<RecordingWatched> seen;
+  if (!live) {
+    seen = RecordingWatched{watched.share(), watched.slowest(), watched.fastest()};
+  }
+  return checkSheetLines(lines, seen, rules);
+}
+
+void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                 const WatchLog& watchedHere) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  requireSheetWords(sheet, assignment.caseLabel);
+  const OpenedSheet opened = openSheet(session, assignmentId);
+  WatchLog watched = watchedHere;
+  watched.join(opened.watched);
+  const SheetCheck check =
+      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
+  const Text where = Text::tr("case %1", opened.shown.label);
+  if (check.watchedTooLittle) {
+    throw Error(
+        ErrorCode::kBadData,
+        Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+        where, Text::tr("Play the rest before you submit"));
+  }
+  if (check.speedNotAllowed) {
+    throw Error(ErrorCode::kBadData, Text::tr("the recording was played at a speed that is not allowed"),
+                where, Text::tr("Play it again at an allowed speed"));
+  }
+  const MarkId markId = session.ids().newUuid();
+  Transaction transaction(session.connection());
+  SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
+  DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
+  sign(session,
+       {.objectId = markId, .meaning = SignatureMeaning::kScored, .demonstration = assignment.demonstration});
+  session.note({.action = AuditAction::kSheetSubmit,
+                .objectKind = AuditObject::kAssignment,
+                .objectId = assignmentId,
+                .newJson = seenJson(opened.shown, watched)});
+  transaction.commit();
+  endSigning(session);
+}
+
+void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                const std::string& reason, PanelMarks panel) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const std::string where = "case " + assignment.caseLabel;
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("changing a submitted mark needs a reason"), where,
+                Text::tr("Write why you change it"));
+  }
+  requireWords(reason, kLongestReason, Text::tr("case %1", assignment.caseLabel));
+  requireSheetWords(sheet, assignment.caseLabel);
+  SheetRepository sheets(session.connection());
+  if (!sheets.submitted(assignmentId)) {
+    throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,
+                Text::tr("Fill it in and submit it"));
+  }
+  if (panel == PanelMarks::kUnseen &&
+      sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode)) {
+    throw Error(ErrorCode::kBadData, Text::tr("the marks of the panel are open now"), where,
+                Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
+  }
+  Transaction transaction(session.connection());
+  const MarkId markId = session.ids().newUuid();
+  sheets.submit(assignmentId, markId, sheet, reason, session.now_us());
+  sign(session, {.objectId = markId,
+                 .meaning = SignatureMeaning::kAmended,
+                 .reason = reason,
+                 .demonstration = assignment.demonstration});
+  session.note({.action = AuditAction::kSheetAmend,
+                .objectKind = AuditObject::kAssignment,
+                .objectId = assignmentId,
+                .reason = reason});
+  transaction.commit();
+  endSigning(session);
+}
+
+std::vector<SheetVersion> sheetVersions(SessionContext& session, const AssignmentId& assignmentId) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  const std::optional<std::int64_t> opened_us =
+      SheetRepository(session.connection())
+          .panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode);
+  std::vector<SheetVersion> versions;
+  for (const SubmittedMark& mark :
+       RatingRepository(session.connection())
+           .history(assignment.enrolmentId, assignment.raterId, assignment.occasionCode)) {
+    versions.push_back({mark.version, mark.score_steps, mark.comment, mark.amendReason, mark.submittedUtc_us,
+                        mark.version > 1 && opened_us && mark.submittedUtc_us > *opened_us});
+  }
+  return versions;
+}
+
+}  // namespace torsio

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/review/discrepancy_review.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/sheet_editor.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/written_words.h"
+#include "db/connection/connection.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kRounding = 1e-9;  // marks are decimal steps
+
+double threshold_points(Connection& connection) {
+  const auto text = SettingRepository(connection).value("review.alignment_points");
+  double points = kDiscrepancyThreshold_points;
+  if (!text) {
+    return points;
+  }
+  const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
+  const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
+  return sound ? points : kDiscrepancyThreshold_points;
+}
+
+std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
+  if (row == kOverallRow) {
+    return mark.score_steps;
+  }
+  for (const SheetRow& line : mark.rows) {
+    if (line.code == row) {
+      return line.score_steps;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Empty when the own sheet or everybody else's says "not assessable".
+std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const std::string& rater,
+                                     const std::string& row, const ScoreScale& scale, double threshold) {
+  RowComparison line{.row = row, .scale = scale};
+  std::optional<double> own;
+  double sum = 0.0;
+  for (const CaseMark& mark : marks) {
+    const auto steps = scoreOf(mark, row);
+    if (!steps) {
+      continue;
+    }
+    const double points = pointsFromSteps(*steps, scale);
+    if (mark.raterId == rater) {
+      own = points;
+      continue;
+    }
+    line.lowest = line.others == 0 ? points : std::min(line.lowest, points);
+    line.highest = line.others == 0 ? points : std::max(line.highest, points);
+    sum += points;
+    ++line.others;
+  }
+  if (!own || line.others == 0) {
+    return std::nullopt;
+  }
+  line.own = *own;
+  line.mean = sum / static_cast<double>(line.others);
+  line.apart = std::abs(line.own - line.mean) >= threshold - kRounding;
+  return line;
+}
+
+/// Throws unless everybody has committed on this own case.
+Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
+  Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
+    throw Error(ErrorCode::kBadData, Text::tr("not everybody has submitted this case yet"),
+                Text::tr("case %1", found.caseLabel), Text::tr("Wait until all have committed"));
+  }
+  return found;
+}
+
+void decide(SessionContext& session, const AssignmentId& assignmentId, DiscrepancyChoice choice,
+            const std::string& reason) {
+  DiscrepancyRepository(session.connection(), session.station())
+      .add({.assignmentId = assignmentId,
+            .choice = choice,
+            .reason = reason,
+            .decidedBy = session.actor().userId,
+            .decidedUtc_us = session.now_us()});
+}
+
+void requireReason(const std::string& reason, const std::string& label) {
+  if (!reason.empty()) {
+    return requireWords(reason, kLongestReason, Text::tr("case %1", label));
+  }
+  throw Error(ErrorCode::kBadParameter, Text::tr("a reason is needed"), Text::tr("case %1", label),
+              Text::tr("Write it in a few words"));
+}
+
+}  // namespace
+
+std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  DeskRepository desk(session.connection());
+  const RubricRepository rubrics(session.connection());
+  DiscrepancyRepository decisions(session.connection());
+  const double threshold = threshold_points(session.connection());
+  const std::string& rater = session.actor().personId;
+  std::vector<DiscrepancyCase> found;
+  for (const Assignment& assignment : desk.committed(rater)) {
+    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
+    const RubricRevision rubric = rubrics.revision(assignment.rubricRevisionId).value();
+    DiscrepancyCase line;
+    const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
+      auto compared = compare(marks, rater, row, scale, threshold);
+      if (!compared) {
+        return;
+      }
+      compared->label = label;
+      line.largest = std::max(line.largest, std::abs(compared->own - compared->mean));
+      line.rows.push_back(std::move(*compared));
+    };
+    for (const RubricLine& row : rubric.rows) {
+      add(row.code, row.label, row.scale);
+    }
+    add(kOverallRow, {}, rubric.overall);
+    const bool apart =
+        std::any_of(line.rows.begin(), line.rows.end(), [](const RowComparison& row) { return row.apart; });
+    if (!apart) {
+      continue;
+    }
+    line.shown = blindedCase(session, assignment.id);
+    if (const auto decided = decisions.latest(assignment.id)) {
+      line.decision = decided->choice;
+      line.reason = decided->reason;
+    }
+    found.push_back(std::move(line));
+  }
+  return found;
+}
+
+void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
+  static_cast<void>(committedCase(session, assignmentId));
+  decide(session, assignmentId, DiscrepancyChoice::kKeep, reason);
+}
+
+void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+              const std::string& reason) {
+  const Assignment found = committedCase(session, assignmentId);
+  requireReason(reason, found.caseLabel);
+  Transaction transaction(session.connection());
+  amendSheet(session, assignmentId, sheet, reason, PanelMarks::kSeen);
+  decide(session, assignmentId, DiscrepancyChoice::kMove, reason);
+  transaction.commit();
+}
+
+void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                     const std::string& reason) {
+  if (openSheet(session, assignmentId).panelOpen) {
+    moveMark(session, assignmentId, sheet, reason);
+  } else {
+    amendSheet(session, assignmentId, sheet, reason);
+  }
+}
+
+void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
+  const Assignment found = committedCase(session, assignmentId);
+  requireReason(reason, found.caseLabel);
+  decide(session, assignmentId, DiscrepancyChoice::kThird, reason);
+}
+
+}  // namespace torsio

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/scoring/cohort_inputs.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/services/base/build_info.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/study/allocation.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
+#include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kChiefClass = "chief";
+
+/// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
+/// here.
+CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId,
+                                   const std::vector<StudyGroup>& groups) {
+  const std::vector<LockedDesign> designs = study.designs(cohortId);
+  CohortAllocation shown;
+  if (designs.empty()) {
+    return shown;
+  }
+  const LockedDesign& stored = designs.back();
+  shown.method = stored.algorithm;
+  shown.version = stored.algorithmVersion;
+  shown.generator = stored.generator;
+  shown.commitment = stored.seedCommitment;
+  shown.sealed = stored.seed.empty();
+  shown.lockedUtc_us = stored.lockedUtc_us;
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<Enrolment> enrolments = study.enrolments(cohortId);
+  shown.enrolledBeforeLock = std::count_if(enrolments.begin(), enrolments.end(), [&](const Enrolment& one) {
+    return one.enrolledUtc_us <= stored.lockedUtc_us;
+  });
+  for (const AllocationEntry& record : records) {
+    shown.allocatedBeforeLock += record.allocatedUtc_us < stored.lockedUtc_us ? 1 : 0;
+    shown.movedByHand += record.overrideReason.empty() ? 0 : 1;
+  }
+  const auto [end, error] =
+      std::from_chars(stored.seed.data(), stored.seed.data() + stored.seed.size(), shown.seed);
+  if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) {
+    return shown;
+  }
+
+  AllocationDesign design;
+  design.studyId = cohortId;
+  for (const StudyGroup& group : groups) {
+    design.arms.push_back(group.code);
+  }
+  std::map<std::string, std::string> codeOf;
+  std::map<std::string, std::string> groupOf;
+  for (const Enrolment& enrolment : enrolments) {
+    codeOf[enrolment.id] = enrolment.traineeCode;
+    groupOf[enrolment.traineeCode] = enrolment.groupCode;
+  }
+  std::vector<AllocationPerson> persons;
+  for (const AllocationEntry& record : records) {
+    persons.push_back({codeOf[record.enrolmentId], {}});
+  }
+  const Allocation again = allocate(design, shown.seed, persons, true, stored.salt);
+  shown.replayed =
+      again.commitment == stored.seedCommitment &&
+      std::all_of(again.records.begin(), again.records.end(), [&](const AllocationRecord& record) {
+        return design.arms.at(record.arm) == groupOf[record.person];
+      });
+  return shown;
+}
+
+/// Minutes of the phases of one kind.
+double plannedMinutes(const StudyArm& arm, PhaseKind kind) {
+  double minutes = 0.0;
+  for (const TrainingPhase& phase : arm.phases) {
+    minutes += phase.kind == kind ? static_cast<double>(phase.duration_us) / kMinute_us : 0.0;
+  }
+  return minutes;
+}
+
+/// The groups with what their arms plan.
+void addGroups(Connection& connection, const CohortId& cohortId, const std::vector<StudyGroup>& groups,
+               CohortInputs& inputs) {
+  const CurriculumVersionId versionId = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
+  const std::optional<CurriculumVersion> version =
+      versionId.empty() ? std::nullopt : CurriculumRepository(connection).version(versionId);
+  for (const StudyGroup& group : groups) {
+    CohortGroup shown{Text::tr("Group %1", group.number), group.label, std::nullopt, std::nullopt};
+    if (version) {
+      for (const StudyArm& arm : version->arms) {
+        if (arm.id == group.armId) {
+          shown.plannedVirtual_min = plannedMinutes(arm, PhaseKind::kVirtual);
+          shown.plannedReal_min = plannedMinutes(arm, PhaseKind::kReal);
+        }
+      }
+    }
+    inputs.groups.push_back(std::move(shown));
+  }
+}
+
+/// How many sheets raters were asked for, and how many are there.
+void addSheets(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
+  for (const AssignmentStatus& sheet : SheetRepository(connection).assignments(cohortId)) {
+    if (sheet.state == SheetState::kWithdrawn) {
+      continue;
+    }
+    ++inputs.sheetsAsked;
+    inputs.sheetsPresent += sheet.state == SheetState::kSubmitted ? 1 : 0;
+  }
+}
+
+/// Doses, rests and deviations.
+void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& inputs) {
+  std::map<std::string, std::string> codeOf;
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+    codeOf[enrolment.id] = enrolment.traineeCode;
+  }
+  std::map<std::string, CohortDose> doses;
+  for (const Exposure& exposure : study.exposures(cohortId)) {
+    CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
+    const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
+    (exposure.kind == ExposureKind::kRest   ? dose.rest_min
+     : exposure.kind == ExposureKind::kReal ? dose.real_min
+                                            : dose.virtual_min) += minutes;
+  }
+  for (auto& [code, dose] : doses) {
+    dose.trainee = code;
+    inputs.rests += dose.rest_min > 0.0 ? 1 : 0;
+    inputs.doses.push_back(std::move(dose));
+  }
+  for (const ProtocolDeviation& deviation : study.deviations(cohortId)) {
+    inputs.deviations.push_back(
+        {deviation.happenedUtc_us,
+         deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
+         deviation.description});
+  }
+}
+
+/// A scoring sheet in points and words.
+ReportedSheet reported(const RubricRevision& revision, const std::string& name) {
+  ReportedSheet sheet{name, revision.number, {}};
+  for (const RubricLine& line : revision.rows) {
+    ReportedCriterion criterion{line.code,
+                                line.label,
+                                pointsFromSteps(line.scale.lo, line.scale),
+                                pointsFromSteps(line.scale.hi, line.scale),
+                                static_cast<double>(line.weight_milli) / 1000.0,
+                                {}};
+    for (const RubricAnchor& anchor : line.anchors) {
+      criterion.anchors.push_back({pointsFromSteps(anchor.score_steps, line.scale), anchor.meaning});
+    }
+    sheet.criteria.push_back(std::move(criterion));
+  }
+  return sheet;
+}
+
+/// The sheets behind the newest marks, and what they say of each criterion.
+void addCriteria(Connection& connection, const CohortId& cohortId, const TrainingResult& training,
+                 const std::vector<StudyGroup>& groups, CohortInputs& inputs) {
+  const RubricRepository rubrics(connection);
+  std::map<RubricId, std::string> names;
+  for (const Rubric& rubric : rubrics.rubrics()) {
+    names[rubric.id] = rubric.name;
+  }
+  std::map<RubricRevisionId, std::size_t> sheetOf;
+  std::map<std::pair<std::size_t, std::string>, std::pair<std::size_t, ScoreScale>> criterionOf;
+  const auto sheetFor = [&](const RubricRevisionId& id) {
+    const auto [known, added] = sheetOf.try_emplace(id, inputs.sheets.size());
+    if (added) {
+      const RubricRevision revision = rubrics.revision(id).value();
+      for (std::size_t i = 0; i < revision.rows.size(); ++i) {
+        criterionOf[{known->second, revision.rows[i].code}] = {i, revision.rows[i].scale};
+      }
+      inputs.sheets.push_back(reported(revision, names[revision.rubricId]));
+    }
+    return known->second;
+  };
+  const std::map<MarkId, std::vector<MarkRow>> answers = RatingRepository(connection).criteria(cohortId);
+  for (const SubmittedMark& mark : training.submitted) {
+    const auto rows = answers.find(mark.id);
+    const std::optional<std::size_t> occasion = training.occasions.positionOf(mark.occasionCode);
+    if (rows == answers.end() || mark.groupCode.empty() || !occasion) {
+      continue;
+    }
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const StudyGroup& one) { return one.code == mark.groupCode; });
+    const std::size_t first = inputs.criterionMarks.size();
+    for (const MarkRow& row : rows->second) {
+      CriterionMark one{.trainee = mark.traineeCode,
+                        .rater = mark.raterCode,
+                        .group = static_cast<std::size_t>(group - groups.begin()),
+                        .occasion = *occasion,
+                        .sheet = sheetFor(row.rubricRevisionId)};
+      const auto& [criterion, scale] = criterionOf.at({one.sheet, row.rowCode});
+      one.criterion = criterion;
+      if (row.score_steps) {
+        one.points = pointsFromSteps(*row.score_steps, scale);
+      }
+      inputs.criterionMarks.push_back(std::move(one));
+    }
+    std::sort(inputs.criterionMarks.begin() + static_cast<std::ptrdiff_t>(first), inputs.criterionMarks.end(),
+              [](const CriterionMark& a, const CriterionMark& b) { return a.criterion < b.criterion; });
+  }
+}
+
+/// The class of Fig. 18: the chief physicians; where no class is called so, the one that counts most.
+std::size_t chiefClassOf(const EvaluationInstrument& instrument) {
+  std::size_t most = 0;
+  for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
+    if (instrument.classes[c].id == kChiefClass) {
+      return c;
+    }
+    most = instrument.classes[c].weight_milli > instrument.classes[most].weight_milli ? c : most;
+  }
+  return most;
+}
+
+}  // namespace
+
+CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
+                          const TrainingResult& training) {
+  StudyRepository study(connection);
+  CohortInputs inputs;
+  if (const auto centre = study.centre()) {
+    inputs.centre = centre->name;
+  }
+  inputs.softwareVersion = softwareVersion();
+  inputs.programHash = programHash();
+  inputs.equivalenceMargin = study.cohort(cohortId).equivalenceMargin;
+  const std::vector<StudyGroup> groups = study.groups(cohortId);
+  addGroups(connection, cohortId, groups, inputs);
+  std::map<std::string, Trainee> trainees;
+  for (Trainee& trainee : PeopleRepository(connection).trainees()) {
+    trainees[trainee.person.code] = trainee;
+  }
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+    const Person& person = trainees.at(enrolment.traineeCode).person;
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const StudyGroup& g) { return g.code == enrolment.groupCode; });
+    if (group == groups.end()) {  // not allocated yet: no part of the comparison
+      inputs.notAllocated += enrolment.state == EnrolmentState::kWithdrawn ? 0 : 1;
+      continue;
+    }
+    inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
+                               person.level, enrolment.state == EnrolmentState::kWithdrawn});
+  }
+  inputs.allocation = checkedAllocation(study, cohortId, groups);
+
+  inputs.instrument = campaign.campaign.instrument;
+  if (!campaign.classesMissing.empty()) {
+    inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
+                                   campaign.classesMissing, campaign.unscored};
+  }
+  if (!campaign.ratings.empty()) {  // without an evaluation there is no instrument either
+    inputs.ratings = groupRatings(inputs.instrument, campaign.ratings);
+    inputs.chiefClass = chiefClassOf(inputs.instrument);
+  }
+  inputs.evaluations = campaign.models;
+  const auto positionOf = [&](const std::string& code) {
+    return std::find_if(campaign.campaign.models.begin(), campaign.campaign.models.end(),
+                        [&](const CampaignModel& m) { return m.code == code; });
+  };
+  std::stable_sort(inputs.ratings.begin(), inputs.ratings.end(),
+                   [&](const ModelRatings& a, const ModelRatings& b) {
+                     return positionOf(a.model) < positionOf(b.model);
+                   });
+
+  inputs.trainingScale = training.scale;
+  inputs.occasions = occasionTexts(training.occasions);
+  inputs.scores = training.trainees;
+  inputs.summaries = training.groups;
+  inputs.trainingMarks = training.marks;
+  inputs.notAssessable = training.notAssessable;
+  inputs.markWays = training.ways;
+  addSheets(connection, cohortId, inputs);
+  addCriteria(connection, cohortId, training, groups, inputs);
+  inputs.evaluationRatersAsked = std::ssize(campaign.campaign.raters);
+  for (const CampaignModel& model : campaign.campaign.models) {
+    inputs.modelsHidden += !model.hiddenLabel.empty() && model.hiddenLabel != model.code ? 1 : 0;
+  }
+  addTimes(study, cohortId, inputs);
+  std::set<std::string> raters;
+  for (const TrainingMark& mark : training.marks) {
+    raters.insert(mark.rater);
+  }
+  inputs.trainingRaters = raters.size();
+  return inputs;
+}
+
+}  // namespace torsio

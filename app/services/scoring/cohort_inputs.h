@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/services/scoring/scoring_service.h"
+#include "assessment/domain/ids.h"
+#include "assessment/results/cohort_report.h"
+
+namespace torsio {
+
+class Connection;
+
+/// Gathers what a cohort report says of people, groups, allocation and scores from the record. The allocation
+/// is repeated from its seed and compared; the caller adds trials, facts and title.
+[[nodiscard]] CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId,
+                                        const CampaignResult& campaign, const TrainingResult& training);
+
+}  // namespace torsio

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/study/allocation_service.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/two_people.h"
+#include "app/services/base/build_info.h"
+#include "app/services/study/allocation_design.h"
+#include "app/services/study/cohort_service.h"
+#include "app/services/study/draw_field.h"
+#include "app/services/study/drawn_seed.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/study/study_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kTries = 200;
+
+/// The design that counts, with its generator where the last draw left it.
+struct OpenDraw {
+  LockedDesign stored;
+  AllocationDesign design;
+  std::vector<AllocationEntry> records;
+  Allocator allocator;
+  std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
+};
+
+OpenDraw openDraw(SessionContext& session, const DrawField& field) {
+  StudyRepository study(session.connection());
+  const std::vector<LockedDesign> designs = study.designs(field.cohort.id);
+  if (designs.empty()) {
+    refuse(Text::tr("no allocation design is locked"), field.cohort.name, Text::tr("Lock one first"));
+  }
+  const LockedDesign& stored = designs.back();
+  std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> drawn = drawnOf(records);
+  AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
+  OpenDraw open{stored,
+                design,
+                std::move(records),
+                Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
+                {}};
+  for (const Enrolment& enrolment : study.enrolments(field.cohort.id)) {
+    std::int64_t& highest = open.highestNumber[enrolment.groupId];
+    highest = std::max(highest, enrolment.numberInGroup);
+  }
+  const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
+  for (const AllocationEntry& record : drawn) {
+    const AllocationRecord again =
+        open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
+    if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
+      refuse(Text::tr("the records do not follow from the sealed seed"), stored.id,
+             Text::tr("Run the check of the allocation before anybody else is allocated"));
+    }
+  }
+  return open;
+}
+
+AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& open,
+                     const Enrolment& enrolment) {
+  StudyRepository study(session.connection());
+  const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
+  const AllocationRecord drawn = open.allocator.assign(person);
+  const StudyGroup& group = field.groups.at(drawn.arm);
+  AllocationEntry record;
+  record.id = session.ids().newUuid();
+  record.designId = open.stored.id;
+  record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
+  record.enrolmentId = enrolment.id;
+  record.groupId = group.id;
+  record.numberInGroup = ++open.highestNumber[group.id];
+  record.covariatesJson = covariatesJson(open.design, person);
+  record.countsBeforeJson = numbersJson(open.design.arms, drawn.countsBefore);
+  record.scoresJson = numbersJson(open.design.arms, drawn.scores);
+  record.drawBefore = static_cast<std::int64_t>(drawn.drawsBefore);
+  record.drawAfter = static_cast<std::int64_t>(drawn.drawsAfter);
+  record.allocatedBy = session.actor().userId;
+  record.softwareVersion = softwareVersion();
+  record.allocatedUtc_us = session.now_us();
+  record.demonstration = field.cohort.demonstration;
+  record = study.allocate(std::span(&record, 1)).front();
+  open.records.push_back(record);
+  session.note(
+      {.action = AuditAction::kAllocationDraw,
+       .objectKind = AuditObject::kAllocation,
+       .objectId = record.id,
+       .newJson = nlohmann::json{{"enrolment", enrolment.id}, {"record", record.recordHash}}.dump()});
+  return record;
+}
+
+AllocationDesignRow rowOf(StudyRepository& study, const LockedDesign& stored,
+                          const std::vector<std::string>& groups) {
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::size_t drawn = drawnOf(records).size();
+  return {stored, designFromStored(stored, groups, drawn), records.size(), records.size() - drawn};
+}
+
+/// Adds one trial allocation to the statistics of a preview.
+void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& field,
+            const std::vector<Enrolment>& people) {
+  const auto difference = [](const std::vector<std::size_t>& counts) {
+    const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
+    return *high - *low;
+  };
+  std::vector<std::size_t> sizes(preview.groups.size(), 0);
+  for (const AllocationRecord& record : tried.records) {
+    ++sizes.at(record.arm);
+  }
+  preview.worstSizeDifference = std::max(preview.worstSizeDifference, difference(sizes));
+  for (BalancePreview::Level& level : preview.levels) {
+    std::vector<std::size_t> counts(preview.groups.size(), 0);
+    for (const AllocationRecord& record : tried.records) {
+      const Trainee& trainee = field.trainees.at(people.at(record.position).traineeId);
+      if (factorValue(trainee, level.factor) == level.level) {
+        ++counts.at(record.arm);
+      }
+    }
+    for (std::size_t g = 0; g < counts.size(); ++g) {
+      level.expected[g] += static_cast<double>(counts[g]) / static_cast<double>(kTries);
+    }
+    level.worstDifference = std::max(level.worstDifference, difference(counts));
+    level.meanDifference += static_cast<double>(difference(counts)) / static_cast<double>(kTries);
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& allocationFactorNames() {
+  static const std::vector<std::string> kNames{"sex", "level", "experience", "handedness"};
+  return kNames;
+}
+
+BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan) {
+  session.require(Operation::kAllocationRun);
+  DrawField field = readDrawField(session, plan.cohortId);
+  BalancePreview preview;
+  preview.groups = field.groupCodes();
+  std::vector<Enrolment> people = field.waiting();
+  preview.people = people.size();
+  for (const Enrolment& enrolment : people) {
+    const Trainee& trainee = field.trainees.at(enrolment.traineeId);
+    const bool complete =
+        std::none_of(plan.factors.begin(), plan.factors.end(),
+                     [&](const std::string& name) { return factorValue(trainee, name).empty(); });
+    if (!complete) {
+      preview.missing.push_back(enrolment.traineeCode);
+    }
+  }
+  if (!preview.missing.empty() || people.empty()) {
+    return preview;
+  }
+  const AllocationDesign design = designOf(field, plan);
+  for (const std::string& name : allocationFactorNames()) {
+    for (const std::string& level : factorOf(field, name).levels) {
+      const auto count = std::count_if(people.begin(), people.end(), [&](const Enrolment& enrolment) {
+        return factorValue(field.trainees.at(enrolment.traineeId), name) == level;
+      });
+      preview.levels.push_back({name, level, static_cast<std::size_t>(count),
+                                std::vector<double>(preview.groups.size(), 0.0), 0, 0.0});
+    }
+  }
+  std::vector<AllocationPerson> persons;
+  for (const Enrolment& enrolment : people) {
+    persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
+  }
+  preview.tries = kTries;
+  for (std::size_t seed = 1; seed <= kTries; ++seed) {
+    addTry(preview, allocate(design, seed, persons, !design.stratumTotals.empty()), field, people);
+  }
+  return preview;
+}
+
+AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan& plan,
+                                   const std::string& supersedeReason) {
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  const DrawField field = readDrawField(session, plan.cohortId);
+  refuseWhenClosed(field.cohort);
+  StudyRepository study(session.connection());
+  const std::vector<LockedDesign> before = study.designs(plan.cohortId);
+  if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
+    refuse(Text::tr("allocation has begun with another design"), field.cohort.name,
+           Text::tr("Give a reason; whoever has a group keeps it"));
+  }
+  if (field.waiting().empty()) {
+    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
+  }
+  const AllocationDesign design = designOf(field, plan);
+  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(session.ids());
+  LockedDesign stored;
+  stored.id = session.ids().newUuid();
+  stored.cohortId = plan.cohortId;
+  stored.algorithm = allocationMethodName(design.method);
+  stored.algorithmVersion = kAllocationVersion;
+  stored.parametersJson = designJson(design);
+  stored.generator = kAllocationGenerator;
+  stored.salt = drawSalt(session.ids());
+  stored.seedCommitment = seedCommitment(design, seed, stored.salt);
+  stored.seed = std::to_string(seed);
+  stored.lockedUtc_us = session.now_us();
+  if (!before.empty()) {
+    stored.lockedUtc_us = std::max(stored.lockedUtc_us, before.back().lockedUtc_us + 1);
+  }
+  stored.demonstration = field.cohort.demonstration;
+  study.lockDesign(stored);
+  stored.seed.clear();
+  stored.salt.clear();
+  session.note({.action = before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
+                .objectKind = AuditObject::kAllocationDesign,
+                .objectId = stored.id,
+                .newJson = nlohmann::json{{"cohort", plan.cohortId},
+                                          {"commitment", stored.seedCommitment},
+                                          {"seed_given", plan.seed.has_value()}}
+                               .dump(),
+                .reason = supersedeReason});
+  transaction.commit();
+  return {stored, design, 0, 0};
+}
+
+std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kAllocationView);
+  StudyRepository study(session.connection());
+  std::vector<std::string> groups;
+  for (const StudyGroup& group : study.groups(cohortId)) {
+    groups.push_back(group.code);
+  }
+  std::vector<AllocationDesignRow> rows;
+  for (const LockedDesign& stored : study.designs(cohortId)) {
+    rows.push_back(rowOf(study, stored, groups));
+  }
+  return rows;
+}
+
+std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId& designId) {
+  session.require(Operation::kAllocationView);
+  return StudyRepository(session.connection()).allocations(designId);
+}
+
+std::size_t allocateAll(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  const DrawField field = readDrawField(session, cohortId);
+  OpenDraw open = openDraw(session, field);
+  const std::vector<Enrolment> waiting = field.waiting();
+  if (waiting.empty()) {
+    refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
+  }
+  for (const Enrolment& enrolment : waiting) {
+    draw(session, field, open, enrolment);
+  }
+  transaction.commit();
+  return waiting.size();
+}
+
+AllocationEntry overrideAllocation(SessionContext& session, const CohortId& cohortId,
+                                   const EnrolmentId& enrolmentId, const GroupId& groupId,
+                                   const std::string& reason) {
+  session.require(Operation::kAllocationRun);
+  if (reason.empty()) {
+    refuse(Text::tr("an override needs a reason"), enrolmentId, Text::tr("Say in a few words why"));
+  }
+  Transaction transaction(session.connection());
+  const DrawField field = readDrawField(session, cohortId);
+  OpenDraw open = openDraw(session, field);
+  const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
+                                 [&](const AllocationEntry& r) { return r.enrolmentId == enrolmentId; });
+  if (last == open.records.rend()) {
+    refuse(Text::tr("was not allocated by this design"), enrolmentId, Text::tr("Draw the group first"));
+  }
+  const auto group = std::find_if(field.groups.begin(), field.groups.end(),
+                                  [&](const StudyGroup& g) { return g.id == groupId; });
+  if (group == field.groups.end()) {
+    refuse(Text::tr("there is no such group"), groupId, Text::tr("Choose one of the cohort"));
+  }
+  if (last->groupId == groupId) {
+    refuse(Text::tr("is in this group already"), group->code, Text::tr("Choose another group"));
+  }
+  StudyRepository study(session.connection());
+  AllocationEntry record = *last;
+  record.id = session.ids().newUuid();
+  record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
+  record.groupId = groupId;
+  record.numberInGroup = ++open.highestNumber[groupId];
+  record.drawBefore = record.drawAfter;  // nothing was drawn
+  record.allocatedBy = session.actor().userId;
+  record.softwareVersion = softwareVersion();
+  record.overrideReason = reason;
+  record.allocatedUtc_us = session.now_us();
+  record = study.allocate(std::span(&record, 1)).front();
+  session.note({.action = AuditAction::kAllocationOverride,
+                .objectKind = AuditObject::kAllocation,
+                .objectId = record.id,
+                .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
+                .reason = reason});
+  transaction.commit();
+  return record;
+}
+
+}  // namespace torsio

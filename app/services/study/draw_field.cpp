@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/study/draw_field.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <utility>
+
+#include "app/services/study/allocation_design.h"
+#include "assessment/domain/ids.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+std::vector<std::string> DrawField::groupCodes() const {
+  std::vector<std::string> codes;
+  for (const StudyGroup& group : groups) {
+    codes.push_back(group.code);
+  }
+  return codes;
+}
+
+std::vector<Enrolment> DrawField::waiting() const {
+  std::vector<Enrolment> list;
+  for (const Enrolment& enrolment : enrolments) {
+    if (enrolment.groupId.empty()) {
+      list.push_back(enrolment);
+    }
+  }
+  std::sort(list.begin(), list.end(),
+            [](const Enrolment& a, const Enrolment& b) { return a.traineeCode < b.traineeCode; });
+  return list;
+}
+
+DrawField readDrawField(SessionContext& session, const CohortId& cohortId) {
+  StudyRepository study(session.connection());
+  DrawField field;
+  field.cohort = study.cohort(cohortId);
+  field.groups = study.groups(cohortId);
+  field.enrolments = study.enrolments(cohortId);
+  std::erase_if(field.enrolments, [](const Enrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
+  for (Trainee& trainee : PeopleRepository(session.connection()).trainees()) {
+    field.trainees[trainee.person.id] = std::move(trainee);
+  }
+  return field;
+}
+
+AllocationFactor factorOf(const DrawField& field, const std::string& name) {
+  std::set<std::string> levels;
+  for (const Enrolment& enrolment : field.waiting()) {
+    const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
+    if (!level.empty()) {
+      levels.insert(level);
+    }
+  }
+  return {name, {levels.begin(), levels.end()}};
+}
+
+AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
+  AllocationDesign design;
+  design.studyId = field.cohort.id;
+  design.method = plan.method;
+  design.arms = field.groupCodes();
+  design.participants = plan.method == AllocationMethod::kCompletePermutation ? field.waiting().size() : 0;
+  design.blockSizes = plan.blockSizes;
+  design.bestArm_tenths = plan.bestArm_tenths;
+  design.imbalance = plan.imbalance;
+  for (const std::string& name : plan.factors) {
+    design.factors.push_back(factorOf(field, name));
+  }
+  validateDesign(design);
+  if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
+    std::vector<AllocationPerson> persons;
+    for (const Enrolment& enrolment : field.waiting()) {
+      persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
+    }
+    // Any seed: only the strata are counted here.
+    design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
+  }
+  return design;
+}
+
+std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
+  std::vector<AllocationEntry> drawn;
+  for (const AllocationEntry& record : records) {
+    if (record.overrideReason.empty()) {
+      drawn.push_back(record);
+    }
+  }
+  return drawn;
+}
+
+std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
+    refuse(Text::tr("the sealed seed cannot be read"), designId, Text::tr("Verify the database"));
+  }
+  return seed;
+}
+
+std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId) {
+  std::map<std::string, std::string> codes;
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+    codes[enrolment.id] = enrolment.traineeCode;
+  }
+  return codes;
+}
+
+}  // namespace torsio

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/services/study/allocation_service.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/study/cohort.h"
+
+namespace torsio {
+
+class StudyRepository;
+
+/// A cohort as the draw sees it.
+struct DrawField {
+  Cohort cohort;
+  std::vector<StudyGroup> groups;
+  std::vector<Enrolment> enrolments;        ///< not withdrawn
+  std::map<std::string, Trainee> trainees;  ///< by id
+
+  /// Gives the codes of the groups, in their order.
+  [[nodiscard]] std::vector<std::string> groupCodes() const;
+  /// Gives who is enrolled without a group, in the order of codes.
+  [[nodiscard]] std::vector<Enrolment> waiting() const;
+};
+
+/// Reads a cohort for the draw. Throws Error{kBadData} when there is no such cohort.
+[[nodiscard]] DrawField readDrawField(SessionContext& session, const CohortId& cohortId);
+/// Gives the levels that a factor has among the people who wait.
+[[nodiscard]] AllocationFactor factorOf(const DrawField& field, const std::string& name);
+/// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
+/// drawn by.
+[[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
+
+/// Gives the records that were drawn, without those that were moved by hand.
+[[nodiscard]] std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records);
+/// Reads a seed as it is stored. Throws Error{kBadData} naming the design.
+[[nodiscard]] std::uint64_t seedFrom(const std::string& text, const DesignId& designId);
+/// Gives the codes of a cohort's trainees by the ids of their enrolments.
+[[nodiscard]] std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId);
+
+}  // namespace torsio

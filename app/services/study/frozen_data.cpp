@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/study/frozen_data.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/signing.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/rating/campaign.h"
+#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/cohort.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/field_digest.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/base/seals.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/freeze_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/refusal.h"
+
+namespace torsio {
+
+namespace {
+
+using nlohmann::json;
+using Hashes = std::map<std::string, std::string>;  ///< id of a row -> hash over it
+using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
+
+constexpr const char* kFrozenFormat = "torsio frozen data 1";
+constexpr std::size_t kShownDifferences = 20;
+
+std::string hashOf(const Enrolment& row) {
+  FieldDigest digest("torsio frozen enrolment 1");
+  digest.add(row.id).add(row.traineeCode).add(row.groupId).add(row.numberInGroup).add(storedText(row.state));
+  return digest.hex();
+}
+
+std::string hashOf(const Exposure& row) {
+  FieldDigest digest("torsio frozen exposure 1");
+  digest.add(row.id).add(row.enrolmentId).add(row.phaseId).add(storedText(row.kind)).add(row.startedUtc_us);
+  digest.add(row.duration_us);
+  return digest.hex();
+}
+
+/// The description may be erased with a person and stays out.
+std::string hashOf(const ProtocolDeviation& row) {
+  FieldDigest digest("torsio frozen deviation 1");
+  digest.add(row.id).add(row.enrolmentId).add(row.kind).add(row.happenedUtc_us);
+  return digest.hex();
+}
+
+std::string hashOf(const Campaign& campaign) {
+  FieldDigest digest("torsio frozen campaign 1");
+  digest.add(campaign.id).add(campaign.name);
+  const EvaluationInstrument& instrument = campaign.instrument;
+  digest.add(instrument.scale.lo).add(instrument.scale.hi).add(instrument.scale.stepsPerPoint);
+  for (const RaterClass& part : instrument.classes) {
+    digest.add(part.id).add(part.weight_milli);
+  }
+  for (const EvaluationIndex& part : instrument.indices) {
+    digest.add(part.id).add(part.weight_milli);
+  }
+  for (const CampaignModel& model : campaign.models) {
+    digest.add(model.code).add(model.hiddenLabel);
+  }
+  for (const CampaignRater& rater : campaign.raters) {
+    digest.add(rater.raterId).add(rater.classCode).add(rater.modelOrder);
+  }
+  return digest.hex();
+}
+
+template <class Row>
+Hashes hashesOf(const std::vector<Row>& rows) {
+  Hashes hashes;
+  for (const Row& row : rows) {
+    hashes[row.id] = hashOf(row);
+  }
+  return hashes;
+}
+
+template <class Row>
+auto idsOf(const std::vector<Row>& rows) {
+  std::vector<decltype(Row::id)> ids;
+  for (const Row& row : rows) {
+    ids.push_back(row.id);
+  }
+  return ids;
+}
+
+Manifest manifestOf(SessionContext& session, const CohortId& cohortId,
+                    const std::vector<CampaignId>& campaignIds) {
+  Connection& connection = session.connection();
+  StudyRepository study(connection);
+  Manifest manifest;
+  manifest["enrolment"] = hashesOf(study.enrolments(cohortId));
+  Hashes& allocations = manifest["allocation"];
+  for (const LockedDesign& design : study.designs(cohortId)) {
+    for (const AllocationEntry& record : study.allocations(design.id)) {
+      allocations[record.id] = record.recordHash;
+    }
+  }
+  manifest["exposure"] = hashesOf(study.exposures(cohortId));
+  manifest["deviation"] = hashesOf(study.deviations(cohortId));
+  if (const auto marks = idsOf(RatingRepository(connection).marks(cohortId)); !marks.empty()) {
+    manifest["training_mark"] = markHashes(connection, marks);
+  }
+  Hashes& trials = manifest["trial"];
+  const std::vector<TrialId> trialIds = study.trialIds(cohortId);
+  for (const TrialId& id : trialIds) {
+    trials[id] = "not ended";
+  }
+  if (!trialIds.empty()) {
+    for (const auto& [id, hash] : trialHashes(connection, trialIds)) {
+      trials[id] = hash;
+    }
+  }
+  EvaluationRepository evaluations(connection);
+  for (const CampaignId& campaignId : campaignIds) {
+    const auto campaign = evaluations.campaign(campaignId);
+    if (!campaign) {
+      refuseParameter(Text::tr("there is no such evaluation"), campaignId,
+                      Text::tr("Choose one from the list"));
+    }
+    manifest["evaluation_campaign"][campaignId] = hashOf(*campaign);
+    const auto marks = idsOf(evaluations.marks(campaignId));
+    if (marks.empty()) {
+      continue;
+    }
+    Hashes& all = manifest["evaluation_mark"];
+    all.merge(evaluationMarkHashes(connection, marks));
+  }
+  return manifest;
+}
+
+json manifestJson(const Manifest& manifest) {
+  return {{"format", kFrozenFormat}, {"rows", manifest}};
+}
+
+std::string hashOfText(const std::string& text) {
+  Digest digest;
+  digest.update(text);
+  return digest.hex();
+}
+
+Manifest manifestFrom(const DataFreeze& stored) {
+  try {
+    return json::parse(stored.manifestJson).at("rows").get<Manifest>();
+  } catch (const json::exception& problem) {
+    throw Error(ErrorCode::kBadData, Text::tr("the manifest cannot be read: %1", problem.what()), stored.name,
+                Text::tr("Verify the database"));
+  }
+}
+
+FrozenRow rowOf(const DataFreeze& stored, const std::string& createdBy) {
+  Manifest manifest = manifestFrom(stored);
+  FrozenRow row{stored.id, stored.cohortId,      stored.name, stored.contentHash,
+                {},        stored.createdUtc_us, createdBy};
+  row.counts = {.enrolments = manifest["enrolment"].size(),
+                .allocations = manifest["allocation"].size(),
+                .exposures = manifest["exposure"].size(),
+                .deviations = manifest["deviation"].size(),
+                .marks = manifest["training_mark"].size(),
+                .trials = manifest["trial"].size(),
+                .campaigns = manifest["evaluation_campaign"].size(),
+                .evaluationMarks = manifest["evaluation_mark"].size()};
+  return row;
+}
+
+std::optional<DataFreeze> findFreeze(SessionContext& session, const FreezeId& frozenId) {
+  FreezeRepository repository(session.connection());
+  for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
+    for (DataFreeze& freeze : repository.list(cohort.id)) {
+      if (freeze.id == frozenId) {
+        return std::move(freeze);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// What differs between two states of one table, in words.
+void compareTable(const std::string& table, const Hashes& then, const Hashes& now, FrozenCheck& check) {
+  const auto add = [&](const Text& difference) {
+    check.same = false;
+    if (check.differences.size() < kShownDifferences) {
+      check.differences.push_back(difference);
+    }
+  };
+  for (const auto& [id, hash] : then) {
+    const auto present = now.find(id);
+    if (present == now.end()) {
+      add(Text::tr("%1 %2 is no longer there", table, id));
+    } else if (present->second != hash) {
+      add(Text::tr("%1 %2 has changed", table, id));
+    }
+  }
+  for (const auto& [id, hash] : now) {
+    if (!then.contains(id)) {
+      add(Text::tr("%1 %2 was added", table, id));
+    }
+  }
+}
+
+}  // namespace
+
+FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
+                     const std::vector<CampaignId>& campaignIds) {
+  session.require(Operation::kResultsCompute);
+  if (name.empty()) {
+    refuseParameter(Text::tr("the data set has no name"), Text::tr("name"), Text::tr("Enter one"));
+  }
+  Transaction transaction(session.connection());
+  FreezeRepository repository(session.connection(), session.station());
+  if (repository.findByName(name)) {
+    refuseParameter(Text::tr("another data set has this name"), name,
+                    Text::tr("Choose another name; frozen data stay as they are"));
+  }
+  const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
+  DataFreeze freeze;
+  freeze.id = session.ids().newUuid();
+  freeze.cohortId = cohortId;
+  freeze.name = name;
+  freeze.manifestJson = manifestJson(manifestOf(session, cohortId, campaignIds)).dump();
+  freeze.contentHash = hashOfText(freeze.manifestJson);
+  freeze.createdBy = session.actor().userId;
+  freeze.createdUtc_us = session.now_us();
+  freeze.demonstration = cohort.demonstration;
+  repository.add(freeze);  // with its entry in the trail
+  sign(session, {.kind = SignedKind::kFrozenDataset,
+                 .objectId = freeze.id,
+                 .meaning = SignatureMeaning::kFroze,
+                 .demonstration = freeze.demonstration});
+  transaction.commit();
+  endSigning(session);
+  return rowOf(freeze, session.actor().login);
+}
+
+std::vector<FrozenRow> frozenData(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kResultsCompute);
+  std::map<std::string, std::string> loginOf;  // by user
+  for (const UserAccount& user : AccessRepository(session.connection()).users()) {
+    loginOf.emplace(user.id, user.login);
+  }
+  std::vector<FrozenRow> rows;
+  for (const DataFreeze& stored : FreezeRepository(session.connection()).list(cohortId)) {
+    const auto known = loginOf.find(stored.createdBy);
+    rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
+  }
+  return rows;
+}
+
+FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId) {
+  session.require(Operation::kResultsCompute);
+  const auto stored = findFreeze(session, frozenId);
+  if (!stored) {
+    refuseParameter(Text::tr("there is no such data set"), frozenId, Text::tr("Choose one from the list"));
+  }
+  FrozenCheck check;
+  if (hashOfText(stored->manifestJson) != stored->contentHash) {
+    check.same = false;
+    check.differences.emplace_back(
+        Text::tr("the manifest does not fit its hash: the database was tampered with"));
+    return check;
+  }
+  const Manifest then = manifestFrom(*stored);
+  std::vector<CampaignId> campaignIds;
+  if (const auto campaigns = then.find("evaluation_campaign"); campaigns != then.end()) {
+    for (const auto& [id, hash] : campaigns->second) {
+      campaignIds.push_back(id);
+    }
+  }
+  Manifest now = manifestOf(session, stored->cohortId, campaignIds);
+  for (const auto& [table, rows] : then) {
+    compareTable(table, rows, now[table], check);
+  }
+  for (const auto& [table, rows] : now) {
+    if (!then.contains(table)) {
+      compareTable(table, {}, rows, check);
+    }
+  }
+  return check;
+}
+
+}  // namespace torsio

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/training/attempts.h"
+
+#include <algorithm>
+
+#include "app/services/recording/competence.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/services/training/trainee_record.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/foreign_recording.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kMostAttempts = 10'000;
+
+Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseRules& rules) {
+  Attempt attempt;
+  if (listing.summary) {
+    const AttemptMeasures measures =
+        measuresFrom(digestOf(session.connection(), listing, rules, session.now_us()));
+    attempt.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
+    attempt.twists = std::ssize(measures.twists);
+    attempt.onTarget = measures.twistsOnTarget();
+    attempt.unfinished = measures.unfinished;
+    attempt.values = measures.values;
+  }
+  attempt.trialId = listing.trialId;
+  attempt.moduleId = listing.moduleId;
+  attempt.phaseId = listing.phaseId;
+  attempt.mode = listing.attemptMode;
+  attempt.startedUtc_us = listing.startedUtc_us;
+  attempt.ended = listing.summary.has_value();
+  attempt.forceCuts = listing.summary && listing.summary->health ? listing.summary->health->forceCuts : 0;
+  attempt.interrupted = listing.summary && listing.summary->outcome == TrialOutcome::kInterrupted;
+  return attempt;
+}
+
+}  // namespace
+
+Attempt attemptOf(SessionContext& session, const TrialId& trialId) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
+  ExerciseRules rules;
+  Transaction transaction(session.connection());
+  Attempt attempt = measured(session, listing, rules);
+  transaction.commit();
+  return attempt;
+}
+
+std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId, const ModuleId& moduleId) {
+  session.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  TrialRepository trials(session.connection());
+  TrialFilter filter;
+  filter.traineeCode = record.code;
+  filter.moduleId = moduleId;
+  filter.limit = kMostAttempts;
+  std::vector<Attempt> attempts;
+  ExerciseRules rules;
+  Transaction transaction(session.connection());
+  for (const TrialListing& listing : trials.list(filter)) {
+    if (!isForeign(listing.sceneId)) {  // on the real arm nothing is tried that has a module
+      attempts.push_back(measured(session, listing, rules));
+    }
+  }
+  transaction.commit();
+  std::reverse(attempts.begin(), attempts.end());
+  return attempts;
+}
+
+bool isUntwisting(const Attempt& attempt) {
+  return attempt.values.contains(kDetorsionDoneMetric);
+}
+
+bool counts(const Attempt& attempt, const TrainingModule& module) {
+  return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
+         countsAt(module, attempt.mode);
+}
+
+std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<const Attempt> attempts) {
+  std::vector<RuleProgress> progress;
+  for (const MasteryCriterion& rule : module.mastery) {
+    std::vector<std::optional<double>> values;
+    for (const Attempt& attempt : attempts) {
+      if (!counts(attempt, module)) {
+        continue;
+      }
+      const auto value = attempt.values.find(rule.metric);
+      const bool missing =
+          value == attempt.values.end() || !meetsDemands(demandsOf(module), attempt.values, attempt.twists);
+      values.push_back(missing ? std::nullopt : std::optional(value->second));
+    }
+    const MasteryProgress reached = masteryProgress(masteryRule(rule), values);
+    progress.push_back({rule, reached.streak, reached.met, reached.last});
+  }
+  return progress;
+}
+
+}  // namespace torsio

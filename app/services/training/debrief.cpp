@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/training/debrief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "assessment/attempt/force_felt.h"
+#include "assessment/attempt/merit.h"
+#include "assessment/attempt/recorded_loads.h"
+#include "assessment/attempt/recorded_twists.h"
+#include "assessment/metrics/metric_cards.h"
+#include "assessment/metrics/signal.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kTracePoints = 20'000;
+constexpr std::size_t kFindings = 2;
+constexpr double kMoment_s = 0.5;  // round the instant of a largest value
+
+/// The samples of one recording with their times from the first.
+struct Timeline {
+  std::span<const Sample> samples;
+  std::vector<std::int64_t> times_us;
+
+  Timeline(const TrialHeader& header, std::span<const Sample> all)
+      : samples(all), times_us(sampleTimes(header, all).us) {}
+  [[nodiscard]] double at_s(std::size_t i) const {
+    return static_cast<double>(times_us[i] - times_us.front()) * 1e-6;
+  }
+};
+
+TwistResult resultOf(const MeasuredTwist& twist) {
+  return {.when = {twist.start_s, twist.letGo_s},
+          .target_rad = twist.twist.target_rad,
+          .released_rad = twist.twist.releasedAt_rad,
+          .held_s = twist.held_s,
+          .passed = twist.onTarget};
+}
+
+/// Where in the twist the eye should look. `since`: first sample after the twist before, from which a peak of
+/// force belongs to this one.
+Seconds whereIs(std::string_view metric, double value, const Timeline& line, const MeasuredTwist& measured,
+                std::size_t since) {
+  const RecordedTwist& twist = measured.twist;
+  const Seconds whole{measured.start_s, measured.letGo_s};
+  const auto momentOf = [&](std::size_t first, auto&& size) {
+    std::size_t at = first;
+    for (std::size_t i = first; i < twist.letGo; ++i) {
+      if (size(line.samples[i]) > size(line.samples[at])) {
+        at = i;
+      }
+    }
+    const double t = line.at_s(at);
+    // What pressed before the grip is shown up to the grip: there is always some of the twist to be seen.
+    return Seconds{std::max(std::min(whole.from_s, t), t - kMoment_s),
+                   std::min(whole.to_s + kMoment_s, std::max(t, whole.from_s) + kMoment_s)};
+  };
+  if (metric == kPeakForceMetric) {
+    return momentOf(since, tissueForce_N);
+  }
+  if (metric == "twist.overshoot") {
+    const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
+    return momentOf(twist.first, [sign](const Sample& s) { return sign * s.response.angle_rad; });
+  }
+  if (metric == "twist.time_to_target" || metric == "twist.settling") {
+    return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
+  }
+  if (metric == "twist.hold_steadiness") {
+    return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
+  }
+  if (metric == "torque.release_rate") {
+    return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+  }
+  return whole;
+}
+
+/// First sample after the grip before this twist.
+std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
+  std::size_t since = 0;
+  for (const MeasuredTwist& other : run.twists) {
+    if (other.twist.letGo <= twist.twist.first) {
+      since = std::max(since, other.twist.letGo);
+    }
+  }
+  return since;
+}
+
+/// Whether samples are missing where something was to be measured.
+bool tornRun(const Timeline& line, const MeasuredTrial& measured) {
+  if (longGaps(line.times_us).empty()) {
+    return false;
+  }
+  const bool tornTwist =
+      std::any_of(measured.twists.begin(), measured.twists.end(), [](const MeasuredTwist& twist) {
+        return !twist.metrics || twist.twist.ending == TwistEnding::kNotSeen;
+      });
+  return tornTwist || (measured.detorsion && !measured.detorsion->metrics);
+}
+
+DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
+  DebriefTrace trace;
+  const std::size_t stride = std::max<std::size_t>(1, (end - first + kTracePoints - 1) / kTracePoints);
+  for (std::size_t i = first; i < end; i += stride) {
+    // A short peak of force must not fall between two points.
+    double force_N = 0.0;
+    for (std::size_t k = i; k < std::min(i + stride, end); ++k) {
+      force_N = std::max(force_N, tissueForce_N(line.samples[k]));
+    }
+    trace.time_s.push_back(line.at_s(i));
+    trace.angle_rad.push_back(line.samples[i].response.angle_rad);
+    trace.torque_Nm.push_back(line.samples[i].response.torque_Nm);
+    trace.force_N.push_back(force_N);
+  }
+  return trace;
+}
+
+void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& line, const MeasuredTrial& own,
+               Debrief& out) {
+  const std::vector<Sample> shown = decodeTrial(expert);
+  const MeasuredTrial reference = measureTwists(expert.header, shown, rules);
+  const std::vector<const MeasuredTwist*> examples = reference.completed();
+  if (examples.empty()) {
+    return;
+  }
+  const RecordedTwist& example = examples.front()->twist;
+  out.expert = traceOf(Timeline(expert.header, shown), example.first, example.end);
+  const double grip_s = out.expert.time_s.front();
+  out.expertGrip_s = grip_s;
+  for (double& t : out.expert.time_s) {
+    t -= grip_s;
+  }
+  const std::vector<const MeasuredTwist*> twists = own.completed();
+  const std::vector<CriterionMerit> all = meritsAgainst(own, reference);
+  const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found, bool strength) {
+    const MeasuredTwist& twist = *twists[found.twist];
+    // What went well went well throughout the twist; what went wrong has its moment.
+    const Seconds when = strength
+                             ? Seconds{twist.start_s, twist.letGo_s}
+                             : whereIs(criterion.metric, found.value, line, twist, sinceBefore(own, twist));
+    return DebriefFinding{
+        std::string(criterion.metric), found.value, criterion.expert, found.merit, found.twist, when};
+  };
+  const std::size_t each = std::min(kFindings, all.size() / 2);
+  for (std::size_t i = 0; i < each; ++i) {
+    const CriterionMerit& last = all[all.size() - 1 - i];
+    out.strengths.push_back(finding(all[i], all[i].best, true));
+    out.weaknesses.push_back(finding(last, last.worst, false));
+  }
+}
+
+}  // namespace
+
+Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const AttemptRules& rules,
+                    const Trial* expert) {
+  return makeDebrief(header, samples, measureTwists(header, samples, rules), rules, expert);
+}
+
+Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const MeasuredTrial& measured,
+                    const AttemptRules& rules, const Trial* expert) {
+  Debrief out;
+  out.trialId = header.trialId;
+  out.phaseLabel = header.phaseLabel;
+  out.startedUtc_us = header.startedUtc_us;
+  out.demonstration = header.demonstration;
+  out.forceFelt = forceFelt(header.drive);
+  out.target_rad = header.targetAngle_rad;
+  out.tolerance_rad = rules.tolerance_rad;
+  out.forceLimit_N = rules.forceLimit_N.value_or(0.0);
+  out.duration_s = measured.duration_s();
+  const Timeline line(header, samples);
+  if (samples.size() >= 2) {
+    out.own = traceOf(line, 0, samples.size());
+  }
+  for (const MeasuredTwist* twist : measured.completed()) {
+    out.twists.push_back(resultOf(*twist));
+    out.grips_s.push_back(twist->start_s);
+  }
+  out.unfinishedTwists = measured.unfinished();
+  out.torn = tornRun(line, measured);
+  out.checks = targetChecks(measured, rules);
+  out.deviceForce_N = measured.loads.deviceForce_N;
+  if (measured.detorsion && rules.detorsion) {
+    out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
+  } else if (expert != nullptr) {
+    addExpert(*expert, rules, line, measured, out);
+  }
+  out.passed =
+      std::all_of(out.checks.begin(), out.checks.end(), [](const TargetCheck& c) { return c.passed; });
+  return out;
+}
+
+}  // namespace torsio

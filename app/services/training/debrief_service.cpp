@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "app/services/devices/servo_labels.h"
+#include "app/services/recording/competence.h"
+#include "app/services/recording/detorsion_rules.h"
+#include "app/services/recording/expert_run.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/services/training/bookmarks.h"
+#include "app/services/training/debrief.h"
+#include "app/services/training/trainee_record.h"
+#include "assessment/attempt/recorded_twists.h"
+#include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/remark.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/connection/connection.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kTrialsToLookThrough = 1'000;
+
+/// A run that an instructor recorded on the same organ with the same parameters.
+std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& header) {
+  TrialFilter filter;
+  filter.sceneId = header.sceneId;
+  filter.limit = kTrialsToLookThrough;
+  for (const TrialListing& listing : trials.list(filter)) {
+    const bool fits = listing.phaseLabel == kExpertPhase && listing.traineeCode.empty() &&
+                      listing.patternId == header.patternId && listing.summary;
+    if (!fits) {
+      continue;
+    }
+    const std::optional<TrialHeader> found = trials.find(listing.trialId);
+    if (found && found->parameterHash == header.parameterHash) {
+      return trials.load(listing.trialId);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The scene of a trial: the one that is loaded already, if it is that, else from the assets. Throws Error
+/// when the organ is not there any more (a user's own mesh).
+class SceneOfTrial {
+ public:
+  SceneOfTrial(const TrialHeader& header, const std::filesystem::path& assets, const Scene* scene) {
+    if (scene != nullptr && scene->parameterHash == header.parameterHash) {
+      scene_ = scene;
+      return;
+    }
+    SceneRequest request = sceneRequestFor(header.parametersJson);
+    request.assets = assets;
+    request.id = header.sceneId;
+    scene_ = &loaded_.emplace(loadScene(request));
+  }
+  SceneOfTrial(const SceneOfTrial&) = delete;
+  SceneOfTrial& operator=(const SceneOfTrial&) = delete;
+  [[nodiscard]] const Scene& get() const noexcept { return *scene_; }
+
+ private:
+  std::optional<Scene> loaded_;
+  const Scene* scene_ = nullptr;
+};
+
+/// Empty when the organ is not there any more: the debrief then goes without.
+std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& header,
+                               const std::filesystem::path& assets, const Scene* scene) {
+  if (std::optional<Trial> stored = storedExpert(trials, header)) {
+    return stored;
+  }
+  try {
+    return expertRun(SceneOfTrial(header, assets, scene).get(), header.targetAngle_rad);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// Without the organ that was recorded the story goes without its mishaps.
+void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
+                 const std::filesystem::path& assets, const Scene* scene, DetorsionStory& story) {
+  try {
+    const SceneOfTrial found(header, assets, scene);
+    if (found.get().organHash == header.organHash && found.get().parameterHash == header.parameterHash) {
+      addMishaps(found.get(), header, samples, sampleTimes(header, samples).us, story);
+    }
+  } catch (const Error&) {
+    story.mishapsKnown = false;
+  }
+}
+
+/// The newest of the older measurements of this very recording by these very rules.
+std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const TrialListing& listing,
+                                             const AttemptRules& rules) {
+  const std::vector<TrialDigest> older =
+      DigestRepository(connection).olderOfTrial(listing.trialId, kMetricsVersion);
+  const TrialDigest* kept = findDigest(older, listing.summary.value().contentHash, rules);
+  if (kept == nullptr) {
+    return std::nullopt;
+  }
+  const auto force = kept->measures.find(kPeakForceMetric);
+  return EarlierMeasure{
+      .version = kept->formulaVersion,
+      .peakForce_N = force == kept->measures.end() ? std::nullopt : std::optional(force->second),
+      .withinLimits = meetsDemands(
+          {.leastTwists = 0, .forceLimit_N = rules.forceLimit_N, .torqueLimit_Nm = rules.torqueLimit_Nm},
+          kept->measures, 0)};
+}
+
+void addMastery(const TrainingModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
+                Debrief& out) {
+  std::vector<Attempt> untilNow;
+  for (const Attempt& earlier : all) {
+    untilNow.push_back(earlier);
+    if (earlier.trialId == attempt.trialId) {
+      break;
+    }
+  }
+  for (const RuleProgress& progress : ruleProgress(module, untilNow)) {
+    const auto value = attempt.values.find(progress.rule.metric);
+    TargetCheck check{.kind = TargetCheck::Kind::kMastery, .metric = progress.rule.metric};
+    if (value != attempt.values.end()) {
+      check.value = value->second;
+    }
+    check.wanted = progress.rule.threshold;
+    check.atLeast = !masteryRule(progress.rule).atMost;
+    check.passed = check.value && reaches(masteryRule(progress.rule), *check.value);
+    check.streak = progress.streak;
+    check.consecutive = progress.rule.consecutive;
+    out.passed = out.passed && check.passed;
+    out.checks.push_back(std::move(check));
+  }
+}
+
+}  // namespace
+
+Debrief debrief(SessionContext& session, const TrialId& trialId, const std::filesystem::path& assets,
+                const Scene* scene) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
+  TrialRepository trials(session.connection());
+  const Trial trial = trials.load(trialId);
+  if (isForeign(trial.header.sceneId)) {
+    (void)sceneRequestFor(trial.header.parametersJson);  // says why there is none
+  }
+  const TrainingModule* module = record.module(listing.moduleId);
+  ExerciseRules exercises(assets);
+  const AttemptRules rules = recordedRules(
+      exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId), trial.header);
+  // Decoded and measured once, for the debrief and for what is kept beside the trial.
+  const std::vector<Sample> samples = decodeTrial(trial);
+  const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  if (listing.summary) {
+    keepDigest(session.connection(), trial, measureAttempt(measured), rules, session.now_us());
+  }
+  // An untwisting is judged by itself.
+  const std::optional<Trial> expert =
+      measured.detorsion ? std::nullopt : expertFor(trials, trial.header, assets, scene);
+  Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
+  out.recording = std::make_shared<const Trial>(trial);
+  if (expert) {
+    out.expertRecording = std::make_shared<const Trial>(*expert);
+  }
+  if (out.detorsion) {
+    tellMishaps(trial.header, samples, assets, scene, *out.detorsion);
+  }
+  if (listing.summary) {
+    out.earlier = earlierMeasure(session.connection(), listing, rules);
+  }
+  out.moduleId = listing.moduleId;
+  out.mode = listing.attemptMode;
+  out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
+  if (const std::optional<ServoHealth>& health = trial.summary.health) {
+    out.servoTrouble = servoTrouble(*health, trial.summary.samples);
+    out.servoRemedy = servoRemedy(*health);
+  }
+  if (module != nullptr) {
+    out.moduleTitle = module->title;
+    addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);
+    out.competence = competenceOf(session.connection(), record.code, *module, exercises, session.now_us());
+  }
+  for (const Remark& remark : RemarkRepository(session.connection()).remarks(trialId)) {
+    if (remark.purpose != "bookmark" || remark.author != session.actor().userId) {
+      continue;
+    }
+    out.bookmarks.push_back({remark.id, static_cast<double>(remark.time_us) * 1e-6, remark.text});
+  }
+  return out;
+}
+
+void addBookmark(SessionContext& session, const TrialId& trialId, double at_s, const std::string& text) {
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(session, record, trialId);
+  Transaction transaction(session.connection());
+  const RemarkId id = keepBookmark(session, listing, at_s, text);
+  session.note(
+      {.action = AuditAction::kTrialBookmark, .objectKind = AuditObject::kTrialRemark, .objectId = id});
+  transaction.commit();
+}
+
+}  // namespace torsio

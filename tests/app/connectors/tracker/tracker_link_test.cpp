@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Trackers of the library's own classes on the other side, good and bad ones.
+#include "app/connectors/tracker/tracker_link.h"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+#include <QTcpServer>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/connectors/tracker/tracked_recording.h"
+#include "assessment/attempt/foreign_measures.h"
+#include "sim/core/clock.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/record/memory_trial_sink.h"
+#include "sim/record/sample_codec.h"
+#include "tests/support/fake_tracker.h"
+
+namespace torsio {
+namespace {
+
+using testing::FakeTracker;
+
+constexpr const char* kStylus = "StylusToReference";
+constexpr std::chrono::milliseconds kStep{10};
+
+bool becomes(const std::function<bool()>& done) {
+  for (int tries = 0; tries < 2'000 && !done(); ++tries) {
+    std::this_thread::sleep_for(kStep);
+  }
+  return done();
+}
+
+TrackerPlace placeOf(const FakeTracker& tracker) {
+  return {.port = tracker.port()};
+}
+
+/// A tracker of 100 Hz that keeps its time: the instrument goes round on 20 mm, twice a second.
+class Circle {
+ public:
+  explicit Circle(FakeTracker& tracker) : tracker_(tracker) {}
+
+  /// Number of the next pose that lies ahead of now.
+  [[nodiscard]] int next() const { return static_cast<int>((clock_.now_us() - began_us_) / kEvery_us) + 2; }
+  void send(int from, int count) {
+    for (int i = from; i < from + count; ++i) {
+      const std::int64_t wait_us = began_us_ + i * kEvery_us - clock_.now_us();
+      std::this_thread::sleep_for(std::chrono::microseconds(wait_us));
+      const double angle = 4.0 * M_PI * i / 100.0;
+      ASSERT_TRUE(tracker_.sendTransform(kStylus, {20.0 * std::cos(angle), 20.0 * std::sin(angle), 5.0},
+                                         sent_us_ + i * kEvery_us));
+    }
+  }
+
+ private:
+  static constexpr std::int64_t kEvery_us = 10'000;
+  FakeTracker& tracker_;
+  MonotonicClock clock_;
+  std::int64_t began_us_ = clock_.now_us();
+  std::int64_t sent_us_ = utcNow_us() + 3'600'000'000;  // its clock is an hour ahead
+};
+
+TEST(TrackerLink, CallsATrackerAndShowsWhereTheInstrumentIs) {
+  FakeTracker tracker;
+  const TrackerLink link(placeOf(tracker));
+  ASSERT_TRUE(tracker.wait());
+
+  ASSERT_TRUE(tracker.sendStatus(13, "warming up"));
+  ASSERT_TRUE(becomes([&] { return link.view().trouble.str() == "the tracker says: warming up"; }));
+  ASSERT_TRUE(tracker.sendStatus(1, ""));
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {1.0, 2.0, 3.0}, 0));
+  ASSERT_TRUE(tracker.sendTransform("ProbeToReference", {9.0, 9.0, 9.0}, 0));
+
+  ASSERT_TRUE(becomes([&] { return link.view().instruments.size() == 2; }));
+  const TrackerView view = link.view();
+  EXPECT_EQ(view.stage, TrackerStage::kTracking);
+  EXPECT_EQ(view.instrument, kStylus);  // the first that came
+  EXPECT_NEAR(view.pose.position_m.y, 0.002, 1e-9);
+  EXPECT_EQ(view.counts.received, 1);
+  EXPECT_TRUE(view.trouble.empty());
+}
+
+TEST(TrackerLink, AsksForTrackingDataWhereNothingComes) {
+  FakeTracker tracker;
+  const TrackerLink link({.port = tracker.port(), .instrument = "Channel 0"});
+  ASSERT_TRUE(tracker.wait());
+
+  EXPECT_EQ(tracker.receive().kind, "STT_TDATA");
+  ASSERT_TRUE(tracker.sendTracking("Channel 0", {4.0, 0.0, 0.0}, 0));
+  EXPECT_TRUE(becomes([&] { return link.view().stage == TrackerStage::kTracking; }));
+}
+
+TEST(TrackerLink, CallsAgainWhenTheTrackerGoesAwayOrSendsRubbish) {
+  FakeTracker tracker;
+  const TrackerLink link(placeOf(tracker));
+  ASSERT_TRUE(tracker.wait());
+  tracker.hangUp();
+  ASSERT_TRUE(becomes([&] { return link.view().trouble.str() == "the tracker ended the connection"; }));
+
+  ASSERT_TRUE(tracker.wait());
+  ASSERT_TRUE(tracker.sendBytes(std::string(200, '\xff')));
+  ASSERT_TRUE(becomes([&] { return link.view().trouble.str() == "what came is no OpenIGTLink"; }));
+  EXPECT_EQ(link.view().stage, TrackerStage::kSeeking);
+
+  ASSERT_TRUE(tracker.wait());
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 0));
+  EXPECT_TRUE(becomes([&] { return link.view().stage == TrackerStage::kTracking; }));
+}
+
+TEST(TrackerLink, CountsWhatCannotBeUsed) {
+  FakeTracker tracker;
+  const TrackerLink link(placeOf(tracker));
+  ASSERT_TRUE(tracker.wait());
+
+  ASSERT_TRUE(tracker.sendTransformWith(kStylus, std::nanf(""), 0));
+  ASSERT_TRUE(tracker.sendTransformWith(kStylus, 0.3F, 0));
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 5'000'000));
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 5'000'000));  // its time has been there
+
+  ASSERT_TRUE(becomes([&] { return link.view().counts.refused == 3; }));
+  EXPECT_EQ(link.view().counts.received, 1);
+}
+
+TEST(TrackerLink, WaitsForATrackerThatCalls) {
+  QTcpServer free;
+  ASSERT_TRUE(free.listen(QHostAddress::LocalHost, 0));
+  const std::uint16_t port = free.serverPort();
+  free.close();
+  const TrackerLink link({.port = port, .listens = true});
+  FakeTracker tracker;
+  ASSERT_TRUE(tracker.call(port));
+
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 0));
+
+  EXPECT_TRUE(becomes([&] { return link.view().stage == TrackerStage::kTracking; }));
+  const TrackerLink second({.port = port, .listens = true});
+  EXPECT_TRUE(becomes([&] { return !second.view().trouble.empty(); }));
+  const TrackerLink elsewhere({.address = "no address", .port = port, .listens = true});
+  EXPECT_TRUE(becomes([&] { return !elsewhere.view().trouble.empty(); }));
+}
+
+TEST(TrackerLink, WaitsForNobodyInTheCallersThread) {
+  FakeTracker hangs;  // its system takes the call, nobody answers
+  const MonotonicClock clock;
+  const std::int64_t before_us = clock.now_us();
+  for (int i = 0; i < 5; ++i) {
+    const TrackerLink toWhoHangs(placeOf(hangs));
+    const TrackerLink toNobody({.address = "192.0.2.1"});  // TEST-NET-1: answered by nobody
+    static_cast<void>(toNobody.view());
+    static_cast<void>(toWhoHangs.view());
+  }
+  EXPECT_LT(clock.now_us() - before_us, 30'000'000);  // ten farewells of half a second, and a busy machine
+}
+
+TEST(TrackedRecording, IsMeasuredLikeAnyPathOnTheClockOfTheStation) {
+  FakeTracker tracker;
+  TrackerLink link({.port = tracker.port(), .instrument = kStylus});
+  ASSERT_TRUE(tracker.wait());
+  Circle circle(tracker);
+  circle.send(0, 25);
+  ASSERT_TRUE(becomes([&] { return link.view().counts.received == 25; }));  // none is on its way
+  ASSERT_TRUE(link.view().period_us.has_value());
+
+  auto sink = std::make_unique<MemoryTrialSink>();
+  const MemoryTrialSink& kept = *sink;
+  TrackedRecording recording(
+      link, link.view(), {.trialId = "tracked", .phaseLabel = "real", .startedUtc_us = 7}, std::move(sink));
+  const int first = circle.next();
+  circle.send(first, 40);
+  circle.send(first + 41, 60);  // one never came
+  ASSERT_TRUE(becomes([&] { return link.view().counts.received == 125; }));
+  const RecordingResult result = recording.finish(TrialOutcome::kCompleted);
+
+  const Trial& trial = kept.trial();
+  EXPECT_TRUE(isForeign(trial.header.sceneId));
+  EXPECT_EQ(trial.header.tickPeriod_us, 10'000);
+  EXPECT_EQ(trial.header.startedUtc_us, 7);
+  EXPECT_EQ(trial.summary.lateTicks, result.summary.lateTicks);
+  EXPECT_EQ(trial.summary.refusedSamples, 0);
+  const std::vector<Sample> samples = decodeTrial(trial);
+  ASSERT_EQ(samples.size(), 100U);
+  const Outcome<TrialMetrics> measured = measureForeign(trial.header, samples);
+  ASSERT_TRUE(measured);
+  EXPECT_EQ(measured->lostSamples, 1U);
+  const double span_s =
+      static_cast<double>(samples.back().device.time_us - samples.front().device.time_us) * 1e-6;
+  EXPECT_NEAR(*measured->at("time.total"), span_s, 1e-9);
+  EXPECT_NEAR(span_s, 1.0, 0.2);
+  const double path_m = 0.020 * 4.0 * M_PI * span_s;
+  EXPECT_NEAR(*measured->at("tip.path"), path_m, 0.1 * path_m);
+  EXPECT_EQ(measured->at("twist.sparc").reason(), "not applicable: foreign recording");
+  EXPECT_EQ(measured->at("force.peak").reason(), "not applicable: foreign recording");
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QTemporaryDir>
+
+#include "app/connectors/xapi/lrs_delivery.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/people/learning_event.h"
+#include "tests/app/support/training_centre.h"
+#include "tests/support/test_lrs.h"
+
+namespace torsio::testing {
+
+/// A small centre with a learning record store beside it. T-01 agrees to learning records, T-02 does not; the
+/// settings of the account lie in a folder of their own.
+class XapiCentre {
+ public:
+  XapiCentre();
+
+  TrainingCentre& centre() { return centre_; }
+  TestLrs& store() { return store_; }
+  Connection& connection() { return centre_.connection(); }
+  /// Signs in somebody who may change settings.
+  SessionContext& asAdministrator();
+  /// The centre sends from now on, and this station has the key.
+  void turnOn();
+  /// One more decision of a trainee about learning records.
+  void decide(const std::string& traineeCode, bool granted);
+  [[nodiscard]] PersonId person(const std::string& traineeCode);
+  /// Enrols a trainee in a cohort of its own. Returns the enrolment.
+  std::string enrol(const std::string& traineeCode);
+  /// A run of T-01 at "first", measured. Returns the trial.
+  std::string run(double skill = 1.0);
+
+  [[nodiscard]] std::vector<LearningEvent> outbox();
+  [[nodiscard]] LearningEventCounts counts();
+  /// A round of sending.
+  LrsDelivery deliver(std::chrono::milliseconds patience = std::chrono::seconds(30));
+  /// Lets all waits be over.
+  void waitLong() { centre_.passTime_us(24 * 60 * kMinute_us + kMinute_us); }
+
+ private:
+  QTemporaryDir settings_;
+  TrainingCentre centre_;
+  TestLrs store_;
+  int cohorts_ = 0;
+};
+
+}  // namespace torsio::testing

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A data set comes back: exported, imported into an empty record, exported again, the files are the same.
+#include "app/connectors/foreign/dataset_import.h"
+
+#include <set>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/rating/mark.h"
+#include "assessment/domain/study/curriculum.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/outputs/dataset/foreign_readers.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::OwnFolder;
+using testing::StudyCentre;
+
+/// Two seconds: grip, turn to 30 degrees, let go.
+Trial twistedTrial(std::size_t number, const std::string& trainee, const TrainingModule& module) {
+  std::vector<Sample> samples(2'000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = static_cast<double>(i) / 1'000.0;
+    DeviceReading reading;
+    reading.time_us = static_cast<std::int64_t>(i) * 1'000;
+    reading.pose.position_m = {0.1 * t, -0.02 / static_cast<double>(number), 1.0 / 3.0};
+    reading.pose.orientation = {0.6, 0.0, 0.8, 0.1 * t};
+    samples[i].tick = static_cast<std::int64_t>(i);
+    samples[i].device = quantize(reading, {});
+    samples[i].phase = i < 200     ? ExercisePhase::kContact
+                       : i < 1'500 ? ExercisePhase::kTwisting
+                                   : ExercisePhase::kReleased;
+    samples[i].contact = kContactJaw;
+    samples[i].response.angle_rad = i < 1'500 ? radians(15.0 * t) : 0.0;
+    samples[i].response.torque_Nm = 0.01 * t;
+  }
+  Trial trial;
+  TrialHeader& header = trial.header;
+  header.trialId = "00000000-0000-4000-8000-00000000000" + std::to_string(number);
+  header.traineeCode = trainee;
+  header.sceneId = module.sceneId;
+  header.patternId = module.patternId;
+  header.organHash = "0f";
+  header.parameterHash = "ab12";
+  header.parametersJson = "{\"shear_modulus_Pa\": 3000}";
+  header.deviceModel = "scripted hand";
+  header.softwareVersion = "0.1";
+  header.phaseLabel = "virtual 0-20 min";
+  header.targetAngle_rad = radians(22.0);
+  header.startedUtc_us = testing::kStudyTime_us + static_cast<std::int64_t>(number) * 1'000'000;
+  trial.chunks.push_back(encodeChunk(0, std::span(samples).first(1'000)));
+  trial.chunks.push_back(encodeChunk(1, std::span(samples).subspan(1'000)));
+  trial.summary.samples = 2'000;
+  trial.summary.contentHash = contentHash(trial);
+  return trial;
+}
+
+/// A study with everything that a data set brings back.
+CohortId studyIn(StudyCentre& centre) {
+  const std::vector<TraineeId> trainees = centre.addTrainees(6);
+  const std::vector<RaterId> raters = centre.addChiefs(2);
+  const std::string version = centre.runPaperCurriculum();
+  const CohortId cohort =
+      addCohort(centre.session(),
+                {.name = "Study, \"first\"", .description = "of\ntwo lines", .curriculumVersionId = version});
+  enrolTrainees(centre.session(), cohort, trainees);
+  AllocationPlan plan;
+  plan.cohortId = cohort;
+  lockAllocation(centre.as("allocator"), plan);
+  allocateAll(centre.session(), cohort);
+  centre.as("administrator");
+  const std::vector<Enrolment> enrolments = StudyRepository(centre.connection()).enrolments(cohort);
+  reportDeviation(centre.session(), {.cohortId = cohort,
+                                     .enrolmentId = enrolments[1].id,
+                                     .kind = "late",
+                                     .description = "by \"ten\" minutes",
+                                     .happenedUtc_us = testing::kStudyTime_us});
+  const auto curriculum = CurriculumRepository(centre.connection()).version(version);
+  std::vector<SubmittedMark> marks;
+  std::size_t number = 0;
+  for (const Enrolment& enrolment : enrolments) {
+    for (const char* occasion : {"pre", "post"}) {
+      for (const RaterId& rater : raters) {
+        SubmittedMark mark;
+        mark.id = centre.session().key().station + std::to_string(++number);
+        mark.enrolmentId = enrolment.id;
+        mark.raterId = rater;
+        mark.occasionCode = occasion;
+        mark.score_steps = 30 + static_cast<std::int64_t>(7 * number % 50);
+        mark.submittedUtc_us = testing::kStudyTime_us;
+        marks.push_back(mark);
+      }
+    }
+  }
+  RatingRepository(centre.connection()).submit(marks);
+  for (std::size_t i = 1; i <= 4; ++i) {
+    const Enrolment& enrolment = enrolments[i];
+    TrialContext context;
+    context.station = "one";
+    context.enrolmentId = enrolment.id;
+    context.moduleId = curriculum->modules.front().id;
+    context.attemptMode = AttemptMode::kGraded;
+    TrialRepository(centre.connection(), context)
+        .import(twistedTrial(i, enrolment.traineeCode, curriculum->modules.front()));
+  }
+  return cohort;
+}
+
+/// Who owns the record's file sees single marks under codes.
+SessionContext& asOwner(StudyCentre& centre) {
+  SessionContext& session = centre.as("administrator");
+  session.setActor({.systemAccount = "owner"});
+  return session;
+}
+
+ExchangeFiles exportWhole(StudyCentre& centre, const CohortId& cohort, const fs::path& folder) {
+  TrialDigests digests(centre.assets());
+  SessionContext& owner = asOwner(centre);
+  const ExchangeData data = exchangeData(owner, {.cohortId = cohort}, digests);
+  DatasetRequest request;
+  request.about.title = "Twists";
+  request.about.licence = "CC-BY-4.0";
+  request.rate_Hz = 1'000;
+  request.whole = true;
+  owner.beginCall();
+  return exportDataset(owner, data, request, folder);
+}
+
+/// Paths of the files of two folders that differ, or are in one of them only.
+std::set<std::string> differing(const fs::path& one, const fs::path& other) {
+  std::set<std::string> found;
+  for (const auto& [from, to] : {std::pair(one, other), std::pair(other, one)}) {
+    for (const auto& entry : fs::recursive_directory_iterator(from)) {
+      const fs::path name = fs::relative(entry.path(), from);
+      if (entry.is_regular_file() &&
+          (!fs::exists(to / name) || readFile(entry.path()) != readFile(to / name))) {
+        found.insert(name.generic_string());
+      }
+    }
+  }
+  return found;
+}
+
+TEST(DatasetImport, GivesTheSameFilesAgain) {
+  const OwnFolder own;
+  StudyCentre first;
+  const CohortId cohort = studyIn(first);
+  const ExchangeFiles out = exportWhole(first, cohort, own.path() / "first");
+  ASSERT_TRUE(
+      fs::exists(own.path() / "first" / "recordings" / "00000000-0000-4000-8000-000000000004.torsio"));
+
+  StudyCentre second;
+  const DatasetOutcome done =
+      importDataset(second.as("administrator"), own.path() / "first", second.assets(), "moved house");
+  EXPECT_EQ(done.trials, 4U);
+  EXPECT_EQ(done.marks, 24U);
+  const AuditEntry entry = AuditRepository(second.connection()).entries({.limit = 1}).at(0);
+  EXPECT_EQ(entry.action, "trial.import");
+  EXPECT_EQ(entry.reason, "moved house");
+  const ExchangeFiles again = exportWhole(second, done.landed.cohortId, own.path() / "second");
+  // The table of all numbers tells of the record itself: head of its trail, draw of the groups.
+  EXPECT_THAT(differing(own.path() / "first", own.path() / "second"),
+              ::testing::UnorderedElementsAre("data/numbers.csv"));
+  EXPECT_EQ(out.files.size(), again.files.size());
+  EXPECT_TRUE(verifyAuditTrail(second.connection()).empty());
+}
+
+TEST(DatasetImport, RefusesWhatIsThereWasChangedOrIsNoDataSet) {
+  const OwnFolder own;
+  StudyCentre centre;
+  const CohortId cohort = studyIn(centre);
+  const fs::path set = own.path() / "set";
+  exportWhole(centre, cohort, set);
+  auto before = centre.rowCounts();
+  const auto refusal = [&](StudyCentre& into) -> std::string {
+    try {
+      importDataset(into.as("administrator"), set, into.assets(), "");
+    } catch (const Error& error) {
+      return error.happened();
+    }
+    return "imported";
+  };
+  EXPECT_NE(refusal(centre), "imported");  // its own people are there
+  EXPECT_EQ(centre.rowCounts(), before);
+
+  StudyCentre empty;
+  before = empty.as("administrator").may(Operation::kStudySetup) ? empty.rowCounts() : before;
+  const fs::path recording = set / "recordings" / "00000000-0000-4000-8000-000000000003.torsio";
+  std::string bytes = readFile(recording);
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  writeFileAtomically(recording, bytes);
+  EXPECT_NE(refusal(empty), "imported");
+  fs::remove(recording);
+  EXPECT_NE(refusal(empty), "imported");
+  writeFileAtomically(set / "study.json", "{\"format\": \"torsio study 1\", \"cohort\": {}}");
+  EXPECT_EQ(refusal(empty), "the study of the data set is damaged");
+  writeFileAtomically(set / "study.json", "[1]");
+  EXPECT_EQ(refusal(empty), "this is no study of a data set of Torsio");
+  EXPECT_EQ(empty.rowCounts(), before);
+}
+
+TEST(DatasetImport, NeedsCodesAndAPackage) {
+  const OwnFolder own;
+  StudyCentre centre;
+  const CohortId cohort = studyIn(centre);
+  TrialDigests digests(centre.assets());
+  DatasetRequest request;
+  request.about.title = "Twists";
+  request.about.licence = "CC-BY-4.0";
+  request.whole = true;
+  const ExchangeData opaque =
+      exchangeData(centre.as("administrator"), {.cohortId = cohort, .pseudonymised = true}, digests);
+  EXPECT_THROW(exportDataset(asOwner(centre), opaque, request, own.path() / "a"), Error);
+  const ExchangeData without = exchangeData(centre.as("administrator"), {.cohortId = cohort}, digests);
+  EXPECT_THROW(exportDataset(centre.as("administrator"), without, request, own.path() / "a"), Error);
+  request.layout = DatasetLayout::kBids;
+  const ExchangeData coded = exchangeData(asOwner(centre), {.cohortId = cohort}, digests);
+  EXPECT_THROW(exportDataset(asOwner(centre), coded, request, own.path() / "b"), Error);
+  EXPECT_FALSE(fs::exists(own.path() / "a"));
+  EXPECT_FALSE(fs::exists(own.path() / "b"));
+}
+
+}  // namespace
+}  // namespace torsio

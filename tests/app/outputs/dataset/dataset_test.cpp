@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A data set for others: each number of a recording, a descriptor that fits its files, nothing half written.
+#include "app/outputs/dataset/dataset.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/outputs/dataset/trajectory.h"
+#include "app/outputs/tables/export_set.h"
+#include "app/services/base/csv_table.h"
+#include "assessment/results/cohort_csv.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/outputs/dataset/foreign_readers.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using testing::OwnFolder;
+
+std::vector<Sample> movedSamples() {
+  std::vector<Sample> samples(2'000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Sample& sample = samples[i];
+    const double t = static_cast<double>(i) / 1'000.0;
+    DeviceReading reading;
+    reading.time_us = static_cast<std::int64_t>(i) * 1'000;
+    reading.pose.position_m = {0.1 * t, -0.02, 1.0 / 3.0};
+    reading.pose.orientation = {0.6, 0.0, 0.8, 0.0};
+    reading.roll_rad = 7.0 * t;
+    reading.grip = 0.25;
+    sample.tick = static_cast<std::int64_t>(i);
+    sample.device = quantize(reading, {});
+    sample.phase = i < 1'000 ? ExercisePhase::kContact : ExercisePhase::kTwisting;
+    sample.contact = kContactJaw | kContactHeld;
+    sample.response.angle_rad = radians(10.0 * t);
+    sample.response.torque_Nm = 0.1 * t;
+    sample.response.force_N = {-0.1, 0.2, 1e-9};
+    sample.force_N = {-0.05, 0.1, 0.0};
+  }
+  return samples;
+}
+
+Trial movedTrial() {
+  Trial trial;
+  trial.header.sceneId = SceneId("stomach");
+  trial.header.patternId = PatternId("organo-axial");
+  trial.header.parameterHash = "ab12";
+  trial.header.parametersJson = "{\"shear_modulus_Pa\": 3000}";
+  trial.header.traineeCode = "T-01";
+  trial.header.targetAngle_rad = radians(60.0);
+  const std::vector<Sample> samples = movedSamples();
+  trial.chunks.push_back(encodeChunk(0, std::span(samples).first(1'000)));
+  trial.chunks.push_back(encodeChunk(1, std::span(samples).subspan(1'000)));
+  return trial;
+}
+
+DatasetContents wholeContents(const ExportSet& set) {
+  DatasetContents contents;
+  contents.about = {.title = "Twists of \"thirty\"",
+                    .description = "Simulated.",
+                    .licence = "CC-BY-4.0",
+                    .citation = "Li, 2026",
+                    .creator = "Skills laboratory",
+                    .madeUtc_us = 1'767'600'000'000'000};
+  contents.tables = tablesOf(set);
+  contents.recordings.push_back({"T-0001", "P-aa", [] { return movedTrial(); }});
+  contents.recordings.push_back({"T-0002", "P-bb", [] { return movedTrial(); }});
+  contents.curriculumJson = "{}";
+  contents.softwareVersion = "0.1";
+  return contents;
+}
+
+TEST(Trajectory, HoldsEveryNumberOfEveryTenthSample) {
+  const OwnFolder folder;
+  const fs::path file = folder.path() / "a.csv";
+  std::ostringstream out;
+  EXPECT_EQ(writeTrajectory(movedTrial(), 10, TrajectoryForm::kCsv, out), 200);
+  writeFileAtomically(file, out.str());
+
+  const CsvTable table = CsvTable::read(file, {"time_s",
+                                               "tool_x_m",
+                                               "tool_y_m",
+                                               "tool_z_m",
+                                               "tool_qw",
+                                               "tool_qx",
+                                               "tool_qy",
+                                               "tool_qz",
+                                               "roll_rad",
+                                               "grip",
+                                               "twist_deg",
+                                               "torque_Nm",
+                                               "tissue_force_x_N",
+                                               "tissue_force_y_N",
+                                               "tissue_force_z_N",
+                                               "device_force_x_N",
+                                               "device_force_y_N",
+                                               "device_force_z_N",
+                                               "stage",
+                                               "contact",
+                                               "device_status"});
+  ASSERT_EQ(table.rows(), 200U);
+  const std::vector<Sample> samples = movedSamples();
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Sample stored = inStoredSteps(samples[10 * row]);
+    const ToolState tool = toolState(stored.device);
+    EXPECT_EQ(table.number(row, "time_s"), static_cast<double>(10 * row) / 1'000.0);
+    EXPECT_EQ(table.number(row, "tool_x_m"), tool.pose.position_m.x);
+    EXPECT_EQ(table.number(row, "tool_z_m"), tool.pose.position_m.z);
+    EXPECT_EQ(table.number(row, "tool_qw"), tool.pose.orientation.w);
+    EXPECT_EQ(table.number(row, "tool_qy"), tool.pose.orientation.y);
+    EXPECT_EQ(table.number(row, "roll_rad"), tool.roll_rad);
+    EXPECT_EQ(table.number(row, "grip"), 0.25);
+    EXPECT_EQ(table.number(row, "twist_deg"), degrees(stored.response.angle_rad));
+    EXPECT_EQ(table.number(row, "torque_Nm"), stored.response.torque_Nm);
+    EXPECT_EQ(table.number(row, "tissue_force_x_N"), stored.response.force_N.x);
+    EXPECT_EQ(table.number(row, "device_force_y_N"), stored.force_N.y);
+    EXPECT_EQ(table.number(row, "stage"), row < 100 ? 1.0 : 2.0);
+    EXPECT_EQ(table.number(row, "contact"), 5.0);
+  }
+}
+
+TEST(Dataset, DescribesEachOfItsFiles) {
+  const OwnFolder own;
+  const fs::path folder = own.path() / "set";
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const std::vector<fs::path> files = writeDataset(wholeContents(set), DatasetLayout::kRoCrate, folder);
+
+  std::size_t found = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    found += entry.is_regular_file() ? 1 : 0;
+  }
+  EXPECT_EQ(found, files.size());
+  const json package = json::parse(readFile(folder / "datapackage.json"));
+  EXPECT_EQ(package["title"], "Twists of \"thirty\"");
+  EXPECT_EQ(package["licenses"][0]["name"], "CC-BY-4.0");
+  EXPECT_EQ(package["created"], "2026-01-05T08:00:00.000000Z");
+  ASSERT_EQ(package["resources"].size(), tablesOf(set).size() + 3);  // two trajectories, and their heads
+  for (const json& resource : package["resources"]) {
+    const std::string text = readFile(folder / resource["path"].get<std::string>());
+    std::string heading;
+    for (const json& field : resource["schema"]["fields"]) {
+      heading += (heading.empty() ? "" : ",") + field["name"].get<std::string>();
+    }
+    EXPECT_EQ(text.substr(0, text.find("\r\n")), heading) << resource["name"];
+  }
+  const json crate = json::parse(readFile(folder / "ro-crate-metadata.json"))["@graph"];
+  EXPECT_EQ(crate[0]["conformsTo"]["@id"], "https://w3id.org/ro/crate/1.1");
+  std::vector<std::string> listed;
+  for (const json& entity : crate) {
+    if (entity["@type"] == "File") {
+      listed.push_back(entity["@id"]);
+      EXPECT_EQ(entity["contentSize"], std::to_string(fs::file_size(folder / listed.back())));
+    }
+  }
+  EXPECT_EQ(listed.size(), files.size() - 1);  // all but the descriptor itself
+  const CsvTable heads =
+      CsvTable::read(folder / "data" / "recordings.csv",
+                     {"trial", "participant", "organ", "pattern", "target_deg", "organ_hash", "parameters",
+                      "device", "largest_device_force_N", "software", "rate_Hz", "lines", "trajectory"});
+  ASSERT_EQ(heads.rows(), 2U);
+  EXPECT_EQ(heads.cell(1, "participant"), "P-bb");
+  EXPECT_EQ(heads.number(1, "rate_Hz"), 100.0);
+  EXPECT_EQ(heads.number(1, "lines"), 200.0);
+  EXPECT_EQ(readFile(folder / heads.cell(1, "parameters")), movedTrial().header.parametersJson);
+  EXPECT_THAT(readFile(folder / "README.md"), HasSubstr("Please cite: Li, 2026"));
+}
+
+TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
+  const OwnFolder own;
+  const fs::path folder = own.path() / "set";
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  DatasetContents contents = wholeContents(set);
+  contents.recordings[1].trainee = "P-a.a";  // the same letters as the first
+  contents.recordings.push_back({"T-0003", "P-aa", [] { return movedTrial(); }});
+  writeDataset(contents, DatasetLayout::kBids, folder);
+
+  EXPECT_EQ(readFile(folder / "participants.tsv"), "participant_id\tcode\nsub-Paan2\tP-a.a\nsub-Paa\tP-aa\n");
+  for (const char* name : {"sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-01",
+                           "sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-02",
+                           "sub-Paan2/motion/sub-Paan2_task-organoaxial_tracksys-torsio_run-01"}) {
+    const std::string stem = (folder / name).string();
+    const std::string lines = readFile(stem + "_motion.tsv");
+    const std::string channels = readFile(stem + "_channels.tsv");
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 200) << name;
+    EXPECT_EQ(
+        std::count(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(lines.find('\n')), '\t') + 2,
+        std::count(channels.begin(), channels.end(), '\n'))
+        << name;
+    const json motion = json::parse(readFile(stem + "_motion.json"));
+    EXPECT_EQ(motion["SamplingFrequency"], 100.0);
+    EXPECT_EQ(motion["POSChannelCount"], 3);
+    EXPECT_EQ(motion["ORNTChannelCount"], 4);
+    EXPECT_EQ(motion["MotionChannelCount"],
+              motion["POSChannelCount"].get<int>() + motion["ORNTChannelCount"].get<int>() +
+                  motion["LATENCYChannelCount"].get<int>() + motion["MISCChannelCount"].get<int>());
+  }
+  EXPECT_THAT(readFile(folder / "sub-Paa" / "sub-Paa_scans.tsv"),
+              HasSubstr("run-02_motion.tsv\tstomach\torgano-axial\t"));
+  EXPECT_EQ(readFile(folder / "derivatives" / "torsio" / "parameters" / "ab12.json"),
+            movedTrial().header.parametersJson);
+  EXPECT_TRUE(fs::exists(folder / "derivatives" / "torsio" / "datapackage.json"));
+}
+
+TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
+  const OwnFolder own;
+  const fs::path folder = own.path() / "set";
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  DatasetContents contents = wholeContents(set);
+  contents.recordings[1].load = []() -> Trial {
+    throw Error(ErrorCode::kBadData, Text::tr("the recording is damaged"), std::string("T-0002"), Text());
+  };
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kFrictionless, folder), Error);
+  EXPECT_FALSE(fs::exists(folder));
+
+  contents = wholeContents(set);
+  contents.progress = [](const Progress& progress) {
+    if (progress.step.str() == "Writing recording 2 of 2") {
+      throw Error(ErrorCode::kUsage, Text::verbatim("given up"), "", "");
+    }
+  };
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kRoCrate, folder), Error);
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kBids, folder), Error);
+  EXPECT_FALSE(fs::exists(folder));
+
+  contents = wholeContents(set);
+  for (const char* licence : {"", "all rights", "CC BY"}) {
+    contents.about.licence = licence;
+    EXPECT_THROW(writeDataset(contents, DatasetLayout::kFrictionless, folder), Error) << licence;
+  }
+  EXPECT_FALSE(fs::exists(folder));
+
+  contents = wholeContents(set);
+  fs::create_directories(folder);
+  writeFileAtomically(folder / "mine.txt", "mine");
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kFrictionless, folder), Error);
+  EXPECT_EQ(readFile(folder / "mine.txt"), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+/// Whether node finds a package of npm (NODE_PATH; judges_test.py sets it).
+bool hasModule(const std::string& name, const fs::path& folder) {
+  const std::string asks = "node -e \"require.resolve('" + name + "/package.json')\"";
+  return testing::hasProgram("node") && testing::outputOf(asks, folder).empty();
+}
+
+TEST(Dataset, IsAcceptedByTheValidatorOfBids) {
+  const OwnFolder own;
+  if (!hasModule("bids-validator", own.path())) {
+    GTEST_SKIP() << "npm's bids-validator is not installed (NODE_PATH)";
+  }
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  writeDataset(wholeContents(set), DatasetLayout::kBids, own.path() / "set");
+
+  const json found = json::parse(
+      testing::outputOf("NODE_NO_WARNINGS=1 node \"$NODE_PATH/bids-validator/bin/bids-validator\" --json '" +
+                            (own.path() / "set").string() + "'",
+                        own.path()));
+
+  EXPECT_EQ(found["issues"]["errors"], json::array());
+  for (const json& warning : found["issues"]["warnings"]) {
+    // It takes the first line of a motion file for a heading, which BIDS forbids there; and asks for more
+    // authors.
+    EXPECT_THAT(warning["key"], ::testing::AnyOf("CUSTOM_COLUMN_WITHOUT_DESCRIPTION", "TOO_FEW_AUTHORS"));
+  }
+  EXPECT_EQ(found["summary"]["subjects"].size(), 2U) << found["summary"];
+  EXPECT_EQ(found["summary"]["tasks"], json::array({"organoaxial"}));
+}
+
+TEST(Dataset, IsReadByTheReferenceLibraryOfFrictionless) {
+  const OwnFolder own;
+  if (!hasModule("datapackage", own.path())) {
+    GTEST_SKIP() << "npm's datapackage is not installed (NODE_PATH)";
+  }
+  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  writeDataset(wholeContents(set), DatasetLayout::kFrictionless, own.path() / "set");
+  writeFileAtomically(own.path() / "read.js", R"(const {Package} = require('datapackage');
+(async () => {
+  const all = await Package.load('set/datapackage.json');
+  if (!all.valid) console.log(all.errors.map(String).join('\n'));
+  for (const one of all.resources) {
+    try { await one.read({keyed: true}); } catch (error) { console.log(one.name, String(error), error.errors); }
+  }
+  console.log('read', all.resources.length);
+})();
+)");
+  EXPECT_EQ(testing::outputOf("cd '" + own.path().string() + "' && node read.js", own.path()),
+            "read " + std::to_string(tablesOf(set).size() + 3) + "\n");
+}
+
+}  // namespace
+}  // namespace torsio

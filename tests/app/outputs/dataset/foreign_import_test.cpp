@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings of other equipment: the same motion out of each layout, refusals by line, nothing half imported.
+#include "app/connectors/foreign/foreign_import.h"
+
+#include <cstdlib>
+#include <functional>
+#include <sstream>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/connectors/foreign/foreign_motion.h"
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "app/outputs/dataset/trajectory.h"
+#include "assessment/attempt/foreign_measures.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/results/cohort_report.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "sim/scene/scene.h"
+#include "tests/app/outputs/dataset/foreign_readers.h"
+#include "tests/app/outputs/dataset/foreign_samples.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using testing::foreignPose;
+using ::testing::HasSubstr;
+using testing::kForeignLines;
+using ::testing::Not;
+using testing::OwnFolder;
+using testing::StudyCentre;
+using testing::writeForeignStudy;
+
+std::vector<ForeignPose> posesOf(const fs::path& map, ForeignLayout layout) {
+  const ForeignMap read = readForeignMap(map, layout);
+  std::vector<ForeignPose> poses;
+  readForeignMotion(read, layout, read.recordings.front(),
+                    [&](const ForeignPose& pose, std::size_t) { poses.push_back(pose); });
+  return poses;
+}
+
+/// The refusal of a study whose map or first recording was changed.
+std::string refusalOf(StudyCentre& centre, const std::string& layout,
+                      const std::function<void(ordered_json& map, std::string& text)>& spoil) {
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), layout);
+  ordered_json content = ordered_json::parse(readFile(map));
+  std::string text = readFile(own.path() / "S_B1.txt");
+  spoil(content, text);
+  writeFileAtomically(map, content.dump());
+  writeFileAtomically(own.path() / "S_C2.txt", text);  // the last one: everything before it is sound
+  try {
+    importForeign(centre.as("administrator"), foreignLayout(layout), map, "");
+  } catch (const Error& error) {
+    return error.happened() + " | " + error.where();
+  }
+  return "imported";
+}
+
+std::string replacedOnce(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// Line `number` (from 1) with another text.
+void spoilLine(std::string& text, std::size_t number, const std::string& line) {
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < number; ++i) {
+    begin = text.find('\n', begin) + 1;
+  }
+  text.replace(begin, text.find('\n', begin) - begin, line);
+}
+
+TEST(ForeignMotion, IsTheSameOutOfEachLayout) {
+  for (const char* layout : {"jigsaws", "rosma", "perktutor", "csv"}) {
+    const OwnFolder own;
+    const fs::path map = writeForeignStudy(own.path(), layout);
+    const std::vector<ForeignPose> poses = posesOf(map, foreignLayout(layout));
+    ASSERT_EQ(poses.size(), kForeignLines) << layout;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const Pose expected = foreignPose(i);
+      ASSERT_EQ(poses[i].time_us, static_cast<std::int64_t>(20'000 * i)) << layout;
+      ASSERT_NEAR(norm(poses[i].pose.position_m - expected.position_m), 0.0, 1e-12) << layout << i;
+      const Quat& q = poses[i].pose.orientation;
+      const Quat& e = expected.orientation;
+      ASSERT_NEAR(std::abs(q.w * e.w + q.x * e.x + q.y * e.y + q.z * e.z), 1.0, 1e-12) << layout << i;
+      ASSERT_GE(q.z * e.z, 0.0) << layout << i;  // the same turn, not its opposite
+      const bool jaw = std::string(layout) != "perktutor";
+      ASSERT_NEAR(poses[i].grip, jaw ? testing::foreignJaw(i) : 0.0, 1e-12) << layout << i;
+    }
+  }
+}
+
+TEST(ForeignMotion, TurnsTheOtherWayWhenTheOtherFormIsNamed) {
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "jigsaws");
+  const std::vector<ForeignPose> rows = posesOf(map, ForeignLayout::kJigsaws);
+  writeFileAtomically(map, replacedOnce(readFile(map), "matrix rows", "matrix columns"));
+  const std::vector<ForeignPose> columns = posesOf(map, ForeignLayout::kJigsaws);
+  EXPECT_NEAR(rows.back().pose.orientation.z, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(columns.back().pose.orientation.z * columns.back().pose.orientation.w, -0.5, 1e-12);
+}
+
+/// The numbers of each arm of ROSMA are "nan" or nothing until its topic speaks.
+TEST(ForeignMotion, LeavesOutLinesWithoutAPoseWhereTheMapSaysSo) {
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "rosma");
+  for (const auto& entry : fs::directory_iterator(own.path())) {
+    if (entry.path().extension() != ".txt" && entry.path().extension() != ".csv") {
+      continue;
+    }
+    std::string text = readFile(entry.path());
+    const auto columns = std::count(text.begin(), text.begin() + static_cast<long>(text.find('\n')), ',');
+    std::string empty;
+    for (long i = 0; i < columns; ++i) {
+      empty += i % 2 == 0 ? "nan, " : ", ";
+    }
+    spoilLine(text, 2, empty);
+    spoilLine(text, 100, empty + "NaN");
+    writeFileAtomically(entry.path(), text);
+  }
+  EXPECT_THROW(posesOf(map, ForeignLayout::kRosma), Error);
+
+  writeFileAtomically(map, replacedOnce(readFile(map), "\"frame\"", "\"gaps\": \"leave out\", \"frame\""));
+  const std::vector<ForeignPose> poses = posesOf(map, ForeignLayout::kRosma);
+
+  ASSERT_EQ(poses.size(), kForeignLines - 2);
+  EXPECT_EQ(poses.front().place, 1);
+  EXPECT_EQ(poses.front().time_us, 20'000);
+  EXPECT_EQ(poses[97].place, 99);  // the 98th pose is missing
+  EXPECT_NEAR(norm(poses[97].pose.position_m - testing::foreignPose(99).position_m), 0.0, 1e-12);
+}
+
+TEST(ForeignImport, LandsAsACohortWithRecordingsAndMarks) {
+  StudyCentre centre;
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "jigsaws", true);
+  const ForeignOutcome done =
+      importForeign(centre.as("administrator"), ForeignLayout::kJigsaws, map, "to compare");
+  EXPECT_EQ(done.trials, 4U);
+  EXPECT_EQ(done.samples, static_cast<std::int64_t>(4 * kForeignLines));
+  EXPECT_EQ(done.marks, 8U);
+  EXPECT_EQ(done.landed.codes.at("B"), "T-01");
+  EXPECT_EQ(done.landed.codes.at("GRS 2"), "R-02");
+  const AuditEntry entry = AuditRepository(centre.connection()).entries({.limit = 1}).at(0);
+  EXPECT_EQ(entry.action, "trial.import");
+  EXPECT_EQ(entry.reason, "to compare");
+  EXPECT_THAT(entry.newJson, HasSubstr(done.contentHash));
+
+  TrialRepository trials(centre.connection());
+  const std::vector<TrialId> ids = StudyRepository(centre.connection()).trialIds(done.landed.cohortId);
+  ASSERT_EQ(ids.size(), 4U);
+  const Trial trial = trials.load(ids.front());
+  EXPECT_TRUE(isForeign(trial.header.sceneId));
+  EXPECT_EQ(trial.header.patternId.text(), "suturing");
+  EXPECT_EQ(trial.header.deviceModel, "JIGSAWS, slave right");
+  EXPECT_EQ(trial.header.tickPeriod_us, 20'000);
+  EXPECT_EQ(trial.header.startedUtc_us, 1'583'055'000'000'000);  // 2020-03-01 09:30
+  EXPECT_THAT(trial.header.parametersJson, HasSubstr("base of the robot"));
+  EXPECT_NO_THROW(verifyContent(trial));
+  const std::vector<Sample> samples = decodeTrial(trial);
+  ASSERT_EQ(samples.size(), kForeignLines);
+  EXPECT_NEAR(toolState(samples[100].device).pose.position_m.x, foreignPose(100).position_m.x,
+              kPositionStep_m);
+  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
+  try {
+    (void)sceneRequestFor(trial.header.parametersJson);
+    FAIL() << "there is no organ";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.happened(), HasSubstr("other equipment made this recording"));
+  }
+}
+
+TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
+  StudyCentre centre;
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "csv", true);
+  // One more in each group, marked alike.
+  ordered_json content = ordered_json::parse(readFile(map));
+  std::string marks = readFile(own.path() / "marks.csv");
+  for (const auto& [person, other] : {std::pair("B", "D"), std::pair("C", "E")}) {
+    content["people"].push_back({{"name", other}, {"group", *person == 'B' ? "N" : "E"}});
+    for (const char* trial : {"1", "2"}) {
+      const std::string name = "S_" + std::string(other) + trial + ".txt";
+      ordered_json recording = content["recordings"][(*person == 'B' ? 0 : 2) + (*trial - '1')];
+      fs::copy_file(own.path() / recording["file"].get<std::string>(), own.path() / name);
+      recording["file"] = name;
+      recording["person"] = other;
+      content["recordings"].push_back(recording);
+      const std::string score = *trial == '1' ? "21" : *person == 'B' ? "25" : "28";
+      marks += name + ",GRS 1," + score + "\n" + name + ",GRS 2," + score + "\n";
+    }
+  }
+  writeFileAtomically(own.path() / "marks.csv", marks);
+  writeFileAtomically(map, content.dump());
+  const ForeignOutcome done = importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "");
+  TrialDigests digests(centre.assets());
+  const ExchangeData data =
+      exchangeData(centre.as("statistician"), {.cohortId = done.landed.cohortId}, digests);
+
+  ASSERT_EQ(data.inputs.trials.size(), 8U);
+  for (const TrialSummaryRow& trial : data.inputs.trials) {
+    EXPECT_EQ(trial.model, kForeignModel);
+    EXPECT_NEAR(trial.detorsion.at("time.total"), 4.0, 1e-9);
+    EXPECT_NEAR(trial.detorsion.at("tip.path"), 0.2, 1e-4);
+    EXPECT_EQ(trial.detorsion.at("tip.idle"), 0.0);
+    EXPECT_EQ(trial.detorsion.size(), 3U);
+    EXPECT_FALSE(trial.peakForce_N);
+  }
+  // B has 12 and 13 at trial 1, 13 and 14 at trial 2; C nine more.
+  ASSERT_EQ(data.inputs.occasions.size(), 2U);
+  std::vector<double> scores;
+  for (const TraineeScore& score : data.inputs.scores) {
+    scores.push_back(score.score);
+  }
+  EXPECT_THAT(scores, ::testing::UnorderedElementsAre(12.5, 13.5, 21.5, 22.5, 21.0, 25.0, 21.0, 28.0));
+  EXPECT_EQ(data.inputs.trainingMarks.size(), 16U);
+  EXPECT_FALSE(data.set.comparison.rows.empty());
+  EXPECT_FALSE(data.set.agreement.rows.empty());
+  const ExportTable& trials = data.set.trials;
+  std::size_t motion = 0;
+  for (std::size_t c = 0; c < trials.columns.size(); ++c) {
+    const std::string& name = trials.columns[c].name;
+    const bool empty = std::holds_alternative<std::monostate>(trials.rows.at(0)[c]);
+    motion += name == "tip_path" && !empty ? 1 : 0;
+    EXPECT_TRUE(empty || (name.find("peak") == std::string::npos && name.find("twist") == std::string::npos))
+        << name;
+  }
+  EXPECT_EQ(motion, 1U);
+
+  std::size_t tables = 0;
+  for (const ReportSection& section : cohortReport(data.inputs).sections) {
+    for (const ReportTable& table : section.tables) {
+      EXPECT_NE(table.id, "table-untwistings");
+      if (table.id == "table-foreign") {
+        ++tables;
+        ASSERT_EQ(table.rows.size(), 4U);  // two groups, two trials
+        EXPECT_EQ(table.rows[0][4], "0.200");
+      }
+      tables += table.id == "table-foreign-learning" ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(tables, 2U);
+
+  const Trial trial = TrialRepository(centre.connection())
+                          .load(StudyRepository(centre.connection()).trialIds(done.landed.cohortId).front());
+  const Outcome<TrialMetrics> metrics = measureForeign(trial.header, decodeTrial(trial));
+  ASSERT_TRUE(metrics);
+  for (const char* id : {"force.peak", "torque.mean", "twist.path", "work.delivered", "twist.sparc"}) {
+    EXPECT_EQ(metrics->at(id).reason(), "not applicable: foreign recording") << id;
+  }
+  std::ostringstream out;
+  EXPECT_EQ(writeTrajectory(trial, 1, TrajectoryForm::kCsv, out), static_cast<std::int64_t>(kForeignLines));
+  const std::string text = out.str();
+  EXPECT_THAT(text.substr(text.find('\n') + 1, text.find('\n', 900)), HasSubstr(",,,,,,,,,,,"));
+}
+
+TEST(ForeignImport, TakesTheGlobalRatingOfJigsaws) {
+  StudyCentre centre;
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "jigsaws");
+  writeFileAtomically(own.path() / "meta.txt",
+                      "S_B1\tN\t\t15\t3 2 3 2 2 3\n\nS_B2 N 16\nS_C1 E 24\nS_D1 E 29\nS_C2 E 25\n");
+  ordered_json content = ordered_json::parse(readFile(map));
+  content["raters"] = {{{"name", "GRS"}, {"class", "chief"}}};
+  content["marks"] = {
+      {"meta_file", "meta.txt"}, {"rater", "GRS"}, {"lowest", 6}, {"highest", 30}, {"steps_per_point", 1}};
+  writeFileAtomically(map, content.dump());
+  const ForeignMap read = readForeignMap(map, ForeignLayout::kJigsaws);
+  ASSERT_EQ(read.marks.size(), 4U);
+  EXPECT_EQ(read.marks[0].steps, 15);
+  EXPECT_EQ(read.marks[3].recording, "S_C2.txt");
+  writeFileAtomically(own.path() / "meta.txt", "S_B1 N 15\nS_B2 N 31\n");
+  try {
+    (void)readForeignMap(map, ForeignLayout::kJigsaws);
+    FAIL() << "31 is beyond the scale";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.where(), HasSubstr("meta.txt, line 2"));
+  }
+}
+
+/// Published sets may not be shipped: TORSIO_PUBLISHED_SETS names a folder with a folder for each layout, in
+/// it files as they were published and a map (*.json) for each recording.
+TEST(ForeignImport, TakesPublishedSetsWhereTheyAre) {
+  const char* sets = std::getenv("TORSIO_PUBLISHED_SETS");
+  if (sets == nullptr) {
+    GTEST_SKIP() << "TORSIO_PUBLISHED_SETS names no folder";
+  }
+  StudyCentre centre;
+  int maps = 0;
+  for (const char* layout : {"jigsaws", "rosma", "perktutor", "csv"}) {
+    const fs::path folder = fs::path(sets) / layout;
+    if (!fs::exists(folder)) {
+      continue;
+    }
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") {
+        const ForeignOutcome done =
+            importForeign(centre.as("administrator"), foreignLayout(layout), entry.path(), "");
+        EXPECT_GE(done.trials, 1) << entry.path();
+        ++maps;
+      }
+    }
+  }
+  EXPECT_GT(maps, 0);
+}
+
+TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
+  StudyCentre centre;
+  (void)centre.as("administrator");
+  const auto before = centre.rowCounts();
+  using Spoil = std::function<void(ordered_json&, std::string&)>;
+  struct Case {
+    const char* layout;
+    const char* said;
+    Spoil spoil;
+  };
+  const std::vector<Case> cases = {
+      {"jigsaws", "not 76 | S_C2.txt, line 7", [](auto&, auto& text) { spoilLine(text, 7, "1 2 3"); }},
+      {"jigsaws", "'nan' is no number | S_C2.txt, line 3, column 1",
+       [](auto&, auto& text) { spoilLine(text, 3, "nan 2 3"); }},
+      {"jigsaws", "no instrument 'left'", [](auto& map, auto&) { map["instrument"] = "left"; }},
+      {"jigsaws", "these files have no time",
+       [](auto& map, auto&) {
+         map.erase("rate_Hz");
+         map["time"] = {{"column", "t"}, {"unit", "s"}};
+       }},
+      {"rosma", "quaternions, x y z w", [](auto& map, auto&) { map["rotation"] = "quaternion wxyz"; }},
+      {"rosma", "PSM3 has not one column", [](auto& map, auto&) { map["instrument"] = "PSM3"; }},
+      {"rosma", "the line has 1 value and the header 10 | S_C2.txt, line 5",
+       [](auto&, auto& text) { spoilLine(text, 5, "0.1"); }},
+      {"perktutor", "fewer than two lines", [](auto& map, auto&) { map["instrument"] = "Nothing"; }},
+      {"perktutor", "the time does not rise | S_C2.txt, line 4",
+       [](auto&, auto& text) { spoilLine(text, 4, text.substr(text.find("  <log"), text.find("/>") - 20)); }},
+      {"csv", "no rotation | S_C2.txt, line 3",
+       [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,1,0,0,0.1\r"); }},
+      {"csv", "no rotation | S_C2.txt, line 2",
+       [](auto& map, auto& text) {
+         map["rotation"] = "quaternion xyzw";
+         spoilLine(text, 2, "500,0,0,0,0.5,0,0,0,0.1\r");
+       }},
+      {"csv", "the time does not rise | S_C2.txt, line 9",
+       [](auto&, auto& text) { spoilLine(text, 9, "500,0,0,0,1,0,0,0,0.1\r"); }},
+      {"csv", "'1;5' is no number", [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,0,0,0,1;5\r"); }},
+      {"csv", "more than 200 m away | S_C2.txt, line 4",
+       [](auto&, auto& text) { spoilLine(text, 4, "540,300,0,0,1,0,0,0,0.1\r"); }},
+      {"csv", "there is not one column 'px'", [](auto& map, auto&) { map["position"][0] = "px"; }},
+      {"csv", "the map must say this | map.json, \"frame\"", [](auto& map, auto&) { map.erase("frame"); }},
+      {"csv", "the map must say this | map.json, \"unit\"", [](auto& map, auto&) { map.erase("unit"); }},
+      {"csv", "is none of: m, cm, mm", [](auto& map, auto&) { map["unit"] = "inch"; }},
+      {"csv", "means nothing here | map.json, \"rate_hz\"", [](auto& map, auto&) { map["rate_hz"] = 30; }},
+      {"csv", "nobody called 'Z' | map.json, \"recordings\" 2, \"person\"",
+       [](auto& map, auto&) { map["recordings"][1]["person"] = "Z"; }},
+      {"csv", "this is no time",
+       [](auto& map, auto&) { map["recordings"][0]["started"] = "2020-02-30T00:00:00Z"; }},
+      {"csv", "no such file", [](auto& map, auto&) { map["recordings"][3]["file"] = "S_C9.txt"; }},
+  };
+  for (const Case& one : cases) {
+    EXPECT_THAT(refusalOf(centre, one.layout, one.spoil), HasSubstr(one.said)) << one.layout;
+  }
+  EXPECT_EQ(centre.rowCounts(), before);
+}
+
+TEST(ForeignImport, KeepsNothingWhenItIsGivenUpOrRefusedAtTheEnd) {
+  StudyCentre centre;
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "csv", true);
+  (void)centre.as("administrator");
+  const auto before = centre.rowCounts();
+  const auto givenUp = [](const Progress& progress) {
+    if (progress.step.str() == "Storing recording 4 of 4") {
+      throw Error(ErrorCode::kUsage, Text::verbatim("given up"), "", "");
+    }
+  };
+  EXPECT_THROW(importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "", givenUp), Error);
+  EXPECT_EQ(centre.rowCounts(), before);
+  writeFileAtomically(map, replacedOnce(readFile(map), "\"chief\"", "\"nobody\""));
+  EXPECT_THROW(importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, ""), Error);
+  EXPECT_EQ(centre.rowCounts(), before);
+  EXPECT_THROW(importForeign(centre.as("statistician"), ForeignLayout::kCsv, map, ""), Error);
+}
+
+TEST(ForeignMeasures, AreUndefinedWhereTheyCannotBeHonest) {
+  TrialHeader header;
+  header.sceneId = std::string(kForeignScene);
+  header.tickPeriod_us = 20'000;
+  std::vector<Sample> samples(100);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].tick = static_cast<std::int64_t>(i);
+    samples[i].device = quantize({.time_us = static_cast<std::int64_t>(20'000 * i), .pose = {}}, {});
+  }
+  EXPECT_TRUE(measureForeign(header, samples));
+  for (std::size_t i = 50; i < samples.size(); ++i) {
+    samples[i].device.time_us += 70'000;
+  }
+  EXPECT_NEAR(*measureForeign(header, samples)->at("time.total"), 2.05, 1e-9);
+  for (std::size_t i = 50; i < samples.size(); ++i) {
+    samples[i].device.time_us += 30'000;
+  }
+  EXPECT_EQ(measureForeign(header, samples).reason(), "the instrument was seen for 94 % of the time only");
+  EXPECT_EQ(foreignAttempt(header, samples).values.size(), 1U);
+  EXPECT_NEAR(foreignAttempt(header, samples).values.at("time.total"), 2.1, 1e-9);
+  header.tickPeriod_us = 66'667;
+  EXPECT_EQ(measureForeign(header, samples).reason(), "fewer than 20 samples a second were recorded");
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <QTemporaryDir>
+
+#include "app/outputs/tables/export_set.h"
+
+namespace torsio::testing {
+
+/// A folder that goes with its owner.
+class OwnFolder {
+ public:
+  [[nodiscard]] std::filesystem::path path() const { return folder_.path().toStdString(); }
+
+ private:
+  QTemporaryDir folder_;
+};
+
+/// Whether a program can be called on this machine.
+[[nodiscard]] bool hasProgram(const std::string& name);
+/// Runs a shell command; its output, or what it said when it failed.
+[[nodiscard]] std::string outputOf(const std::string& command, const std::filesystem::path& folder);
+
+/// The paper's study with some things that go wrong in other programs: text that looks like a formula,
+/// Chinese, line feeds, numbers with many digits.
+[[nodiscard]] CohortInputs awkwardCohort();
+
+}  // namespace torsio::testing

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QBarSeries>
+#include <QBarSet>
+#include <QBoxPlotSeries>
+#include <QBoxSet>
+#include <QCategoryAxis>
+#include <QChart>
+#include <QGraphicsScene>
+#include <QGraphicsTextItem>
+#include <QImage>
+#include <QPainter>
+#include <gtest/gtest.h>
+
+#include "app/outputs/charts/chart_builder.h"
+#include "app/outputs/charts/graphics_application.h"
+#include "app/outputs/pdf/pdf_file.h"
+#include "app/outputs/pdf/pdf_report.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/core/file_lock.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path freshFolder(const std::string& name) {
+  const fs::path folder = fs::temp_directory_path() / ("torsio-report-" + name);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+ReportFigure figureOf(FigureKind kind) {
+  ReportFigure figure;
+  figure.id = "figure";
+  figure.title = Text::verbatim("Marks by index");
+  figure.kind = kind;
+  figure.xLabel = Text::verbatim("index");
+  figure.yLabel = Text::verbatim("mark (0 to 10)");
+  figure.yMin = 0.0;
+  figure.yMax = 10.0;
+  for (int c = 1; c <= 9; ++c) {
+    figure.categories.push_back(std::to_string(c));
+  }
+  for (const char* name : {"proposed model", "finite elements", "mass-spring"}) {
+    FigureSeries series;
+    series.name = std::string(name);
+    for (int c = 0; c < 9; ++c) {
+      series.y.push_back(8.0 - 0.3 * c - static_cast<double>(figure.series.size()));
+      series.low.push_back(*series.y.back() - 2.0);
+      series.high.push_back(*series.y.back() + 1.5);
+      series.x.push_back(c);
+    }
+    series.box = BoxSummary{5, 6, 7, 8, 9, 6.9, {2.5}};
+    figure.series.push_back(series);
+  }
+  figure.notes = {Text::verbatim("The whisker ends at the last value within 1.5 interquartile ranges.")};
+  figure.provenance = {Text::verbatim("Eq. 25"), "1", 40, 0, {}};
+  return figure;
+}
+
+ReportModel smallReport() {
+  ReportModel model;
+  model.title = Text::verbatim("Twist training: cohort report");
+  model.subtitle = Text::verbatim("Three groups of ten");
+  model.softwareVersion = "0.1.0";
+  model.demonstration = true;
+  model.facts = {{Text::verbatim("Trainees"), Text::verbatim("30")},
+                 {Text::verbatim("Raters"), Text::verbatim("10")}};
+  ReportSection section;
+  section.title = Text::verbatim("Evaluation");
+  section.paragraphs = {Text::verbatim("Forty raters marked nine indices of three models.")};
+  for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kRanges, FigureKind::kBoxes,
+                                FigureKind::kPoints, FigureKind::kLines}) {
+    section.figures.push_back(figureOf(kind));
+  }
+  ReportTable table;
+  table.title = Text::verbatim("A table longer than a page");
+  table.columns = {Text::verbatim("index"), Text::verbatim("name"), Text::verbatim("M")};
+  for (int i = 0; i < 80; ++i) {
+    table.rows.push_back({std::to_string(i), Text::verbatim("effectiveness"), Text::verbatim("7.87")});
+  }
+  section.tables.push_back(table);
+  model.sections.push_back(section);
+  return model;
+}
+
+ReportFigure intervals() {
+  ReportFigure figure = figureOf(FigureKind::kForest);
+  figure.references = {{5.0, Text::verbatim("middle")}};
+  return figure;
+}
+
+int pagesIn(const std::string& pdf) {
+  int pages = 0;
+  for (std::size_t at = pdf.find("/Type /Page\n"); at != std::string::npos;
+       at = pdf.find("/Type /Page\n", at + 1)) {
+    ++pages;
+  }
+  return pages;
+}
+
+TEST(PdfReport, IsAVectorFileOfSeveralPages) {
+  const fs::path file = freshFolder("pdf") / "cohort.pdf";
+
+  writePdfReport(smallReport(), file);
+
+  const std::string pdf = readFile(file);
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_GE(pagesIn(pdf), 5);
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "charts must stay vectors";
+  EXPECT_FALSE(fs::exists(temporaryBeside(file)));
+}
+
+TEST(PdfReport, IsWrittenByOneProgramAtATime) {
+  const fs::path file = freshFolder("pdf-twice") / "cohort.pdf";
+  const PartFile other(file);
+
+  EXPECT_THROW(writePdfReport(smallReport(), file), Error);
+
+  EXPECT_FALSE(fs::exists(file));
+}
+
+/// Follows the cross references of a PDF from its end: every object must begin where they say.
+std::size_t checkedObjects(const std::string& pdf) {
+  std::size_t objects = 0;
+  std::size_t at = std::stoull(pdf.substr(pdf.rfind("startxref\n") + 10));
+  while (at != 0) {
+    EXPECT_EQ(pdf.substr(at, 5), "xref\n");
+    std::istringstream table(pdf.substr(at + 5));
+    std::string word;
+    while (table >> word && word != "trailer") {
+      const std::size_t first = std::stoull(word);
+      std::size_t count = 0;
+      table >> count;
+      for (std::size_t i = 0; i < count; ++i) {
+        std::string offset;
+        std::string generation;
+        std::string kind;
+        table >> offset >> generation >> kind;
+        if (kind == "n") {
+          const std::string head = std::to_string(first + i) + " 0 obj";
+          EXPECT_EQ(pdf.substr(std::stoull(offset), head.size()), head);
+          ++objects;
+        }
+      }
+    }
+    const std::string trailer = pdf.substr(pdf.find("trailer", at), 400);
+    const std::size_t before = trailer.substr(0, trailer.find("startxref")).find("/Prev ");
+    at = before == std::string::npos ? 0 : std::stoull(trailer.substr(before + 6));
+  }
+  return objects;
+}
+
+TEST(PdfReport, HasBookmarksOfSectionsFiguresAndTablesAndItsReferenceOnEveryPage) {
+  const fs::path file = freshFolder("bookmarks") / "report.pdf";
+  ReportModel model = smallReport();
+  model.number = "R-12-3fa29b1c";
+  model.numbersHash = std::string(64, 'a');
+  model.auditHead = std::string(64, 'b');
+  std::size_t said = 0;
+  std::size_t pages = 0;
+  const Wording listen = [&said](const Text& text) {
+    const QString words = englishWording(text);
+    said += words.contains(QStringLiteral("R-12-3fa29b1c")) && words.contains(QString(64, QLatin1Char('b')))
+                ? 1U
+                : 0U;
+    return words;
+  };
+
+  writePdfReport(
+      model, file, listen, [&pages](std::size_t, std::size_t all) { pages = all; }, "zh_CN");
+
+  const std::string pdf = readFile(file);
+  EXPECT_GT(checkedObjects(pdf), 10U);
+  EXPECT_NE(pdf.find("/PageMode /UseOutlines"), std::string::npos);
+  EXPECT_NE(pdf.find("/Lang (zh-CN)"), std::string::npos);
+  std::size_t marks = 0;
+  for (std::size_t at = pdf.find("/Dest ["); at != std::string::npos; at = pdf.find("/Dest [", at + 1)) {
+    ++marks;
+  }
+  std::size_t things = 0;
+  for (const ReportSection& section : model.sections) {
+    things += 1 + section.figures.size() + section.tables.size();
+  }
+  EXPECT_EQ(marks, things);
+  EXPECT_NE(pdf.find("/Title <FEFF004500760061006C"), std::string::npos) << "Eval(uation)";
+  EXPECT_EQ(said, 1U) << "composed once and drawn in the foot of all " << pages << " pages";
+}
+
+TEST(PdfReport, SaysThatItIsAnArchiveFileAndHoldsWhatOneNeeds) {
+  const fs::path file = freshFolder("archive") / "report.pdf";
+
+  writePdfReport(smallReport(), file);
+
+  const std::string pdf = readFile(file);
+  EXPECT_NE(pdf.find("pdfaid:part=\"1\""), std::string::npos);
+  EXPECT_NE(pdf.find("pdfaid:conformance=\"B\""), std::string::npos);
+  const std::string catalog = pdf.substr(pdf.rfind("/Type /Catalog"), 400);
+  EXPECT_NE(catalog.find("/Metadata "), std::string::npos) << "the update keeps what the file was given";
+  EXPECT_NE(catalog.find("/OutputIntents "), std::string::npos);
+  EXPECT_NE(pdf.substr(pdf.rfind("trailer")).find("/ID"), std::string::npos);
+  for (std::size_t at = pdf.find("/SMask"); at != std::string::npos; at = pdf.find("/SMask", at + 1)) {
+    EXPECT_EQ(pdf.substr(at, 12), "/SMask /None") << "no transparency in PDF/A-1";
+  }
+  for (const char* key : {"/CA ", "/ca "}) {
+    for (std::size_t at = pdf.find(key); at != std::string::npos; at = pdf.find(key, at + 1)) {
+      EXPECT_EQ(pdf.substr(at + 4, 3), "1.0") << key;
+    }
+  }
+}
+
+std::size_t countOf(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(PdfReport, IsTaggedSoThatItCanBeReadAloud) {
+  const fs::path file = freshFolder("tagged") / "report.pdf";
+  ReportModel model = smallReport();
+  model.centre = "Skills & sutures";
+
+  writePdfReport(model, file);
+
+  const std::string text = readFile(file);
+  const PdfFile pdf(text);
+  const std::string& catalog = pdf.object(pdf.catalog());
+  EXPECT_NE(catalog.find("/MarkInfo <</Marked true>>"), std::string::npos);
+  EXPECT_NE(catalog.find("/StructTreeRoot "), std::string::npos);
+  EXPECT_NE(pdf.object(pdf.info()).find("/Author " + PdfFile::textString("Skills & sutures")),
+            std::string::npos);
+  const std::string xml = pdf.stream(pdf.reference(pdf.catalog(), "/Metadata "));
+  EXPECT_NE(xml.find("<rdf:li>Skills &amp; sutures</rdf:li>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<dc:language><rdf:Bag><rdf:li>en</rdf:li>"), std::string::npos);
+  std::size_t figures = 0;
+  std::size_t titles = 0;
+  for (const ReportSection& section : model.sections) {
+    figures += section.figures.size();
+    titles += section.figures.size() + section.tables.size();
+  }
+  EXPECT_EQ(countOf(text, "/S /H1\n"), model.sections.size());
+  EXPECT_EQ(countOf(text, "/S /H2\n"), titles);
+  EXPECT_EQ(countOf(text, "/S /Figure\n"), figures);
+  EXPECT_EQ(countOf(text, "/Alt <FEFF"), figures);
+  EXPECT_GE(countOf(text, "/S /Table\n"), 2U);
+  EXPECT_GT(countOf(text, "/S /TH\n"), 2U);
+  std::size_t pieces = 0;
+  for (const std::uint64_t page : pdf.pages()) {
+    const std::string drawing = pdf.stream(pdf.reference(page, "/Contents "));
+    const std::size_t named = countOf(drawing, " BDC\n");
+    pieces += named;
+    EXPECT_GT(named, 0U);
+    EXPECT_EQ(named + countOf(drawing, " BMC\n"), countOf(drawing, "EMC\n"));
+    EXPECT_EQ(countOf(drawing, "-5000"), 0U) << "no mark is left in the drawing";
+    EXPECT_NE(pdf.object(page).find("/StructParents "), std::string::npos);
+  }
+  EXPECT_EQ(countOf(text, "/Type /StructElem\n"),
+            pieces + 1 + countOf(text, "/S /Table\n") + countOf(text, "/S /TR\n"));
+}
+
+TEST(PdfReport, EachSignCanBeFoundAndCopiedAsItWasWritten) {
+  const fs::path file = freshFolder("letters") / "report.pdf";
+  ReportModel model = smallReport();
+  model.number = "R-12-3ffa29b1";
+  model.numbersHash = "ff0ffi1ffl2fi3fl";  // a typeface joins these
+
+  writePdfReport(model, file);
+
+  const std::string text = readFile(file);
+  const PdfFile pdf(text);
+  std::size_t fonts = 0;
+  for (std::size_t at = text.find("/ToUnicode "); at != std::string::npos;
+       at = text.find("/ToUnicode ", at + 1)) {
+    const std::string map = pdf.stream(std::stoull(text.substr(at + 11, 12)));
+    ++fonts;
+    EXPECT_NE(map.find("begincmap"), std::string::npos);
+    EXPECT_EQ(map.find("<FB0"), std::string::npos) << "joined letters";
+    EXPECT_EQ(map.find("<fb0"), std::string::npos) << "joined letters";
+  }
+  EXPECT_GT(fonts, 0U);
+}
+
+TEST(PdfFile, RefusesWhatIsNoPdf) {
+  EXPECT_THROW(PdfFile(""), Error);
+  EXPECT_THROW(PdfFile("startxref\n5\n/Root 1 0 R /Size 3"), Error);
+}
+
+TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {
+  ReportModel model = smallReport();
+  ReportFigure figure;
+  figure.title = Text::verbatim("A course of a hundred moments");
+  figure.kind = FigureKind::kLines;
+  FigureSeries series{Text::verbatim("model"), {}, {}, {}, {}, {}, {}, false};
+  for (int i = 0; i < 100; ++i) {
+    series.x.push_back(i);
+    series.y.emplace_back(i);
+  }
+  figure.series = {series};
+  figure.valuesStand = Text::verbatim("They stand in course.csv.");
+  model.sections[0].figures = {figure};
+  std::vector<QString> said;
+  const Wording listen = [&said](const Text& text) {
+    said.push_back(englishWording(text));
+    return said.back();
+  };
+
+  writePdfReport(model, freshFolder("values") / "values.pdf", listen);
+
+  EXPECT_NE(std::find(said.begin(), said.end(), QStringLiteral("They stand in course.csv.")), said.end());
+  for (const QString& sentence : said) {
+    EXPECT_FALSE(sentence.contains(QStringLiteral("Results"))) << sentence.toStdString();
+  }
+}
+
+TEST(PdfReport, RefusesAFolderThatDoesNotExistAndLeavesNothing) {
+  const fs::path folder = freshFolder("missing");
+  const fs::path file = folder / "no-such-folder" / "cohort.pdf";
+
+  EXPECT_THROW(writePdfReport(smallReport(), file), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(ChartBuilder, DrawsOneBarSetASeries) {
+  const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
+  ASSERT_EQ(chart->series().size(), 1);
+  const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
+  ASSERT_NE(bars, nullptr);
+  EXPECT_EQ(bars->barSets().size(), 3);
+  EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
+}
+
+TEST(ChartBuilder, NamesEachCategoryAlsoWhereTwoAreCalledAlike) {
+  for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kPoints, FigureKind::kForest}) {
+    ReportFigure figure = figureOf(kind);
+    figure.categories[8] = figure.categories[2];
+    const std::unique_ptr<QChart> chart = buildChart(figure);
+    qsizetype named = 0;
+    for (QAbstractAxis* axis : chart->axes()) {
+      if (auto* categories = qobject_cast<QCategoryAxis*>(axis)) {
+        named = categories->categoriesLabels().size();
+      }
+    }
+    EXPECT_EQ(named, 9) << static_cast<int>(kind);
+  }
+}
+
+TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
+  ReportFigure figure = figureOf(FigureKind::kGroupedBars);
+  figure.xLabel = {};
+  figure.categories = {Text::verbatim("Effectiveness"),
+                       Text::verbatim("Force feedback"),
+                       Text::verbatim("Real-time performance"),
+                       Text::verbatim("System stability"),
+                       Text::verbatim("Deformation efficiency"),
+                       Text::verbatim("Fidelity"),
+                       Text::verbatim("Image fluency"),
+                       Text::verbatim("Telepresence"),
+                       Text::verbatim("Texture")};
+  QGraphicsScene scene;
+  QChart* chart = buildChart(figure).release();  // the scene owns it from here
+  scene.addItem(chart);
+  constexpr double kAcrossPage_px = 170.0 * 3.78;  // as a page of the report has it
+  chart->resize(kAcrossPage_px, 280.0);
+  QImage paper(static_cast<int>(kAcrossPage_px), 280, QImage::Format_RGB32);
+  QPainter painter(&paper);
+  scene.render(&painter);
+
+  std::set<QString> drawn;
+  for (const QGraphicsItem* item : scene.items()) {
+    if (const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item)) {
+      drawn.insert(text->toPlainText().simplified());
+    }
+  }
+  for (const Text& name : figure.categories) {
+    EXPECT_TRUE(drawn.contains(QString::fromStdString(name.str()))) << name;
+  }
+}
+
+TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
+  const fs::path folder = freshFolder("cancel");
+  const fs::path file = folder / "cohort.pdf";
+  writeFileAtomically(file, "older");
+  struct GivenUp {};
+
+  EXPECT_THROW(writePdfReport(smallReport(), file, englishWording,
+                              [](std::size_t page, std::size_t pages) {
+                                EXPECT_GE(pages, 5U);
+                                if (page == 2) {
+                                  throw GivenUp{};
+                                }
+                              }),
+               GivenUp);
+
+  EXPECT_EQ(readFile(file), "older");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(PdfReport, DrawsForestsHeatMapsAndCloudsAsVectors) {
+  ReportModel model;
+  model.title = Text::verbatim("Kinds");
+  ReportSection section;
+  section.title = Text::verbatim("All");
+  ReportFigure cloud = figureOf(FigureKind::kScatter);
+  section.figures = {intervals(), figureOf(FigureKind::kHeatMap), cloud};
+  model.sections.push_back(section);
+  const fs::path file = freshFolder("kinds") / "kinds.pdf";
+
+  writePdfReport(model, file);
+
+  EXPECT_EQ(readFile(file).find("/Subtype /Image"), std::string::npos);
+}
+
+TEST(ChartBuilder, TellsSeriesApartWithoutColour) {
+  const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
+  const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
+  std::set<Qt::BrushStyle> patterns;
+  for (const QBarSet* set : bars->barSets()) {
+    patterns.insert(set->brush().style());
+  }
+  EXPECT_EQ(patterns.size(), 3U);
+  // A heat map is darker for more, on white; lightness never turns back.
+  for (int i = 1; i <= 10; ++i) {
+    EXPECT_LT(qGray(shade(0.1 * i).rgb()), qGray(shade(0.1 * (i - 1)).rgb()));
+  }
+}
+
+TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {
+  const auto chart = buildChart(figureOf(FigureKind::kBoxes));
+  const auto* boxes = qobject_cast<QBoxPlotSeries*>(chart->series().first());
+  ASSERT_NE(boxes, nullptr);
+  ASSERT_EQ(boxes->count(), 3);
+  EXPECT_DOUBLE_EQ(boxes->boxSets().first()->at(QBoxSet::Median), 7.0);
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  const auto application = torsio::makeHeadlessGraphicsApplication(argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/access/access_service.h"
+
+#include <gtest/gtest.h>
+
+#include "app/services/access/first_run.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/access/signing.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/core/error.h"
+#include "tests/app/support/study_centre.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+using testing::kStudyPassword;
+using testing::StudyCentre;
+
+constexpr const char* kStart = "a first word to begin";
+constexpr const char* kOwn = "own words, long enough";
+
+std::string trailText(Connection& connection) {
+  std::string text;
+  for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+    text += entry.actor + entry.action + entry.objectId + entry.oldJson + entry.newJson + entry.reason + "\n";
+  }
+  return text;
+}
+
+TEST(AccessService, FailedSignInIsAuditedWithoutWhatWasTyped) {
+  StudyCentre centre;
+
+  EXPECT_EQ(signIn(centre.as(""), "rater", "my secret by mistake").outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(centre.as(""), "password typed as login", "x").outcome, SignIn::kWrong);
+
+  EXPECT_EQ(centre.audited("user.sign_in_failed"), 2);
+  const std::string trail = trailText(centre.connection());
+  EXPECT_EQ(trail.find("secret"), std::string::npos);
+  EXPECT_EQ(trail.find("typed as login"), std::string::npos);
+}
+
+TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
+  StudyCentre centre;
+  addUser(centre.as("administrator"), {.login = "new", .roles = {"statistician"}, .startPassword = kStart});
+
+  SessionContext& session = centre.as("");
+  const SignInAnswer first = signIn(session, "new", kStart);
+
+  EXPECT_EQ(first.outcome, SignIn::kMustChange);
+  EXPECT_TRUE(session.actor().userId.empty());
+  EXPECT_FALSE(session.may(Operation::kPersonViewCoded));
+  EXPECT_THROW(changeOwnPassword(session, "new", kStart, kStart), Error);
+  EXPECT_EQ(changeOwnPassword(session, "new", kStart, kOwn).outcome, SignIn::kOk);
+  EXPECT_TRUE(session.may(Operation::kPersonViewCoded));
+}
+
+TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
+  StudyCentre centre;
+  setOwnPin(centre.as("trainee"), "4711");
+
+  SessionContext& session = centre.as("");
+  const SignInAnswer answer = signInForPractice(session, "trainee", "4711");
+
+  EXPECT_EQ(answer.outcome, SignIn::kOk);
+  EXPECT_TRUE(session.may(Operation::kPractice));
+  EXPECT_FALSE(session.may(Operation::kTrialRecordOwn));
+  EXPECT_THROW(setOwnPin(session, "4712"), Error);
+}
+
+TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo) {
+  StudyCentre centre;
+  EXPECT_THROW((void)simulatedPerson(centre.as("administrator"), SimulatedRole::kTrainee),
+               Error);  // real people are no choice
+  addUser(centre.as("administrator"),
+          {.login = "demo.trainee", .roles = {"trainee"}, .startPassword = kStart, .demonstration = true});
+
+  const Actor trainee = simulatedPerson(centre.as("administrator"), SimulatedRole::kTrainee);
+
+  EXPECT_EQ(trainee.login, "demo.trainee");
+  EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
+  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs only what is simulated
+  const AuditEntry newest = AuditRepository(centre.connection()).entries({.limit = 1}).front();
+  EXPECT_EQ(newest.action, "user.sign_in");
+  EXPECT_EQ(newest.objectId, trainee.userId);
+  EXPECT_NE(newest.actor, trainee.userId);
+  EXPECT_NE(newest.reason.find("simulated trainee"), std::string::npos);
+  EXPECT_THROW((void)simulatedPerson(centre.as("trainee"), SimulatedRole::kTrainee), Error);
+
+  EXPECT_THROW((void)simulatedPerson(centre.as("administrator"), SimulatedRole::kPhysician), Error);
+  addUser(centre.as("administrator"),
+          {.login = "demo.physician", .roles = {"rater"}, .startPassword = kStart, .demonstration = true});
+  EXPECT_EQ(simulatedPerson(centre.as("administrator"), SimulatedRole::kPhysician).login, "demo.physician");
+  EXPECT_NE(AuditRepository(centre.connection()).entries({.limit = 1}).front().reason.find("physician"),
+            std::string::npos);
+}
+
+TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
+  StudyCentre centre;
+  const auto add = [&centre](const std::string& login) {
+    return addUser(centre.as("administrator"),
+                   {.login = login, .roles = {"statistician"}, .startPassword = kStart});
+  };
+  add("anna.oz0n");
+  const std::size_t before = users(centre.as("administrator")).size();
+
+  for (const char* alike : {"\xD0\xB0nna.oz0n",         // Cyrillic a
+                            "ann\xCE\xB1.oz0n",         // Greek alpha
+                            "anna.\xD6\x85z0n",         // Armenian o
+                            "Anna.Oz0n", "anna.ozon",   // other capitals, o for 0
+                            "anna.oz\xD9\xA0n",         // Arabic 0
+                            "anna.oz0n ",               // a blank behind it
+                            "\xEF\xBD\x81nna.oz0n"}) {  // wide a
+    const Refusal refused = refusalFrom([&] { add(alike); });
+    EXPECT_EQ(refused.code, ErrorCode::kBadParameter) << alike;
+    EXPECT_NE(refused.text.find("looks like anna.oz0n"), std::string::npos) << refused.text;
+  }
+  for (const char* unseen : {"", "bob\xE2\x80\x8B",  // a blank without width
+                             "bob\xE3\x85\xA4",      // a filler
+                             "\xE2\x80\xAE"
+                             "bob"}) {  // turns the direction
+    EXPECT_EQ(refusalFrom([&] { add(unseen); }).code, ErrorCode::kBadParameter) << unseen;
+  }
+  EXPECT_EQ(refusalFrom([&] { add(std::string(65, 'b')); }).code, ErrorCode::kBadParameter);
+
+  EXPECT_EQ(users(centre.as("administrator")).size(), before);
+  add("anna.ozan");
+  add("\xE5\xBC\xA0\xE4\xB8\x89");  // two Chinese characters
+  EXPECT_EQ(users(centre.as("administrator")).size(), before + 2);
+}
+
+TEST(AccessService, LastAdministratorStays) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  const std::string self = session.actor().userId;
+
+  EXPECT_THROW(setUserActive(session, self, false, "leaves"), Error);
+  EXPECT_THROW(setUserRoles(session, self, {"rater"}, "changes"), Error);
+}
+
+TEST(SettingsService, TheCentreCanBeRenamedAndTheTrailKeepsBothNames) {
+  StudyCentre centre;
+  setCentreName(centre.as("administrator"), "Skills laboratory");
+  setCentreName(centre.session(), "Skills centre North");
+  setCentreName(centre.session(), "Skills centre North");
+
+  EXPECT_EQ(centreSign(centre.connection()).name, "Skills centre North");
+  EXPECT_EQ(centre.audited("centre.rename"), 2);
+  EXPECT_NE(trailText(centre.connection()).find("Skills laboratory"), std::string::npos);
+  EXPECT_THROW(setCentreName(centre.session(), ""), Error);
+}
+
+TEST(AccessService, ARightThatWasTakenAwayIsGoneAtOnce) {
+  StudyCentre centre;
+  const std::string rater = centre.as("rater").actor().userId;
+  setUserActive(centre.as("administrator"), rater, false, "left the centre");
+
+  EXPECT_FALSE(centre.as("rater").may(Operation::kPractice));
+  EXPECT_EQ(centre.audited("user.disable"), 1);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A link with which somebody sets the first password: good once, for a week, and for nobody else.
+#include "app/services/access/invitations.h"
+
+#include <gtest/gtest.h>
+
+#include "app/services/access/two_people.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "db/connection/connection.h"
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kStudyPassword;
+using testing::StudyCentre;
+
+constexpr const char* kChosen = "seven kites above the bay";
+
+class Invitations : public ::testing::Test {
+ protected:
+  UserAccount userOf(const std::string& login) {
+    for (const UserAccount& user : AccessRepository(centre.connection()).users()) {
+      if (user.login == login) {
+        return user;
+      }
+    }
+    return {};
+  }
+  std::string linkFor(const std::string& login) {
+    const std::vector<UserId> ids{userOf(login).id};
+    return invite(centre.as("administrator"), ids).at(0).secret;
+  }
+  SignIn tried(const std::string& secret, const std::string& code = {}) {
+    SessionContext& session = centre.as("");
+    session.setPasswordCost(PasswordCost::kTest);
+    return acceptInvitation(session, secret, code, kChosen).outcome;
+  }
+  SignIn signedIn(const std::string& login, const std::string& password) {
+    return signIn(centre.as(""), login, password).outcome;
+  }
+  void askForTwo() {
+    SettingRepository(centre.connection()).set(kTwoPeopleSetting, "yes", 0);
+    AccessRepository access(centre.connection(), PasswordCost::kTest);
+    access.addUser({.id = "u-second", .login = "second", .roles = {"administrator"}}, kStudyPassword);
+    access.setPassword("u-second", access.sealPassword("second", kStudyPassword), false);
+  }
+  SessionContext& asSecond() {
+    EXPECT_EQ(signedIn("second", kStudyPassword), SignIn::kOk);
+    return centre.session();
+  }
+
+  StudyCentre centre;
+};
+
+TEST_F(Invitations, SetAPasswordOnceAndSignIn) {
+  const std::string secret = linkFor("rater");
+  EXPECT_EQ(secret.size(), 23U) << "twenty characters in four groups";
+
+  EXPECT_EQ(tried(secret), SignIn::kOk);
+  EXPECT_EQ(centre.session().actor().login, "rater");
+  EXPECT_EQ(signedIn("rater", kChosen), SignIn::kOk);
+  EXPECT_EQ(signedIn("rater", kStudyPassword), SignIn::kWrong);
+  EXPECT_EQ(tried(secret), SignIn::kWrong) << "it is used up";
+  EXPECT_EQ(centre.audited("invitation.make"), 1);
+  EXPECT_EQ(centre.audited("invitation.use"), 1);
+}
+
+TEST_F(Invitations, AWeakPasswordDoesNotUseTheLinkUp) {
+  const std::string secret = linkFor("rater");
+
+  EXPECT_THROW((void)acceptInvitation(centre.as(""), secret, "", "short"), Error);
+  EXPECT_THROW((void)acceptInvitation(centre.as(""), secret, "", "aaaaaaaaaaaaaaaaaa"), Error);
+  EXPECT_EQ(signedIn("rater", kStudyPassword), SignIn::kOk) << "nothing has changed";
+  EXPECT_EQ(tried(secret), SignIn::kOk);
+}
+
+TEST_F(Invitations, WhateverIsWrongWithALinkIsAnsweredAlike) {
+  const std::string replaced = linkFor("rater");
+  const std::string revoked = linkFor("rater");
+  const std::vector<UserId> ids{userOf("rater").id};
+  EXPECT_THROW((void)revokeInvitations(centre.as("administrator"), ids, ""), Error);
+  EXPECT_EQ(revokeInvitations(centre.as("administrator"), ids, "left the hospital"), 1U);
+  EXPECT_EQ(revokeInvitations(centre.as("administrator"), ids, "left the hospital"), 0U);
+  const std::string old = linkFor("rater");
+  EXPECT_EQ(invitationsInForce(centre.as("administrator")).size(), 1U);
+  centre.passTime_us(kInvitationLife_us);
+  EXPECT_TRUE(invitationsInForce(centre.as("administrator")).empty());
+
+  for (const std::string& secret : {replaced, revoked, old, std::string(), std::string("abcde-abcde")}) {
+    EXPECT_EQ(tried(secret), SignIn::kWrong) << secret;
+  }
+  EXPECT_EQ(centre.audited("user.sign_in_failed"), 5);
+  EXPECT_EQ(signedIn("rater", kStudyPassword), SignIn::kOk);
+}
+
+TEST_F(Invitations, EndWithAnotherPasswordOtherRolesAndADisabledAccount) {
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  const UserId rater = userOf("rater").id;
+
+  const std::string beforePassword = linkFor("rater");
+  access.setPassword(rater, access.sealPassword("rater", kStudyPassword), false);
+  EXPECT_EQ(tried(beforePassword), SignIn::kWrong);
+  const std::string beforeRoles = linkFor("rater");
+  access.setRoles(rater, {"rater", "allocator"});
+  EXPECT_EQ(tried(beforeRoles), SignIn::kWrong) << "it was made for what the account could do then";
+  const std::string beforeDisabling = linkFor("rater");
+  access.setActive(rater, false);
+  EXPECT_EQ(tried(beforeDisabling), SignIn::kWrong);
+  const std::vector<UserId> ids{rater};
+  EXPECT_THROW((void)invite(centre.as("administrator"), ids), Error) << "disabled";
+  const std::vector<UserId> own{userOf("administrator").id};
+  EXPECT_THROW((void)invite(centre.as("administrator"), own), Error) << "the own account";
+}
+
+TEST(InvitationWords, NameACentreOnlyWhereItHasAName) {
+  for (const std::string& centre : {std::string("Hospital A"), std::string()}) {
+    for (const Text& text :
+         {invitationSubject(centre), invitationWords(centre, "rater", "https://desk/join#2.abc", "noon"),
+          invitationCodeWords(centre, "abcde-abcde")}) {
+      const std::string words = text.str();
+      EXPECT_EQ(words.find("at Hospital A") != std::string::npos, !centre.empty()) << words;
+      EXPECT_EQ(words.find(" at ,"), std::string::npos) << words;
+      EXPECT_EQ(words.find("  "), std::string::npos) << words;
+      EXPECT_NE(words.back(), ' ') << words;
+    }
+  }
+}
+
+TEST_F(Invitations, OfTwoAtOnceOneSucceeds) {
+  const std::string secret = linkFor("rater");
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  const std::string hash =
+      selectAll(centre.connection(), "SELECT token_hash FROM invitation", {}, [](RowReader& row) {
+        return row.text();
+      }).at(0);
+  // Another browser is between its look and its use.
+  ASSERT_TRUE(access.invited(hash, centre.session().now_us()));
+  EXPECT_EQ(tried(secret), SignIn::kOk);
+
+  EXPECT_FALSE(access.useInvitation(hash, centre.session().now_us()));
+  EXPECT_EQ(signedIn("rater", kChosen), SignIn::kOk);
+}
+
+TEST_F(Invitations, NobodyInvitesAPhysicianAloneWhereTwoAreAskedFor) {
+  askForTwo();
+  const UserId rater = userOf("rater").id;
+  const std::vector<UserId> ids{rater};
+  EXPECT_THROW((void)invite(centre.as("administrator"), ids), SecondPersonNeeded);
+  const std::vector<UserId> trainee{userOf("trainee").id};
+  EXPECT_EQ(invite(centre.as("administrator"), trainee).size(), 1U) << "a trainee needs one";
+
+  const std::string code = askSecondPerson(centre.as("administrator"),
+                                           {.act = DutyAct::kInvite, .subject = rater, .reason = "scores"});
+  const std::string request = openRequests(centre.as("administrator")).at(0).request.id;
+  EXPECT_THROW((void)confirmRequest(centre.as("administrator"), request), Error) << "the own request";
+  const std::string secret = confirmRequest(asSecond(), request);
+
+  EXPECT_EQ(tried(secret), SignIn::kWrong) << "whoever has the link alone";
+  EXPECT_EQ(tried(code), SignIn::kWrong) << "or the code alone";
+  EXPECT_EQ(tried(secret, code), SignIn::kOk);
+  EXPECT_EQ(centre.session().actor().login, "rater");
+}
+
+TEST_F(Invitations, StandNowhereInTheRecord) {
+  const std::string secret = linkFor("rater");
+  EXPECT_EQ(tried("guess-guess-guess-guess"), SignIn::kWrong);
+
+  std::string all;
+  for (const AuditEntry& entry : AuditRepository(centre.connection()).entries()) {
+    all += entry.oldJson + entry.newJson + entry.reason;
+  }
+  for (const std::string& column :
+       selectAll(centre.connection(), "SELECT id || user_id || token_hash || state FROM invitation", {},
+                 [](RowReader& row) { return row.text(); })) {
+    all += column;
+  }
+  std::string letters = secret;
+  std::erase(letters, '-');
+  for (const std::string& said : {secret, letters, std::string("guess")}) {
+    EXPECT_EQ(all.find(said), std::string::npos);
+  }
+}
+
+TEST_F(Invitations, LeadToTheAddressOfTheCentre) {
+  SessionContext& session = centre.as("administrator");
+  for (const char* wrong : {"desk.example.org", "http://desk.example.org", "https://", "https://a b",
+                            "http://localhost.example.org", "https://desk.example.org/#x"}) {
+    EXPECT_THROW(setBrowserAddress(session, wrong), Error) << wrong;
+  }
+  setBrowserAddress(session, "http://127.0.0.1:8443/");
+  setBrowserAddress(session, "https://desk.example.org/");
+
+  EXPECT_EQ(browserAddress(session), "https://desk.example.org");
+  EXPECT_EQ(invitationLink("https://desk.example.org", "abc", false), "https://desk.example.org/join#abc");
+  EXPECT_EQ(invitationLink("https://desk.example.org", "abc", true), "https://desk.example.org/join#2.abc");
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What two people do together, and what nobody can do alone.
+#include "app/services/access/two_people.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/services/access/settings_service.h"
+#include "app/services/maintenance/person_package.h"
+#include "app/services/study/allocation_service.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "tests/app/support/study_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kStudyPassword;
+using testing::StudyCentre;
+
+/// A centre that asks for two people, with a second administrator "second".
+class TwoPeople : public ::testing::Test {
+ protected:
+  TwoPeople() {
+    SettingRepository(centre_.connection()).set(kTwoPeopleSetting, "yes", 0);
+    second_ = addAdministrator("second");
+  }
+  UserId addAdministrator(const std::string& login, const PersonId& personId = {}) {
+    AccessRepository access(centre_.connection(), PasswordCost::kTest);
+    const UserId id = "u-" + login;
+    access.addUser({.id = id, .login = login, .personId = personId, .roles = {"administrator"}},
+                   kStudyPassword);
+    access.setPassword(id, access.sealPassword(login, kStudyPassword), false);
+    return id;
+  }
+  SessionContext& asSecond() {
+    SessionContext& session = centre_.as("");
+    EXPECT_EQ(signIn(session, "second", kStudyPassword).outcome, SignIn::kOk);
+    return centre_.session();
+  }
+  SessionContext& asFirst() {
+    centre_.as("administrator");
+    return centre_.session();
+  }
+  UserAccount user(const std::string& login) {
+    for (const UserAccount& one : AccessRepository(centre_.connection()).users()) {
+      if (one.login == login) {
+        return one;
+      }
+    }
+    return {};
+  }
+  static ErrorCode codeOf(const std::function<void()>& act) {
+    try {
+      act();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  }
+
+  StudyCentre centre_;
+  UserId second_;
+};
+
+TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
+  const UserAccount rater = user("rater");
+  EXPECT_THROW(resetPassword(asFirst(), rater.id, "a start password to know", "lost"), SecondPersonNeeded);
+
+  const std::string firstHalf =
+      askSecondPerson(asFirst(), {.act = DutyAct::kResetPassword, .subject = rater.id, .reason = "lost"});
+  const std::vector<OpenRequest> open = openRequests(asFirst());
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_TRUE(open[0].own);
+  EXPECT_TRUE(open[0].request.detailJson.empty());
+  EXPECT_EQ(open[0].shown, "rater");
+  EXPECT_EQ(codeOf([&] { (void)confirmRequest(asFirst(), open[0].request.id); }), ErrorCode::kPermission);
+  const std::string secondHalf = confirmRequest(asSecond(), open[0].request.id);
+
+  SessionContext& session = centre_.as("");
+  EXPECT_EQ(signIn(session, "rater", firstHalf).outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(session, "rater", secondHalf).outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(session, "rater", firstHalf + "-" + secondHalf).outcome, SignIn::kMustChange);
+  EXPECT_TRUE(openRequests(asFirst()).empty());
+  EXPECT_EQ(centre_.audited("duty.request"), 1);
+  EXPECT_EQ(centre_.audited("duty.confirm"), 1);
+  EXPECT_EQ(codeOf([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
+}
+
+TEST_F(TwoPeople, ATraineesPasswordNeedsOneAdministratorOnly) {
+  resetPassword(asFirst(), user("trainee").id, "a start password to know", "lost");
+  EXPECT_TRUE(user("trainee").mustChangePassword);
+}
+
+TEST_F(TwoPeople, RolesAreGivenByTwoWithANewPasswordThatNeitherKnows) {
+  const UserAccount trainee = user("trainee");
+  EXPECT_THROW(setUserRoles(asFirst(), trainee.id, {"trainee", "rater"}, "scores too"), SecondPersonNeeded);
+  setUserRoles(asFirst(), user("statistician").id, {}, "leaves");  // taking away needs one only
+
+  const std::string half = askSecondPerson(asFirst(), {.act = DutyAct::kGrantRoles,
+                                                       .subject = trainee.id,
+                                                       .roles = {"trainee", "rater"},
+                                                       .reason = "scores too"});
+  const std::string rest = confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id);
+
+  EXPECT_EQ(user("trainee").roles, (std::vector<std::string>{"rater", "trainee"}));
+  SessionContext& session = centre_.as("");
+  EXPECT_EQ(signIn(session, "trainee", kStudyPassword).outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(session, "trainee", half + "-" + rest).outcome, SignIn::kMustChange);
+}
+
+TEST_F(TwoPeople, ANewRaterWaitsForTheSecondPersonAndNobodyCanSignInMeanwhile) {
+  const MadeUser made = makeUser(
+      asFirst(), {.login = "new.rater", .roles = {"rater"}, .startPassword = "a start password to know"});
+
+  EXPECT_TRUE(made.awaitsSecond);
+  EXPECT_TRUE(user("new.rater").roles.empty());
+  SessionContext& session = centre_.as("");
+  for (const std::string& known : {made.startPassword, std::string("a start password to know")}) {
+    EXPECT_EQ(signIn(session, "new.rater", known).outcome, SignIn::kWrong);
+  }
+  const std::string rest = confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id);
+  EXPECT_EQ(signIn(centre_.as(""), "new.rater", made.startPassword + "-" + rest).outcome,
+            SignIn::kMustChange);
+  EXPECT_EQ(user("new.rater").roles, std::vector<std::string>{"rater"});
+  EXPECT_THROW(
+      addUser(asFirst(), {.login = "other", .roles = {"allocator"}, .startPassword = kStudyPassword}),
+      SecondPersonNeeded);
+}
+
+TEST_F(TwoPeople, TheOwnAccountAndTheOwnOtherAccountConfirmNothing) {
+  EXPECT_EQ(codeOf([&] {
+              (void)askSecondPerson(asSecond(), {.act = DutyAct::kGrantRoles,
+                                                 .subject = second_,
+                                                 .roles = {"administrator", "rater"},
+                                                 .reason = "why not"});
+            }),
+            ErrorCode::kPermission);
+  const PersonId person = centre_.addChiefs(1).front();
+  addAdministrator("one", person);
+  addAdministrator("two", person);
+  SessionContext& session = centre_.as("");
+  ASSERT_EQ(signIn(session, "one", kStudyPassword).outcome, SignIn::kOk);
+  (void)askSecondPerson(centre_.session(),
+                        {.act = DutyAct::kResetPassword, .subject = user("rater").id, .reason = "lost"});
+  ASSERT_EQ(signIn(centre_.as(""), "two", kStudyPassword).outcome, SignIn::kOk);
+
+  const std::string id = openRequests(centre_.session()).at(0).request.id;
+  EXPECT_EQ(codeOf([&] { (void)confirmRequest(centre_.session(), id); }), ErrorCode::kPermission);
+  EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
+}
+
+TEST_F(TwoPeople, TakingARatersRolesAwayFirstIsNoWayToTheAccount) {
+  const PersonId person = centre_.addChiefs(1).front();
+  const MadeUser made = makeUser(
+      asFirst(), {.login = "chief", .personId = person, .roles = {"rater"}, .startPassword = kStudyPassword});
+  (void)confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id);
+  for (const std::vector<std::string>& roles : {std::vector<std::string>{}, {"trainee"}}) {
+    setUserRoles(asFirst(), made.id, roles, "to get in");
+    EXPECT_THROW(resetPassword(asFirst(), made.id, "a start password to know", "lost"), SecondPersonNeeded);
+  }
+}
+
+TEST_F(TwoPeople, NobodyMakesASecondAccountOfAnotherPerson) {
+  const PersonId trainee = centre_.addTrainees(1).front();
+  const auto add = [&](const char* login) {
+    addUser(asFirst(),
+            {.login = login, .personId = trainee, .roles = {"trainee"}, .startPassword = kStudyPassword});
+  };
+  add("t-01");
+  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
+  setUserActive(asFirst(), user("t-01").id, false, "to make another");
+  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(codeOf([&] {
+              (void)makeUser(asFirst(), {.login = "shadow", .personId = trainee, .roles = {"rater"}});
+            }),
+            ErrorCode::kBadData);
+  EXPECT_TRUE(user("shadow").id.empty());
+}
+
+TEST_F(TwoPeople, AnAccountOfTheDemonstrationIsNoWayAroundTheSecondPerson) {
+  for (const char* role : {"administrator", "allocator", "statistician"}) {
+    EXPECT_THROW(
+        addUser(
+            asFirst(),
+            {.login = "simulated", .roles = {role}, .startPassword = kStudyPassword, .demonstration = true}),
+        SecondPersonNeeded)
+        << role;
+  }
+  addUser(asFirst(), {.login = "demo.physician",
+                      .roles = {"rater"},
+                      .startPassword = kStudyPassword,
+                      .demonstration = true});
+  const UserAccount simulated = user("demo.physician");
+  resetPassword(asFirst(), simulated.id, "a start password to know", "to look");
+  for (const char* role : {"administrator", "allocator", "statistician"}) {
+    EXPECT_THROW(setUserRoles(asFirst(), simulated.id, {"rater", role}, "to get in"), SecondPersonNeeded)
+        << role;
+  }
+}
+
+TEST_F(TwoPeople, ErasingTakesTwoAndTheRequestOnce) {
+  const std::vector<TraineeId> people = centre_.addTrainees(2);
+  EXPECT_THROW(erasePersonRecord(asFirst(), people[0], "asked"), SecondPersonNeeded);
+  (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = people[0], .reason = "asked"});
+  EXPECT_THROW(erasePersonRecord(asFirst(), people[0], "asked"), SecondPersonNeeded);
+  EXPECT_THROW(erasePersonRecord(asSecond(), people[1], "asked"), SecondPersonNeeded);
+
+  erasePersonRecord(asSecond(), people[0], "asked");
+
+  EXPECT_EQ(PeopleRepository(centre_.connection()).find(people[0])->state, PersonState::kErased);
+  EXPECT_EQ(PeopleRepository(centre_.connection()).find(people[1])->state, PersonState::kActive);
+}
+
+TEST_F(TwoPeople, ARequestEndsAfterTwoWeeksAndCanBeDeclined) {
+  const PersonId person = centre_.addTrainees(1).front();
+  (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked"});
+  EXPECT_EQ(codeOf([&] {
+              (void)askSecondPerson(asSecond(), {.act = DutyAct::kErase, .subject = person, .reason = "too"});
+            }),
+            ErrorCode::kBadData);
+  declineRequest(asSecond(), openRequests(asSecond()).at(0).request.id, "not asked by them");
+  EXPECT_THROW(erasePersonRecord(asSecond(), person, "asked"), SecondPersonNeeded);
+
+  (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked again"});
+  centre_.passTime_us(kRequestLife_us + 1);
+
+  EXPECT_THROW(erasePersonRecord(asSecond(), person, "asked"), SecondPersonNeeded);
+  EXPECT_TRUE(openRequests(asSecond()).empty());
+}
+
+TEST_F(TwoPeople, SwitchingTheRuleOffTakesTwoWhereThereAreTwo) {
+  EXPECT_THROW(setCentreSetting(asFirst(), kTwoPeopleSetting, "no"), SecondPersonNeeded);
+  (void)askSecondPerson(asFirst(),
+                        {.act = DutyAct::kOnePerson, .subject = kTwoPeopleSetting, .reason = "we are few"});
+  EXPECT_EQ(confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id), "");
+
+  EXPECT_FALSE(needsTwoPeople(centre_.connection()));
+  EXPECT_EQ(centre_.audited("setting.change"), 1);
+  resetPassword(asFirst(), user("rater").id, "a start password to know", "lost");
+}
+
+TEST_F(TwoPeople, ASingleAdministratorMakesASecondOneOrSwitchesTheRuleOff) {
+  setUserActive(asFirst(), second_, false, "left");
+  EXPECT_THROW(addUser(asFirst(), {.login = "r", .roles = {"rater"}, .startPassword = kStudyPassword}),
+               SecondPersonNeeded);
+
+  addUser(asFirst(), {.login = "deputy", .roles = {"administrator"}, .startPassword = kStudyPassword});
+  EXPECT_THROW(
+      addUser(asFirst(), {.login = "third", .roles = {"administrator"}, .startPassword = kStudyPassword}),
+      SecondPersonNeeded);
+
+  setUserActive(asFirst(), user("deputy").id, false, "left");
+  setCentreSetting(asFirst(), kTwoPeopleSetting, "no");
+  EXPECT_FALSE(needsTwoPeople(centre_.connection()));
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/recording/detorsion_rules.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "sim/scene/hollow_organ.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_parameters.h"
+
+namespace torsio {
+namespace {
+
+Detorsion sigmoid() {
+  Detorsion detorsion;
+  detorsion.wall.thickness_m = {{0.0, 0.002}};
+  detorsion.wall.vent = true;
+  detorsion.spans = {{0.0, 0.4}};
+  detorsion.vessels.enoughFlow = 0.45;
+  detorsion.base.relapseFrom_rad = 1.25;
+  detorsion.limits = {.jawArea_m2 = 20e-6,
+                      .jawForce_N = 8.0,
+                      .bruise_Pa = 300e3,
+                      .tear_Pa = 600e3,
+                      .pull_N = 9.0,
+                      .residual_rad = 0.25,
+                      .patency = 0.7,
+                      .flow = 0.75,
+                      .handsOff_s = 12.0,
+                      .source = "made up"};
+  detorsion.timeScale = 30.0;
+  return detorsion;
+}
+
+/// The parameters that a trial with this pattern stores.
+std::string storedWith(const std::shared_ptr<const Detorsion>& detorsion) {
+  TwistPattern pattern;
+  pattern.id = "detorse";
+  pattern.detorsion = detorsion;
+  return parametersText(SceneDescription{}, pattern, false, TissueModel::kTwist);
+}
+
+TEST(DetorsionRules, AreReadOutOfWhatTheRecordingStores) {
+  const std::string stored = storedWith(std::make_shared<const Detorsion>(sigmoid()));
+
+  const std::optional<DetorsionRules> rules = detorsionRulesOf(stored);
+
+  ASSERT_TRUE(rules);
+  EXPECT_EQ(*rules, (DetorsionRules{.residual_rad = 0.25,
+                                    .patency = 0.7,
+                                    .flow = 0.75,
+                                    .handsOff_s = 12.0,
+                                    .enoughFlow = 0.45,
+                                    .relapseFrom_rad = 1.25,
+                                    .jaw_Pa = 8.0 / 20e-6,
+                                    .bruise_Pa = 300e3,
+                                    .tear_Pa = 600e3,
+                                    .pull_N = 9.0,
+                                    .timeScale = 30.0,
+                                    .vent = true}));
+}
+
+TEST(DetorsionRules, ASolidCordHasNothingToLetOut) {
+  Detorsion testis = sigmoid();
+  testis.wall = {};
+  testis.cordStiffness_Nm_per_rad = 0.01;
+
+  const auto rules = detorsionRulesOf(storedWith(std::make_shared<const Detorsion>(testis)));
+
+  ASSERT_TRUE(rules);
+  EXPECT_FALSE(rules->vent);
+}
+
+TEST(DetorsionRules, KnowTheStagesThatTheSceneAskedFor) {
+  Detorsion staged = sigmoid();
+  staged.stages = {radians(360.0), 300.0};
+
+  const auto rules = detorsionRulesOf(storedWith(std::make_shared<const Detorsion>(staged)));
+
+  ASSERT_TRUE(rules);
+  EXPECT_EQ(rules->stages, staged.stages);
+}
+
+TEST(DetorsionRules, AreNoneForATwistAndForParametersThatNobodyKnows) {
+  EXPECT_FALSE(detorsionRulesOf(storedWith(nullptr)));
+  EXPECT_FALSE(detorsionRulesOf("{\"detorsion\": {\"limits\": {}}}"));
+  EXPECT_FALSE(detorsionRulesOf("not JSON"));
+}
+
+TEST(DetorsionRules, AreAddedToThoseOfTheExercise) {
+  TrialHeader header;
+  header.parametersJson = storedWith(std::make_shared<const Detorsion>(sigmoid()));
+
+  const AttemptRules rules = recordedRules({.tolerance_rad = 0.3, .forceLimit_N = 4.0}, header);
+
+  EXPECT_EQ(rules.tolerance_rad, 0.3);
+  EXPECT_EQ(rules.forceLimit_N, 4.0);
+  ASSERT_TRUE(rules.detorsion);
+  EXPECT_EQ(rules.detorsion->handsOff_s, 12.0);
+}
+
+}  // namespace
+}  // namespace torsio

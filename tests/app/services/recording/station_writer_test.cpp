@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A database that hangs: nobody who looks at a window may wait for it, and nothing that was recorded is lost.
+#include "app/services/recording/station_writer.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/services/recording/timed_sink.h"
+#include "app/services/training/run_session.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/station_state.h"
+#include "db/connection/db_error.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
+#include "sim/core/error.h"
+#include "sim/record/memory_trial_sink.h"
+#include "sim/record/recorder.h"
+#include "sim/record/trial_file.h"
+#include "tests/app/support/training_centre.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::deviceWith;
+using testing::kSecond_us;
+using testing::TrainingCentre;
+
+constexpr auto kLong = 20s;  // far more than a busy machine needs
+constexpr LinePatience kQuick{.again = 20ms, .heartbeat = 20ms, .silence = 30ms, .farewell = 50ms};
+
+/// A server that stops answering, and answers again.
+class Gate {
+ public:
+  void close() { set(false); }
+  void open() { set(true); }
+  void pass() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return open_; });
+  }
+
+ private:
+  void set(bool open) {
+    const std::lock_guard lock(mutex_);
+    open_ = open;
+    changed_.notify_all();
+  }
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool open_ = true;
+};
+
+template <typename Condition>
+bool soon(const Condition& condition) {
+  const auto end = std::chrono::steady_clock::now() + kLong;
+  while (!condition() && std::chrono::steady_clock::now() < end) {
+    std::this_thread::yield();
+  }
+  return condition();
+}
+
+SessionKey keyOf(const TrainingCentre& centre, const Actor& actor) {
+  return {centre.locator(), "line", actor};
+}
+
+/// The station "line" as the board of the record has it.
+std::optional<StationState> lineOnTheBoard(TrainingCentre& centre) {
+  const std::vector<StationState> board = StationRepository(centre.connection()).board();
+  const auto found = std::find_if(board.begin(), board.end(),
+                                  [](const StationState& station) { return station.station == "line"; });
+  return found == board.end() ? std::nullopt : std::optional(*found);
+}
+
+TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
+  TrainingCentre centre;
+  const Actor trainee = centre.session().actor();
+  std::vector<int> order;
+  StationWriter line(keyOf(centre, trainee), kQuick);
+
+  for (int i = 0; i < 3; ++i) {
+    line.write([&order, i](SessionContext&) { order.push_back(i); });
+  }
+
+  ASSERT_TRUE(line.settled(kLong));
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(line.answers());
+  EXPECT_EQ(lineOnTheBoard(centre)->userId, trainee.userId);
+  line.leave();
+  EXPECT_FALSE(lineOnTheBoard(centre).has_value());
+}
+
+TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
+  TrainingCentre centre;
+  StationWriter line(keyOf(centre, centre.session().actor()), kQuick);
+  const auto shown = [&] {
+    EXPECT_TRUE(line.settled(kLong));
+    return storedDevice(lineOnTheBoard(centre).value());
+  };
+  EXPECT_TRUE(shown().device.empty());  // no training station yet
+  line.showDevice(uncheckedDevice({}, false));
+  EXPECT_EQ(shown(), uncheckedDevice({}, false));
+  DeviceReadiness readiness = deviceWith(Light::kAmber);
+  readiness.haptic = true;
+  readiness.findings.push_back(
+      {"rate", Light::kAmber, Text::verbatim("%1; 1000 Hz are wanted", Text::verbatim("950 Hz")), ""});
+  readiness.findings.front().light = Light::kGreen;
+  const StationDevice checked = stationDevice(readiness, 42);
+  EXPECT_EQ(checked.problem.str(), "950 Hz; 1000 Hz are wanted");
+
+  line.showDevice(checked);
+  line.showDevice(uncheckedDevice(Text::verbatim("Touch"), true));  // the next trainee opens the desk
+
+  EXPECT_EQ(shown(), checked);
+  line.signIn({});
+  EXPECT_EQ(shown(), checked);
+}
+
+TEST(StationDevice, WhatCannotBeReadSaysNothing) {
+  StationState state;
+  for (const char* json : {"", "7", "[", "[7]", "{}"}) {
+    state.deviceJson = json;
+    EXPECT_TRUE(storedDevice(state).device.empty()) << json;
+  }
+  state.deviceJson = R"(["%1 of %2 at %3, %4",["a"],["b %1",["c"]],["d"],["e"]])";
+  EXPECT_EQ(storedDevice(state).device.str(), "a of b c at d, e");
+  EXPECT_FALSE(storedDevice(state).light.has_value());
+}
+
+TEST(StationWriter, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
+  TrainingCentre centre;
+  const Actor trainee = centre.session().actor();
+  std::string who;
+  StationWriter line(keyOf(centre, trainee), kQuick);
+
+  line.write([&who](SessionContext& own) { who = own.actor().userId; });
+  line.signIn({});
+
+  ASSERT_TRUE(line.settled(kLong));
+  EXPECT_EQ(who, trainee.userId);
+}
+
+TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
+  TrainingCentre centre;
+  const SessionKey key = keyOf(centre, centre.session().actor());
+  Gate gate;
+  gate.close();
+  std::atomic<int> written{0};
+  {
+    StationWriter line(
+        [&gate, key] {
+          gate.pass();
+          return std::make_unique<SessionContext>(key);
+        },
+        kQuick);
+
+    for (int i = 0; i < 3; ++i) {
+      line.write([&written](SessionContext&) { ++written; });
+    }
+    EXPECT_TRUE(soon([&] { return !line.answers(); }));
+    EXPECT_EQ(line.waiting(), 3U);
+    EXPECT_EQ(written.load(), 0);
+
+    gate.open();
+    ASSERT_TRUE(line.settled(kLong));
+    EXPECT_TRUE(line.answers());
+    EXPECT_EQ(written.load(), 3);
+  }
+}
+
+TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
+  TrainingCentre centre;
+  const SessionKey key = keyOf(centre, centre.session().actor());
+  std::atomic<bool> away{true};
+  std::atomic<int> tries{0};
+  StationWriter line(
+      [&away, &tries, key] {
+        ++tries;
+        if (away) {
+          throw DbError(DbFault::kUnreachable, "", Text::verbatim("away"), Text::verbatim("server"), "");
+        }
+        return std::make_unique<SessionContext>(key);
+      },
+      kQuick);
+  line.write(
+      [](SessionContext&) { throw Error(ErrorCode::kPermission, Text::verbatim("not allowed"), "", ""); });
+  bool second = false;
+  line.write([&second](SessionContext&) { second = true; });
+  EXPECT_TRUE(soon([&] { return tries > 2 && !line.answers(); }));
+
+  away = false;
+
+  ASSERT_TRUE(line.settled(kLong));
+  EXPECT_EQ(line.refused(), 1U);
+  EXPECT_TRUE(second);
+}
+
+TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
+  TrainingCentre centre;
+  const SessionKey key = keyOf(centre, centre.session().actor());
+  const auto gate = std::make_shared<Gate>();
+  gate->close();
+  const auto ended = std::make_shared<std::atomic<bool>>(false);
+  const auto begun = std::chrono::steady_clock::now();
+  {
+    StationWriter line(
+        [gate, ended]() -> std::unique_ptr<SessionContext> {
+          gate->pass();
+          *ended = true;
+          throw DbError(DbFault::kUnreachable, "", Text::verbatim("away"), Text::verbatim("server"), "");
+        },
+        kQuick);
+    EXPECT_TRUE(soon([&] { return !line.answers(); }));
+    line.leave();
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, kLong);
+  gate->open();
+  EXPECT_TRUE(soon([&] { return ended->load(); }));
+}
+
+TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
+  TrainingCentre centre(setup);
+  const SessionKey key = keyOf(centre, centre.session().actor());
+  Gate gate;
+  gate.close();
+  StationWriter line(
+      [&gate, key] {
+        gate.pass();
+        return std::make_unique<SessionContext>(key);
+      },
+      kQuick);
+  line.signIn(key.actor);
+  ManualClock clock;
+  RunSession runSession(centre.session(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock,
+                        &line);
+
+  runSession.start();
+  static_cast<void>(runSession.newTrial());
+  for (int second = 0; second < 60; ++second) {
+    clock.advance_us(kSecond_us);
+    static_cast<void>(runSession.advance());
+  }
+  runSession.stop("enough");
+
+  StudyRepository studies(centre.connection());
+  EXPECT_TRUE(studies.exposures(centre.cohort().id).empty());
+  gate.open();
+  ASSERT_TRUE(line.settled(kLong));
+  std::int64_t logged_us = 0;
+  for (const Exposure& exposure : studies.exposures(centre.cohort().id)) {
+    logged_us += exposure.duration_us;
+  }
+  EXPECT_EQ(logged_us, 60 * kSecond_us);
+  EXPECT_EQ(studies.deviations(centre.cohort().id).size(), 1U);
+  EXPECT_EQ(line.refused(), 0U);
+}
+
+/// Takes chunks until its gate closes.
+class GatedSink final : public TrialSink {
+ public:
+  GatedSink(std::shared_ptr<Gate> gate, std::shared_ptr<MemoryTrialSink> to)
+      : gate_(std::move(gate)), to_(std::move(to)) {}
+  void begin(const TrialHeader& header) override { to_->begin(header); }
+  void append(const TrialChunk& chunk) override {
+    gate_->pass();
+    to_->append(chunk);
+  }
+  void finish(const TrialSummary& summary) override { to_->finish(summary); }
+
+ private:
+  std::shared_ptr<Gate> gate_;
+  std::shared_ptr<MemoryTrialSink> to_;
+};
+
+TrialHeader headerOf(const TrialId& trialId) {
+  TrialHeader header;
+  header.trialId = trialId;
+  return header;
+}
+
+TEST(TimedTrialSink, PassesOnWhatASinkTakesInTime) {
+  const auto kept = std::make_shared<MemoryTrialSink>();
+  TimedTrialSink sink(std::make_unique<GatedSink>(std::make_shared<Gate>(), kept), {}, kLong);
+
+  sink.begin(headerOf("one"));
+  sink.finish(TrialSummary{});
+
+  EXPECT_EQ(kept->trial().header.trialId, "one");
+}
+
+TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
+  const auto gate = std::make_shared<Gate>();
+  gate->close();
+  const auto kept = std::make_shared<MemoryTrialSink>();
+  const TemporaryFolder folder;
+  TimedTrialSink sink(std::make_unique<GatedSink>(gate, kept), {folder.path(), "whose"}, 30ms);
+  SpscRing<Sample> ring(kRecordingRing);
+  Recorder recorder(ring, sink, headerOf("hung"));
+
+  constexpr std::int64_t kSamples = 5'000;
+  for (std::int64_t tick = 0; tick < kSamples; ++tick) {
+    Sample sample;
+    sample.tick = tick;
+    ASSERT_TRUE(ring.push(sample));
+    if (tick % 1000 == 999) {
+      recorder.pump();
+    }
+  }
+  const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
+
+  ASSERT_TRUE(result.spillFile.has_value());
+  EXPECT_EQ(result.spillFile->parent_path(), folder.path());
+  EXPECT_EQ(openTrialFile(*result.spillFile).context, "whose");
+  EXPECT_EQ(result.summary.samples, kSamples);
+  EXPECT_EQ(result.summary.refusedSamples, 0);
+  gate->open();  // lets the thread that was left to itself end
+}
+
+}  // namespace
+}  // namespace torsio

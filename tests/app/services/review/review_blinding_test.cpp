@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a rater may see: the de-identification layer, and nothing of the others before all have committed.
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "app/services/review/blinded_case.h"
+#include "app/services/review/case_remarks.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/evaluation_form.h"
+#include "app/services/review/own_severity.h"
+#include "app/services/review/rater_calibration.h"
+#include "app/services/review/review_queue.h"
+#include "assessment/domain/rating/campaign.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/error.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/support/audit_entries.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::ReviewCentre;
+using testing::reviewSheet;
+
+template <typename Action>
+std::pair<ErrorCode, std::string> refusedWith(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return {error.code(), std::string(error.what()) + error.where() + error.remedy()};
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {};
+}
+
+WatchLog watchedWhole() {
+  WatchLog log(2'000'000);
+  log.played(0, 2'000'000, 1.0);
+  return log;
+}
+
+void expectNoSecretIn(ReviewCentre& centre, const std::string& text) {
+  for (const std::string& secret : centre.secrets()) {
+    EXPECT_EQ(text.find(secret), std::string::npos) << secret;
+  }
+}
+
+TEST(BlindedRecording, PlaysTheSameSamplesUnderACaseLabel) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.caseAbout(0, 0);
+  const Trial original = TrialRepository(centre.connection()).load(centre.trialIds()[0]);
+
+  const BlindedRecording recording = loadBlindedRecording(*desk, id);
+
+  EXPECT_EQ(decodeTrial(recording.trial), decodeTrial(original));
+  ASSERT_EQ(recording.trial.chunks.size(), original.chunks.size());
+  for (std::size_t i = 0; i < original.chunks.size(); ++i) {
+    EXPECT_EQ(recording.trial.chunks[i].outputDigest, original.chunks[i].outputDigest);
+  }
+  const TrialHeader& header = recording.trial.header;
+  expectNoSecretIn(centre, header.trialId + header.traineeCode + header.phaseLabel + header.softwareVersion +
+                               recording.label + recording.digest + recording.trial.summary.contentHash);
+  EXPECT_EQ(header.startedUtc_us, 0);
+  EXPECT_EQ(recording.digest, blindedDigest(original.summary.contentHash, id));
+  EXPECT_EQ(recording.digest.size(), 8U);
+}
+
+TEST(BlindedRecording, TwoRatersCannotMatchTheirCasesByTheDigest) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  const auto second = centre.physician(1);
+
+  EXPECT_NE(loadBlindedRecording(*first, centre.caseAbout(0, 0)).digest,
+            loadBlindedRecording(*second, centre.caseAbout(1, 0)).digest);
+}
+
+TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
+  ReviewCentre::Setup setup;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const auto other = centre.physician(1);
+  const std::string id = centre.cases(0).front();
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*other, id)); }).first,
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] {
+              static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front()));
+            }).first,
+            ErrorCode::kBadData);
+
+  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
+
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }).first,
+            ErrorCode::kPermission);
+}
+
+TEST(BlindedRecording, ItsTroublesNameTheCaseOnly) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  try {
+    rethrowBlinded(std::make_exception_ptr(Error(ErrorCode::kVerifyFailed, "trial " + centre.trialIds()[0],
+                                                 centre.trialIds()[0], Text::verbatim("ask TR-4100"))),
+                   "7F");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kVerifyFailed);
+    EXPECT_EQ(error.where(), "case 7F");
+    expectNoSecretIn(centre, std::string(error.what()) + error.where() + error.remedy());
+  }
+}
+
+TEST(DiscrepancyReview, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
+  ReviewCentre::Setup setup;
+  setup.raters = 3;
+  setup.trainees = 1;
+  ReviewCentre centre(setup);
+  const auto first = centre.physician(0);
+  submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), watchedWhole());
+  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole());
+  EXPECT_TRUE(discrepancyCases(*first).empty());
+  EXPECT_TRUE(ownSeverity(*first).cases.empty());
+  EXPECT_EQ(ownSeverity(*first).waiting, 1U);
+  EXPECT_EQ(refusedWith([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }).first, ErrorCode::kBadData);
+
+  submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), watchedWhole());
+
+  const std::vector<DiscrepancyCase> cases = discrepancyCases(*first);
+  ASSERT_EQ(cases.size(), 1U);
+  const RowComparison& overall = cases[0].rows.back();
+  EXPECT_DOUBLE_EQ(overall.own, 2.0);
+  EXPECT_DOUBLE_EQ(overall.mean, 7.5);  // of 8 and 7
+  EXPECT_DOUBLE_EQ(overall.lowest, 7.0);
+  EXPECT_DOUBLE_EQ(overall.highest, 8.0);
+  EXPECT_TRUE(overall.apart);
+  const OwnSeverity severity = ownSeverity(*first);
+  ASSERT_TRUE(severity.difference_points.has_value());
+  EXPECT_DOUBLE_EQ(*severity.difference_points, -5.5);
+}
+
+TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  for (std::size_t trainee = 0; trainee < 2; ++trainee) {
+    submitSheet(*first, centre.caseAbout(0, trainee), reviewSheet(4, 4, 4), watchedWhole());
+    const double theirs = trainee == 0 ? 4.5 : 8.0;
+    submitSheet(*centre.physician(1), centre.caseAbout(1, trainee), reviewSheet(theirs, theirs, theirs),
+                watchedWhole());
+  }
+  ASSERT_EQ(discrepancyCases(*first).size(), 1U);
+  const std::string id = discrepancyCases(*first)[0].shown.assignmentId;
+  EXPECT_EQ(id, centre.caseAbout(0, 1));
+  EXPECT_EQ(refusedWith([&] { askForAdjudicator(*first, id, ""); }).first, ErrorCode::kBadParameter);
+
+  askForAdjudicator(*first, id, "I cannot explain the distance");
+  EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kThird);
+  keepMark(*first, id, "");
+  EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kKeep);
+  moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
+
+  EXPECT_TRUE(discrepancyCases(*first).empty());  // nothing lies apart any more
+  EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
+  EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
+}
+
+TEST(CaseRemarks, AreTheRatersOwn) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  addCaseRemark(*first, centre.caseAbout(0, 0), {900'000, "second grip slips"});
+  addCaseRemark(*first, centre.caseAbout(0, 0), {300'000, ""});
+
+  const std::vector<CaseRemark> own = caseRemarks(*first, centre.caseAbout(0, 0));
+
+  ASSERT_EQ(own.size(), 2U);
+  EXPECT_EQ(own[0].time_us, 300'000);
+  EXPECT_EQ(own[1].text, "second grip slips");
+  EXPECT_TRUE(caseRemarks(*centre.physician(1), centre.caseAbout(1, 0)).empty());
+}
+
+TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  const AssignmentId own = centre.caseAbout(0, 0);
+  addCaseRemark(*first, own, {900'000, "second grip slips"});
+  addCaseRemark(*first, own, {300'000, ""});
+  const std::vector<CaseRemark> before = caseRemarks(*first, own);
+
+  editCaseRemark(*first, own, before[1].id, "second grip slips twice");
+
+  const std::vector<CaseRemark> now = caseRemarks(*first, own);
+  ASSERT_EQ(now.size(), 2U);
+  EXPECT_EQ(now[1].text, "second grip slips twice");
+  EXPECT_EQ(now[1].time_us, 900'000);
+  EXPECT_NE(now[1].editedUtc_us, 0);
+  ASSERT_EQ(now[1].earlier.size(), 1U);
+  EXPECT_EQ(now[1].earlier[0].text, "second grip slips");
+  const auto other = centre.physician(1);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }).first,
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first,
+            ErrorCode::kBadParameter);
+}
+
+TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const auto office = centre.administrator();
+  EXPECT_EQ(refusedWith([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
+  addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
+                             {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
+  const RaterCalibration before = raterCalibration(*desk);
+  ASSERT_EQ(before.runs.size(), 2U);
+  EXPECT_FALSE(before.runs[0].panel_points.has_value());
+  EXPECT_TRUE(reviewQueue(*desk).calibrationWaiting);
+  expectNoSecretIn(centre, loadReferenceRun(*desk, 1).trial.header.trialId);
+
+  scoreReferenceRun(*desk, 1, 50);
+  centre.passTime_us(1);
+  scoreReferenceRun(*desk, 1, 70);  // a second try
+  scoreReferenceRun(*desk, 2, 25);
+
+  const RaterCalibration after = raterCalibration(*desk);
+  EXPECT_TRUE(after.complete());
+  EXPECT_EQ(after.runs[0].tries, 2U);
+  EXPECT_NEAR(*after.runs[0].offset_points, 0.8, 1e-12);   // 7.0 - 6.2
+  EXPECT_NEAR(*after.runs[1].offset_points, -0.5, 1e-12);  // 2.5 - 3.0
+  EXPECT_NEAR(*after.meanOffset_points(), 0.15, 1e-12);
+  EXPECT_FALSE(reviewQueue(*desk).calibrationWaiting);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
+}
+
+TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const auto office = centre.administrator();
+  addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
+                             {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
+  scoreReferenceRun(*desk, 1, 50);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }).first,
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, "none", "why"); }).first, ErrorCode::kBadData);
+
+  testing::expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw", [&] {
+    withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
+  });
+
+  const RaterCalibration left = raterCalibration(*desk);
+  ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
+  EXPECT_FALSE(left.runs[0].own_steps.has_value());
+  EXPECT_FALSE(left.complete());
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(RemarkRepository(centre.connection()).calibrationScores(centre.raterId(0)).size(), 1U);
+  const std::vector<ReferenceRow> rows = referenceRows(*office);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].trialId, centre.trialIds()[1]);
+  EXPECT_EQ(rows[1].number, 0U);
+  EXPECT_EQ(rows[1].withdrawnBecause, "the panel met only in part");
+  EXPECT_EQ(AuditRepository(centre.connection()).entries({.limit = 1}).front().reason,
+            "the panel met only in part");
+}
+
+TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto office = centre.administrator();
+  const std::string trial = centre.trialIds()[0];
+  addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
+  withdrawReferenceRun(*office, trial, "wrong recording");
+
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, trial, "again"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] {
+              addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
+            }).first,
+            ErrorCode::kBadData);
+  addReferenceRuns(*office, {{centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
+  EXPECT_EQ(referenceRows(*office)[0].trialId, centre.trialIds()[1]);
+  EXPECT_EQ(referenceRows(*office)[0].number, 1U);
+}
+
+TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false, {"FEM,PM", "PM,FEM"});
+  const CampaignId campaignId = "campaign";
+  const auto desk = centre.physician(0);
+
+  const std::vector<EvaluationForm> forms = evaluationForms(*desk);
+  ASSERT_EQ(forms.size(), 1U);
+  EXPECT_EQ(forms[0].models[0].hiddenLabel, "M");
+  EXPECT_EQ(forms[0].models[1].hiddenLabel, "K");
+  EXPECT_EQ(forms[0].indices.size(), 9U);
+  EXPECT_EQ(evaluationForms(*centre.physician(1))[0].models[0].hiddenLabel, "K");
+  for (std::size_t i = 0; i < 8; ++i) {
+    saveEvaluationScore(*desk, campaignId, "M", i, 73);
+  }
+  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaignId, "M"); }).first, ErrorCode::kBadData);
+  saveEvaluationScore(*desk, campaignId, "M", 8, 100);
+  EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on the disk
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }).first,
+            ErrorCode::kBadData);
+
+  submitEvaluation(*desk, campaignId, "M");
+
+  EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
+  EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaignId).size(), 9U);
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }).first,
+            ErrorCode::kBadData);
+  EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaignId, centre.raterId(0)).empty());
+}
+
+TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(true);
+  const CampaignId campaignId = "campaign";
+  const auto desk = centre.physician(0);
+
+  const EvaluationForm form = evaluationForms(*desk).at(0);
+  const BlindedRecording shown = loadEvaluationRecording(*desk, campaignId, "M");
+
+  EXPECT_TRUE(form.models[0].recorded && form.models[1].recorded);
+  EXPECT_EQ(shown.label, "M");
+  EXPECT_EQ(shown.trial.header.trialId, "case M");
+  EXPECT_EQ(shown.trial.header.traineeCode, "");
+  EXPECT_EQ(shown.trial.summary.contentHash, "");
+  EXPECT_FALSE(shown.trial.chunks.empty());
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }).first,
+            ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }).first,
+            ErrorCode::kPermission);
+}
+
+TEST(Blinded, TakesTheModelOutOfTheHeader) {
+  TrialHeader header;
+  header.model = TissueModel::kFiniteElements;
+
+  EXPECT_EQ(blinded(header, "M"), blinded(TrialHeader{}, "M"));
+}
+
+TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const auto office = centre.administrator();
+  const std::string own = centre.caseAbout(0, 0);
+  Campaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1}};
+  campaign.raters = {{centre.raterId(0), "chief", "PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  for (std::size_t i = 0; i < 9; ++i) {
+    saveEvaluationScore(*desk, campaign.id, "K", i, 73);
+  }
+  const auto auditedBy = [&](SessionContext& by, const char* action, const std::function<void()>& change) {
+    testing::expectAudited(centre.connection(), by.actor().userId, action, change);
+    EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty()) << action;
+  };
+
+  auditedBy(*office, "reference_run.add", [&] {
+    addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false}});
+  });
+  auditedBy(*desk, "warmup.score", [&] { scoreReferenceRun(*desk, 1, 50); });
+  auditedBy(*desk, "remark.add", [&] { addCaseRemark(*desk, own, {900'000, "second grip slips"}); });
+  auditedBy(*desk, "remark.add",
+            [&] { editCaseRemark(*desk, own, caseRemarks(*desk, own)[0].id, "first grip slips"); });
+  auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), watchedWhole()); });
+  auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, reviewSheet(3, 3, 3), "a slip"); });
+  const auto other = centre.physician(1);
+  auditedBy(*other, "sheet.submit",
+            [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole()); });
+  auditedBy(*desk, "alignment.third", [&] { askForAdjudicator(*desk, own, "far apart"); });
+  auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
+  auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });
+  auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K"); });
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets while they are written and after: editor, drafts, guards, sealing, amending; values without a
+// database first.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/services/review/blinded_case.h"
+#include "app/services/review/case_sheet.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/range_pyramid.h"
+#include "app/services/review/review_queue.h"
+#include "app/services/review/sheet_editor.h"
+#include "app/services/study/reminders.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
+#include "sim/core/random.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::ReviewCentre;
+using testing::reviewSheet;
+
+template <typename Action>
+ErrorCode refusal(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return ErrorCode::kInternal;
+}
+
+RubricRevision twoRows() {
+  RubricRevision rubric;
+  rubric.overall = {10, 100, 10};
+  rubric.rows = {{"time", "Time", {10, 100, 10}, {}}, {"care", "Care", {0, 5, 1}, {}}};
+  return rubric;
+}
+
+WatchLog whole(std::int64_t length_us) {
+  WatchLog log(length_us);
+  log.played(0, length_us, 1.0);
+  return log;
+}
+
+TEST(SheetEditor, UndoesToTheFirstMarkAndComesBack) {
+  SheetEditor editor(twoRows(), {});
+  const Sheet empty = editor.sheet();
+  editor.setScore("time", 70);
+  editor.setScore("care", 3);
+  editor.setNotAssessable("care", "hidden by the hand");
+  editor.setScore(kOverallRow, 65);
+  editor.clearAll();
+
+  int undone = 0;
+  while (editor.undo()) {
+    ++undone;
+  }
+
+  EXPECT_EQ(undone, 5);
+  EXPECT_FALSE(editor.answer("time").given());
+  EXPECT_EQ(editor.sheet().rows.size(), empty.rows.size());
+  while (editor.redo()) {
+  }
+  EXPECT_FALSE(editor.answer("time").given());
+  editor.undo();
+  EXPECT_EQ(editor.answer("time").score_steps, 70);
+  EXPECT_EQ(editor.answer("care").notAssessableReason, "hidden by the hand");
+  EXPECT_EQ(editor.answer(kOverallRow).score_steps, 65);
+}
+
+TEST(SheetEditor, TypingInOneTextIsOneStepAndNamesItself) {
+  SheetEditor editor(twoRows(), {});
+  editor.setScore("time", 70);
+  for (const char* text : {"c", "ca", "cal", "calm"}) {
+    editor.setComment(text);
+  }
+
+  ASSERT_TRUE(editor.undoable().has_value());
+  EXPECT_EQ(editor.undoable()->kind, SheetChange::Kind::kComment);
+  editor.undo();
+
+  EXPECT_TRUE(editor.sheet().comment.empty());
+  EXPECT_EQ(editor.answer("time").score_steps, 70);
+  EXPECT_EQ(editor.redoable()->kind, SheetChange::Kind::kComment);
+}
+
+TEST(SheetEditor, ANewMarkEndsTheRedo) {
+  SheetEditor editor(twoRows(), {});
+  editor.setScore("time", 70);
+  editor.undo();
+  editor.setScore("time", 80);
+
+  EXPECT_FALSE(editor.canRedo());
+  EXPECT_EQ(editor.answer("time").score_steps, 80);
+}
+
+TEST(SheetEditor, RefusesWhatLiesOutsideTheScale) {
+  SheetEditor editor(twoRows(), {});
+
+  EXPECT_FALSE(editor.setScore("care", 6));
+  EXPECT_FALSE(editor.setScore("time", 9));
+  EXPECT_FALSE(editor.canUndo());
+}
+
+TEST(Digits, MeanPointsOfTheScale) {
+  const ScoreScale oneToTen{10, 100, 10};
+  const ScoreScale zeroToTen{0, 100, 10};
+  const ScoreScale zeroToFive{0, 5, 1};
+
+  EXPECT_EQ(stepsForDigit(oneToTen, 7, {}), 70);
+  EXPECT_EQ(stepsForDigit(oneToTen, 0, {}), 100);  // no zero on this scale: ten
+  EXPECT_EQ(stepsForDigit(oneToTen, 0, 1), 100);   // "1", "0"
+  EXPECT_EQ(stepsForDigit(oneToTen, 5, 7), 50);    // 75 is none: a new score
+  EXPECT_EQ(stepsForDigit(zeroToTen, 0, {}), 0);
+  EXPECT_EQ(stepsForDigit(zeroToTen, 0, 1), 100);
+  EXPECT_EQ(stepsForDigit(zeroToFive, 5, {}), 5);
+  EXPECT_FALSE(stepsForDigit(zeroToFive, 6, {}).has_value());
+  EXPECT_EQ(arrowSteps(oneToTen), 5);
+  EXPECT_EQ(arrowSteps(zeroToFive), 1);
+}
+
+TEST(WatchLog, CountsWhatWentByOnceAndSurvivesStorage) {
+  WatchLog log(10'000'000);
+  log.played(0, 2'000'000, 1.0);
+  log.played(1'000'000, 3'000'000, 1.0);
+  log.played(8'000'000, 12'000'000, 1.5);
+  EXPECT_DOUBLE_EQ(log.share(), 0.5);  // 0-3 s and 8-10 s of 10 s
+
+  const WatchLog again(10'000'000, log.stored());
+
+  EXPECT_DOUBLE_EQ(again.share(), 0.5);
+  EXPECT_DOUBLE_EQ(again.fastest(), 1.5);
+  EXPECT_EQ(log.stored().watched_permille, 500);
+  SheetViewing broken;
+  broken.watched = "x-3;;17";
+  EXPECT_EQ(WatchLog(10'000'000, broken).share(), 0.0);
+}
+
+TEST(RangePyramid, AnswersAsALoopOverAllValues) {
+  Random random(7);
+  std::vector<float> values;
+  for (int i = 0; i < 5'003; ++i) {
+    values.push_back(static_cast<float>(random.uniform()));
+  }
+  const RangePyramid pyramid(values);
+  for (int n = 0; n < 500; ++n) {
+    auto first = static_cast<std::size_t>(random.uniform() * 5'002.0);
+    auto last = first + 1 + static_cast<std::size_t>(random.uniform() * static_cast<double>(5'002 - first));
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (std::size_t i = first; i < last; ++i) {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+
+    const RangePyramid::Range range = pyramid.range(first, last);
+
+    ASSERT_EQ(range.low, low) << first << " " << last;
+    ASSERT_EQ(range.high, high) << first << " " << last;
+  }
+}
+
+TEST(CaseSheet, ADraftIsThereAfterEachSaveWithNothingElseCalled) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.cases(0).front();
+  SheetEditor editor(openSheet(*desk, id).rubric, {});
+  editor.setScore("time", 70);
+  editor.saved(saveSheet(*desk, id, editor.sheet(), WatchLog(2'000'000)));
+  editor.setScore("accuracy", 55);
+  static_cast<void>(saveSheet(*desk, id, editor.sheet(), WatchLog(2'000'000)));
+
+  const ReviewCentre other(centre.folder());
+  const auto again = const_cast<ReviewCentre&>(other).physician(0);
+  const OpenedSheet opened = openSheet(*again, id);
+
+  EXPECT_EQ(opened.state, SheetState::kDraft);
+  const SheetEditor read(opened.rubric, opened.sheet);
+  EXPECT_EQ(read.answer("time").score_steps, 70);
+  EXPECT_EQ(read.answer("accuracy").score_steps, 55);
+}
+
+TEST(CaseSheet, SubmittingSealsTheMarkWithWhatWasWatched) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.cases(0).front();
+  WatchLog watched = whole(2'000'000);
+  watched.worked(90'000'000);
+
+  submitSheet(*desk, id, reviewSheet(7, 6, 6.5), watched);
+
+  EXPECT_EQ(openSheet(*desk, id).state, SheetState::kSubmitted);
+  Statement sealed = centre.connection().prepare(
+      "SELECT v.watched_permille, v.worked_us FROM mark_viewing v JOIN training_mark m ON m.id = v.mark_id"
+      " WHERE m.assignment_id = ?");
+  sealed.execute({id});
+  ASSERT_TRUE(sealed.step());
+  EXPECT_EQ(sealed.int64(0), 1000);
+  EXPECT_EQ(sealed.int64(1), 90'000'000);
+  EXPECT_THROW(saveSheet(*desk, id, reviewSheet(1, 1, 1), watched), Error);
+  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
+}
+
+TEST(CaseSheet, AsksForAnswersForWatchingAndForTheNaturalSpeed) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.cases(0).front();
+  WatchLog half(2'000'000);
+  half.played(0, 1'000'000, 1.0);
+  WatchLog fast(2'000'000);
+  fast.played(0, 2'000'000, 2.0);
+  Sheet gap = reviewSheet(7, 6, 6.5);
+  gap.rows.pop_back();
+
+  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
+  EXPECT_EQ(openSheet(*desk, id).state, SheetState::kOpen);
+
+  SettingRepository(centre.connection()).set("review.speeds", "1,2", testing::kReviewTime_us);
+  SettingRepository(centre.connection()).set("review.minimum_watched_percent", "50", testing::kReviewTime_us);
+  submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast);
+  submitSheet(*desk, centre.cases(0).back(), reviewSheet(7, 6, 6.5), half);
+}
+
+TEST(CaseSheet, NotAssessableNeedsAReasonAndNoWatching) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.cases(0).front();
+  SheetEditor editor(openSheet(*desk, id).rubric, {});
+  for (const std::string& row : editor.order()) {
+    editor.setNotAssessable(row, "nothing to see");
+  }
+
+  submitSheet(*desk, id, editor.sheet(), WatchLog(2'000'000));
+
+  const OpenedSheet sealed = openSheet(*desk, id);
+  EXPECT_EQ(sealed.state, SheetState::kSubmitted);
+  EXPECT_FALSE(sealed.sheet.overall_steps.has_value());
+  EXPECT_EQ(sealed.sheet.notAssessableReason, "nothing to see");
+}
+
+TEST(CaseSheet, PointsAtAnswersThatLookLikeASlip) {
+  RubricRevision rubric = twoRows();
+  rubric.rows = {{"a", "A", {10, 100, 10}, {}}, {"b", "B", {10, 100, 10}, {}}, {"c", "C", {10, 100, 10}, {}}};
+  Sheet flat;
+  flat.rows = {{"a", 50, ""}, {"b", 50, ""}, {"c", 50, ""}};
+  flat.overall_steps = 90;
+
+  const SheetCheck check = checkSheet(rubric, flat, true, WatchLog(), {});
+
+  EXPECT_TRUE(check.allTheSame);
+  EXPECT_TRUE(check.overallOutside);
+  EXPECT_TRUE(check.mayBeSubmitted());  // a second look is advice, not a bar
+}
+
+TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const std::string id = centre.cases(0).front();
+  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
+            ErrorCode::kBadData);
+  submitSheet(*desk, id, reviewSheet(7, 6, 6.5), whole(2'000'000));
+
+  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
+  amendSheet(*desk, id, reviewSheet(8, 6, 7), "looked again");
+
+  const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(versions[0].overall_steps, 65);
+  EXPECT_EQ(versions[1].overall_steps, 70);
+  EXPECT_EQ(versions[1].amendReason, "looked again");
+  EXPECT_EQ(openSheet(*desk, id).sheet.overall_steps, 70);
+}
+
+TEST(CaseSheet, AfterThePanelsMarksItIsMovedWithAReasonOnlyAndFlagged) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 1;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const std::string id = centre.caseAbout(0, 0);
+  submitSheet(*desk, id, reviewSheet(3, 3, 3), whole(2'000'000));
+  amendSheet(*desk, id, reviewSheet(4, 4, 4), "looked again");
+  EXPECT_FALSE(openSheet(*desk, id).panelOpen);
+  centre.passTime_us(1'000'000);
+  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole(2'000'000));
+  centre.passTime_us(1'000'000);
+
+  EXPECT_TRUE(openSheet(*desk, id).panelOpen);
+  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+            ErrorCode::kBadData);
+  moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
+
+  const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
+  ASSERT_EQ(versions.size(), 3U);
+  EXPECT_FALSE(versions[0].afterPanel);
+  EXPECT_FALSE(versions[1].afterPanel);
+  EXPECT_TRUE(versions[2].afterPanel);
+}
+
+TEST(CaseSheet, BelongsToItsRaterAlone) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto own = centre.physician(0);
+  const auto other = centre.physician(1);
+  const auto office = centre.administrator();
+  const std::string id = centre.cases(0).front();
+
+  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
+  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
+  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
+}
+
+TEST(ReviewQueue, TellsOneDeadlineForAllRecordedCases) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 4;
+  setup.dueByTrainee = true;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const std::int64_t told_us = testing::kReviewTime_us + 4 * testing::kReviewDay_us;
+  const auto deadlines = [&] {
+    std::set<std::optional<std::int64_t>> seen;
+    for (const QueueLine& line : reviewQueue(*desk).lines) {
+      seen.insert(line.shown.dueUtc_us);
+      seen.insert(blindedCase(*desk, line.shown.assignmentId).dueUtc_us);
+    }
+    return seen;
+  };
+
+  EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
+  // What is left does not say so after a sheet is in.
+  WatchLog watched = whole(2'000'000);
+  submitSheet(*desk, centre.cases(0).front(), reviewSheet(5, 5, 5), watched);
+  EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
+  // The last day of the first case has gone by: nothing tells which one it was.
+  centre.passTime_us(2 * testing::kReviewDay_us);
+  EXPECT_EQ(reviewQueue(*desk).overdue, 0U);
+  const auto office = centre.administrator();
+  Statement cohorts = centre.connection().prepare("SELECT id FROM cohort");
+  cohorts.execute({});
+  ASSERT_TRUE(cohorts.step());
+  const CohortId cohort(cohorts.text(0));
+  for (const Reminder& reminder : reminders(*office, cohort)) {
+    for (const SheetAwaited& sheet : reminder.sheets) {
+      EXPECT_EQ(sheet.dueUtc_us, std::optional(told_us));
+      EXPECT_FALSE(sheet.late);
+    }
+  }
+}
+
+TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 5;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  const auto desk = centre.physician(0);
+  const std::vector<AssignmentId> ids = centre.cases(0);
+
+  const ReviewQueue fresh = reviewQueue(*desk);
+  EXPECT_EQ(fresh.waiting, 5U);
+  EXPECT_EQ(fresh.liveCalled, 5U);
+  EXPECT_EQ(fresh.liveWaiting, 0U);
+  EXPECT_EQ(fresh.next, ids[0]);
+  EXPECT_FALSE(fresh.fromOwnPace);
+  EXPECT_NEAR(fresh.minutes, 5.0 * (2.0 / 60.0 + 1.0),
+              1e-9);  // 2 s of recording and one minute for the sheet
+  EXPECT_EQ(fresh.inTenMinutes, 5U);
+  EXPECT_EQ(fresh.worked_us, 0);
+  ASSERT_TRUE(fresh.nextDueUtc_us.has_value());
+  EXPECT_EQ(*fresh.nextDueUtc_us, testing::kReviewTime_us + 3 * testing::kReviewDay_us);
+
+  for (std::size_t i = 0; i < 3; ++i) {
+    WatchLog watched = whole(2'000'000);
+    watched.worked(360'000'000);
+    submitSheet(*desk, ids[i], reviewSheet(5, 5, 5), watched);
+  }
+  static_cast<void>(saveSheet(*desk, ids[4], {}, WatchLog(2'000'000)));
+  centre.passTime_us(4 * testing::kReviewDay_us);
+  const ReviewQueue later = reviewQueue(*desk);
+
+  EXPECT_EQ(later.submitted, 3U);
+  EXPECT_EQ(later.drafts, 1U);
+  EXPECT_EQ(later.waiting, 1U);
+  EXPECT_EQ(later.next, ids[4]);  // the draft first
+  EXPECT_TRUE(later.fromOwnPace);
+  EXPECT_DOUBLE_EQ(later.minutes, 12.0);  // two cases at the own pace of six minutes
+  EXPECT_EQ(later.inTenMinutes, 1U);
+  EXPECT_EQ(later.worked_us, 3 * 360'000'000);
+  EXPECT_EQ(later.overdue, 7U);
+  EXPECT_EQ(liveLines(*desk).size(), 5U);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/services/recording/expert_run.h"
+#include "app/services/training/attempts.h"
+#include "app/services/training/debrief.h"
+#include "app/services/training/debrief_labels.h"
+#include "app/services/training/trend.h"
+#include "assessment/attempt/trial_digest.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/repository/trial/digest_repository.h"
+#include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/replay_trial.h"
+#include "tests/app/support/training_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::trainingBar;
+using testing::TrainingCentre;
+
+constexpr double kBeginner = 0.1;
+constexpr double kExpert = 1.0;
+
+TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
+  const Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  const std::vector<Sample> samples = decodeTrial(trial);
+
+  const auto farthest = std::max_element(
+      samples.begin(), samples.end(),
+      [](const Sample& a, const Sample& b) { return a.response.angle_rad < b.response.angle_rad; });
+  EXPECT_NEAR(farthest->response.angle_rad, trainingBar().pattern.targetAngle_rad, radians(5.0));
+  EXPECT_EQ(trial.header.phaseLabel, kExpertPhase);
+  EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
+  EXPECT_TRUE(replayTrial(trainingBar(), trial).identical());
+}
+
+TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
+  TrainingCentre centre;
+  const TrialId trial = centre.attempt("first", "practice", kExpert);
+  static_cast<void>(attemptOf(centre.session(), trial));
+  const DigestRepository digests(centre.connection());
+  TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
+  const double judged_N = older.measures.at(kPeakForceMetric);
+  older.formulaVersion = kMetricsVersion - 1;
+  older.measures.at(kPeakForceMetric) = 0.88;  // what the device could give
+  DigestRepository(centre.connection()).add({&older, 1});
+
+  const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+
+  ASSERT_TRUE(told.earlier);
+  EXPECT_EQ(told.earlier->version, kMetricsVersion - 1);
+  EXPECT_EQ(told.earlier->peakForce_N, 0.88);
+  EXPECT_TRUE(told.earlier->withinLimits);
+  const auto force = std::find_if(told.checks.begin(), told.checks.end(), [](const TargetCheck& check) {
+    return check.kind == TargetCheck::Kind::kForce;
+  });
+  ASSERT_NE(force, told.checks.end());
+  EXPECT_EQ(force->value, judged_N);
+  EXPECT_GT(judged_N, 0.88);
+}
+
+TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", kBeginner, 30.0);
+
+  const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+
+  ASSERT_FALSE(told.twists.empty());
+  EXPECT_EQ(told.moduleTitle, "Quarter turn, first");
+  EXPECT_NEAR(told.duration_s, 30.0, 0.01);
+  ASSERT_EQ(told.strengths.size(), 2U);
+  ASSERT_EQ(told.weaknesses.size(), 2U);
+  std::set<std::string> metrics;
+  for (const auto* list : {&told.strengths, &told.weaknesses}) {
+    for (const DebriefFinding& finding : *list) {
+      metrics.insert(finding.metric);
+      const TwistResult& twist = told.twists.at(finding.twist);
+      EXPECT_GE(finding.when.from_s, twist.when.from_s - 0.5) << finding.metric;
+      EXPECT_LE(finding.when.to_s, twist.when.to_s + 0.5) << finding.metric;
+      EXPECT_LT(finding.when.from_s, finding.when.to_s) << finding.metric;
+    }
+  }
+  EXPECT_EQ(metrics.size(), 4U);  // nothing is praised and blamed at once
+  EXPECT_GE(told.strengths[0].merit, told.weaknesses[0].merit);
+  EXPECT_LT(told.weaknesses[0].merit, 0.0);  // a beginner is worse than the expert in something
+}
+
+TEST(Debrief, SaysWhetherTheForceWasFelt) {
+  const Trial led = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  TrialHeader turned = led.header;
+  turned.drive = TwistDrive::kRoll;  // mouse, game controller, puck: they turn on the spot and give no force
+  const std::vector<Sample> samples = decodeTrial(led);
+
+  EXPECT_TRUE(makeDebrief(led.header, samples, {}, nullptr).forceFelt);
+  EXPECT_FALSE(makeDebrief(turned, samples, {}, nullptr).forceFelt);
+}
+
+TEST(Debrief, ShowsTheExpertsCurveAtEachGrip) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", kBeginner, 30.0);
+
+  const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+
+  ASSERT_FALSE(told.expert.empty());
+  EXPECT_DOUBLE_EQ(told.expert.time_s.front(), 0.0);
+  EXPECT_EQ(told.grips_s.size(), told.twists.size());
+  const double top = *std::max_element(told.expert.angle_rad.begin(), told.expert.angle_rad.end());
+  EXPECT_NEAR(top, told.target_rad, told.tolerance_rad);
+}
+
+TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
+  TrainingCentre centre;
+  const std::string good = centre.attempt("first", "practice", kExpert);
+  const std::string idle = centre.attempt("first", "practice", kExpert, 0.5);
+
+  const Debrief passed = debrief(centre.session(), good, {}, &trainingBar());
+  const Debrief failed = debrief(centre.session(), idle, {}, &trainingBar());
+
+  for (const TargetCheck& check : passed.checks) {
+    EXPECT_TRUE(check.passed) << static_cast<int>(check.kind) << " " << check.value.value_or(-1.0);
+  }
+  EXPECT_TRUE(passed.passed);
+  EXPECT_FALSE(failed.passed);
+  EXPECT_TRUE(failed.twists.empty());
+  EXPECT_TRUE(failed.strengths.empty());
+  EXPECT_EQ(failed.checks.front().kind, TargetCheck::Kind::kAngle);
+  EXPECT_FALSE(failed.checks.front().passed);
+}
+
+TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
+  Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  std::vector<Sample> samples = decodeTrial(trial);
+  const auto gripped = std::find_if(samples.begin(), samples.end(), [](const Sample& sample) {
+    return sample.response.angle_rad > 0.5 * trainingBar().pattern.targetAngle_rad;
+  });
+  samples.erase(gripped, samples.end());
+
+  const Debrief told = makeDebrief(trial.header, samples, {}, &trial);
+  const AttemptMeasures measures = measureAttempt(trial.header, samples, {.tolerance_rad = radians(5.0)});
+
+  EXPECT_TRUE(told.twists.empty());
+  EXPECT_TRUE(told.strengths.empty());
+  EXPECT_EQ(told.unfinishedTwists, 1);
+  EXPECT_TRUE(measures.twists.empty());
+  EXPECT_EQ(measures.unfinished, 1);
+}
+
+TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
+  const Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  const std::vector<Sample> whole = decodeTrial(trial);
+  const auto without = [&](double angle) {
+    std::vector<Sample> torn = whole;
+    const auto at = std::find_if(torn.begin(), torn.end(), [angle](const Sample& sample) {
+      return sample.response.angle_rad > angle * trainingBar().pattern.targetAngle_rad;
+    });
+    torn.erase(at, at + 50);
+    return torn;
+  };
+  std::vector<Sample> before = whole;  // the hand is still on its way
+  before.erase(before.begin() + 10, before.begin() + 60);
+
+  EXPECT_TRUE(makeDebrief(trial.header, without(0.5), {}, &trial).torn);
+  EXPECT_FALSE(makeDebrief(trial.header, whole, {}, &trial).torn);
+  EXPECT_FALSE(makeDebrief(trial.header, before, {}, &trial).torn) << "no twist was touched";
+}
+
+TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
+  TrainingCentre centre;
+  const std::string first = centre.attempt("first", "practice", kExpert);
+  const std::string second = centre.attempt("first", "practice", kExpert);
+
+  const auto streakOf = [&](const std::string& trial) {
+    const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+    return told.checks.back();
+  };
+
+  EXPECT_EQ(streakOf(first).kind, TargetCheck::Kind::kMastery);
+  EXPECT_EQ(streakOf(first).streak, 1);
+  EXPECT_EQ(streakOf(second).streak, 2);
+  EXPECT_EQ(streakOf(second).consecutive, 2);
+}
+
+// Twenty peaks are not close to twelve, although nothing else of the run came nearer.
+TEST(Debrief, CallsCloseOnlyWhatIs) {
+  DebriefFinding finding{.metric = "twist.peaks", .value = 20.0, .expert = 12.0, .merit = -0.45};
+  EXPECT_NE(findingText(finding, true).str().find("came nearest"), std::string::npos);
+  finding.value = 13.0;
+  finding.merit = -0.07;
+  EXPECT_NE(findingText(finding, true).str().find("close to the expert"), std::string::npos);
+  finding.value = 8.0;
+  finding.merit = 0.3;
+  EXPECT_NE(findingText(finding, true).str().find("better than the expert"), std::string::npos);
+}
+
+TEST(Debrief, GoesWithoutAnExpertWhenTheOrganIsGone) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", kExpert);
+
+  const Debrief told = debrief(centre.session(), trial, centre.folder() / "no assets here");
+
+  EXPECT_TRUE(told.expert.empty());
+  EXPECT_TRUE(told.strengths.empty());
+  EXPECT_FALSE(told.twists.empty());
+}
+
+TEST(Debrief, BelongsToTheTrainee) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", kExpert);
+  centre.become("T-02");
+  EXPECT_THROW(static_cast<void>(debrief(centre.session(), trial, {}, &trainingBar())), Error);
+}
+
+TEST(Debrief, KeepsBookmarks) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", kExpert);
+  addBookmark(centre.session(), trial, 2.5, "good grip");
+
+  const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
+
+  ASSERT_EQ(told.bookmarks.size(), 1U);
+  EXPECT_DOUBLE_EQ(told.bookmarks[0].at_s, 2.5);
+  EXPECT_EQ(told.bookmarks[0].text, "good grip");
+  EXPECT_THROW(addBookmark(centre.session(), trial, -1.0, ""), Error);
+}
+
+TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
+  TrainingCentre centre;
+  centre.attempt("first", "practice", kExpert);
+  centre.attempt("first", "practice", kExpert, 0.5);
+
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
+
+  ASSERT_EQ(way.points.size(), 2U);
+  EXPECT_EQ(way.metric, kOnTargetMetric);
+  EXPECT_TRUE(way.points[0].passed);
+  EXPECT_FALSE(way.points[1].passed);
+  EXPECT_FALSE(way.points[1].value);  // no twist, no share
+  EXPECT_EQ(way.threshold, 0.5);
+  ASSERT_TRUE(way.distance);
+  EXPECT_LE(*way.distance, 0.0);
+  EXPECT_EQ(way.competence.level, SkillLevel::kNotShown);
+  EXPECT_GT(way.competence.attempts, 0U);  // twists
+  EXPECT_EQ(way.competence.attemptsUntilLevel, 17U - way.competence.attempts);
+  EXPECT_EQ(way.competence.design.version, 0);
+  EXPECT_TRUE(way.curve.empty());
+  EXPECT_FALSE(way.noCurveReason.empty());
+}
+
+TEST(Trend, FitsALearningCurveFromEightAttemptsOn) {
+  TrainingCentre centre;
+  for (int i = 0; i < 9; ++i) {
+    centre.attempt("first", "practice", 1.0 - 0.9 * std::exp(-0.4 * i), 10.0);
+  }
+
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"), "time.total");
+
+  EXPECT_EQ(way.unit, "s");
+  EXPECT_TRUE(way.lowerIsBetter);
+  ASSERT_FALSE(way.curve.empty()) << way.noCurveReason;
+  EXPECT_GT(way.curve.front().value, way.curve.back().value);
+  EXPECT_LE(way.curve.front().lower, way.curve.front().value);
+}
+
+}  // namespace
+}  // namespace torsio

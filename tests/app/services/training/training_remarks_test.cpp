@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "app/services/training/debrief.h"
+#include "app/services/training/remarks.h"
+#include "app/services/training/run_session.h"
+#include "app/services/training/transcript.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/study/cohort.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/remark_repository.h"
+#include "sim/core/clock.h"
+#include "sim/core/error.h"
+#include "tests/app/support/audit_entries.h"
+#include "tests/app/support/training_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kCentreTime_us;
+using testing::TrainingCentre;
+
+/// A chief physician was asked to score a trial of T-01, remarked on it and gave 7 of 10, proficiency 6.
+class RemarksTest : public ::testing::Test {
+ protected:
+  TrainingCentre centre_;
+  std::string trial_ = centre_.attempt("first", "practice", 1.0);
+  std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
+  std::string remark_ = "11111111-1111-4111-8111-111111111111";
+
+  void SetUp() override {
+    SheetRepository sheets(centre_.connection());
+    RubricRepository rubrics(centre_.connection());
+    rubrics.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
+    RubricRevision revision;
+    revision.id = "revision";
+    revision.rubricId = "rubric";
+    revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
+    revision.rows.push_back(
+        {.code = "proficiency", .label = "Proficiency", .scale = {.lo = 1, .hi = 10, .stepsPerPoint = 1}});
+    revision.createdBy = "office";
+    rubrics.addRevision(revision);
+    const Assignment assignment{.id = "assignment",
+                                .raterId = chief_,
+                                .enrolmentId = centre_.enrolment(),
+                                .occasionCode = "pre",
+                                .trialId = trial_,
+                                .rubricRevisionId = "revision",
+                                .caseLabel = "7F",
+                                .assignedBy = "office"};
+    sheets.assign({&assignment, 1});
+    Sheet sheet;
+    sheet.overall_steps = 70;
+    sheet.rows.push_back({.code = "proficiency", .score_steps = 6});
+    sheets.submit("assignment", "22222222-2222-4222-8222-222222222222", sheet, "", kCentreTime_us);
+    RemarkRepository(centre_.connection())
+        .add({.id = remark_,
+              .trialId = trial_,
+              .author = chief_,
+              .authorPersonId = chief_,
+              .purpose = "remark",
+              .tick = 1500,
+              .time_us = 1'500'000,
+              .text = "let go more gently",
+              .createdUtc_us = kCentreTime_us});
+  }
+  void release() {
+    SheetRepository(centre_.connection())
+        .setReleased(centre_.cohort().id, "pre", true, "", "office", kCentreTime_us);
+  }
+};
+
+TEST_F(RemarksTest, AppearWhenTheMarksAreReleased) {
+  EXPECT_TRUE(ownRemarks(centre_.session()).empty());
+  EXPECT_EQ(unreadRemarks(centre_.session()), 0U);
+  EXPECT_THROW(markRemarkRead(centre_.session(), remark_, 1), Error);
+
+  release();
+
+  const std::vector<TrialRemarks> all = ownRemarks(centre_.session());
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].moduleTitle, "Quarter turn, first");
+  EXPECT_EQ(all[0].unread, 1U);
+  ASSERT_EQ(all[0].remarks.size(), 1U);
+  EXPECT_DOUBLE_EQ(all[0].remarks[0].at_s, 1.5);
+  EXPECT_EQ(all[0].remarks[0].text, "let go more gently");
+  EXPECT_EQ(unreadRemarks(centre_.session()), 1U);
+}
+
+TEST_F(RemarksTest, CanBeReadAndAnswered) {
+  release();
+  markRemarkRead(centre_.session(), remark_, 1);
+  replyToRemark(centre_.session(), remark_, "I will");
+
+  const std::vector<TrialRemarks> all = ownRemarks(centre_.session());
+  EXPECT_EQ(all[0].unread, 0U);
+  ASSERT_EQ(all[0].remarks[0].replies.size(), 1U);
+  EXPECT_TRUE(all[0].remarks[0].replies[0].own);
+  EXPECT_EQ(all[0].remarks[0].replies[0].text, "I will");
+  EXPECT_EQ(unreadRemarks(centre_.session()), 0U);
+  EXPECT_THROW(replyToRemark(centre_.session(), remark_, ""), Error);
+}
+
+TEST_F(RemarksTest, AnEditShowsTheNewestWordsAndKeepsTheOld) {
+  release();
+  SessionContext& desk = centre_.session();
+  const RemarkId reply = replyToRemark(desk, remark_, "I will");
+  centre_.passTime_us(testing::kMinute_us);
+
+  editRemark(desk, reply, "I will try");
+
+  const TraineeRemark own = ownRemarks(desk)[0].remarks[0].replies[0];
+  EXPECT_EQ(own.text, "I will try");
+  EXPECT_EQ(own.version, 2);
+  EXPECT_EQ(own.editedUtc_us - own.writtenUtc_us, testing::kMinute_us);
+  ASSERT_EQ(own.earlier.size(), 1U);
+  EXPECT_EQ(own.earlier[0].text, "I will");
+  EXPECT_EQ(own.earlier[0].writtenUtc_us, own.writtenUtc_us);
+  for (const char* words : {"", " ", "I will try"}) {
+    EXPECT_THROW(editRemark(desk, reply, words), Error) << words;
+  }
+  EXPECT_THROW(editRemark(desk, remark_, "not mine"), Error);
+  EXPECT_THROW(editRemark(desk, "none", "nothing"), Error);
+  EXPECT_EQ(ownRemarks(desk)[0].remarks[0].text, "let go more gently");
+}
+
+TEST_F(RemarksTest, WhatWasEditedAfterItWasReadIsUnreadAgain) {
+  release();
+  SessionContext& desk = centre_.session();
+  markRemarkRead(desk, remark_, 1);
+  ASSERT_EQ(unreadRemarks(desk), 0U);
+
+  RemarkRepository(centre_.connection())
+      .revise({remark_, 2, chief_, chief_, "let go later", kCentreTime_us + 5});
+
+  EXPECT_EQ(unreadRemarks(desk), 1U);
+  EXPECT_FALSE(ownRemarks(desk)[0].remarks[0].read);
+  markRemarkRead(desk, remark_, 1);  // what stood on the screen before
+  EXPECT_EQ(unreadRemarks(desk), 1U);
+  EXPECT_THROW(markRemarkRead(desk, remark_, 3), Error);
+  markRemarkRead(desk, remark_, 2);
+  EXPECT_EQ(unreadRemarks(desk), 0U);
+}
+
+TEST_F(RemarksTest, BelongToTheTraineeOnly) {
+  release();
+  centre_.become("T-02");
+  EXPECT_TRUE(ownRemarks(centre_.session()).empty());
+  EXPECT_THROW(markRemarkRead(centre_.session(), remark_, 1), Error);
+  EXPECT_THROW(static_cast<void>(scoreGap(centre_.session(), trial_)), Error);
+}
+
+TEST_F(RemarksTest, OwnMarksComeFirstThenTheGap) {
+  release();
+  const ScoreGap before = scoreGap(centre_.session(), trial_);
+  EXPECT_FALSE(before.selfScored);
+  EXPECT_TRUE(before.released);
+  EXPECT_FALSE(before.overall.panel);  // nothing is told before the trainee has judged
+  ASSERT_EQ(before.rows.size(), 1U);
+  EXPECT_EQ(before.rows[0].label, "Proficiency");
+  EXPECT_DOUBLE_EQ(before.overall.highest, 10.0);
+
+  selfScore(centre_.session(), trial_, 8.5, {{"proficiency", 9.0}});
+
+  const ScoreGap gap = scoreGap(centre_.session(), trial_);
+  EXPECT_EQ(gap.overall.own, 8.5);
+  EXPECT_EQ(gap.overall.panel, 7.0);
+  EXPECT_EQ(gap.rows[0].own, 9.0);
+  EXPECT_EQ(gap.rows[0].panel, 6.0);
+  EXPECT_EQ(gap.raters, 1U);
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 7.0, {}), Error);  // they were seen
+}
+
+TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
+  selfScore(centre_.session(), trial_, 8.5, {});
+  selfScore(centre_.session(), trial_, 6.0, {{"proficiency", 5.0}});
+
+  const ScoreGap gap = scoreGap(centre_.session(), trial_);
+  EXPECT_EQ(gap.overall.own, 6.0);
+  EXPECT_FALSE(gap.overall.panel);
+  EXPECT_EQ(RemarkRepository(centre_.connection()).selfScores(trial_).size(), 2U);
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 10.4, {}), Error);  // beyond the scale
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 7.03, {}), Error);  // between two steps
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 7.0, {{"style", 5.0}}), Error);
+}
+
+TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
+  SessionContext& desk = centre_.session();
+  const auto audited = [&](const char* action, const std::function<void()>& change) {
+    testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
+    EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty()) << action;
+  };
+  const ManualClock clock;
+  RunSession runSession(desk, {centre_.module("first"), false, testing::deviceWith(Light::kGreen)}, clock);
+
+  audited("run.start", [&] { runSession.start(); });
+  audited("run.stop", [&] { runSession.stop("enough"); });
+  audited("trial.self_score", [&] { selfScore(desk, trial_, 6.0, {}); });
+  audited("trial.bookmark", [&] { addBookmark(desk, trial_, 2.5, "good grip"); });
+  release();
+  audited("remark.read", [&] { markRemarkRead(desk, remark_, 1); });
+  RemarkId reply;
+  audited("remark.reply", [&] { reply = replyToRemark(desk, remark_, "I will"); });
+  audited("remark.add", [&] { editRemark(desk, reply, "I shall"); });
+  audited("transcript.make", [&] { (void)transcript(desk, centre_.person()); });
+  audited("consent.own", [&] { decideOwnConsent(desk, "training_record", false, "1"); });
+}
+
+TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
+  TrainingCentre centre;
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
+  const Exposure hour{.id = "33333333-3333-4333-8333-333333333333",
+                      .enrolmentId = centre.enrolment(),
+                      .kind = ExposureKind::kReal,
+                      .startedUtc_us = kCentreTime_us,
+                      .duration_us = 12 * testing::kMinute_us,
+                      .recordedBy = "office"};
+  StudyRepository(centre.connection()).addExposures({&hour, 1});
+
+  const Transcript sheet = transcript(centre.session(), centre.person());
+
+  EXPECT_EQ(sheet.centre, "Skills laboratory");
+  EXPECT_EQ(sheet.traineeCode, "T-01");
+  ASSERT_EQ(sheet.modules.size(), 3U);
+  EXPECT_EQ(sheet.modules[0].attempts.size(), 2U);
+  EXPECT_EQ(sheet.modules[0].step.state, StepState::kMastered);
+  EXPECT_DOUBLE_EQ(sheet.real_min, 12.0);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/training/training_run.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/core/error.h"
+#include "sim/core/time_units.h"
+
+namespace torsio {
+namespace {
+
+using Kind = RunEvent::Kind;
+
+/// The second arm of the paper's study (section 6): 20 min virtual, 20 min on the real arm, 5 min of rest.
+RunPlan paperArm() {
+  RunPlan plan;
+  plan.phases.push_back(
+      {.phaseId = "p1", .label = "virtual", .arm = PhaseKind::kVirtual, .duration_us = 20 * kMinute_us});
+  plan.phases.push_back(
+      {.phaseId = "p2", .label = "real", .arm = PhaseKind::kReal, .duration_us = 20 * kMinute_us});
+  plan.restAllowance_us = 5 * kMinute_us;
+  return plan;
+}
+
+class TrainingRunTest : public ::testing::Test {
+ protected:
+  ManualClock clock_{7};
+  TrainingRun run_{paperArm(), clock_};
+  std::vector<RunEvent> events_;
+
+  /// Time goes by as it does under a timer of the window.
+  void pass(std::int64_t span_us, std::int64_t step_us = 200'000) {
+    for (; span_us > 0; span_us -= step_us) {
+      clock_.advance_us(std::min(span_us, step_us));
+      for (const RunEvent& event : run_.advance()) {
+        events_.push_back(event);
+      }
+    }
+  }
+  [[nodiscard]] std::vector<Kind> kinds() const {
+    std::vector<Kind> kinds;
+    for (const RunEvent& event : events_) {
+      kinds.push_back(event.kind);
+    }
+    return kinds;
+  }
+  static std::int64_t sum(const std::vector<ExposurePiece>& pieces, ExposureKind kind) {
+    std::int64_t total_us = 0;
+    for (const ExposurePiece& piece : pieces) {
+      if (piece.kind == kind) {
+        total_us += piece.duration_us;
+      }
+    }
+    return total_us;
+  }
+};
+
+TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd) {
+  run_.start();
+  pass(20 * kMinute_us);
+  EXPECT_EQ(run_.state(), RunState::kHandOver);
+  EXPECT_EQ(run_.phase().arm, PhaseKind::kReal);
+
+  pass(kLongestHandOver_us);
+  EXPECT_EQ(run_.state(), RunState::kRunning);
+  EXPECT_EQ(run_.remainingInPhase_us(), 20 * kMinute_us);
+
+  pass(20 * kMinute_us);
+  EXPECT_EQ(run_.state(), RunState::kFinished);
+  EXPECT_EQ(run_.remainingInPhase_us(), 0);
+  EXPECT_EQ(kinds(), (std::vector<Kind>{Kind::kPhaseBegan, Kind::kPhaseEnded, Kind::kHandOver,
+                                        Kind::kPhaseBegan, Kind::kPhaseEnded, Kind::kFinished}));
+}
+
+TEST_F(TrainingRunTest, PhaseBordersAreExactHoweverLateTheTimerComes) {
+  run_.start();
+  pass(20 * kMinute_us + 3 * kSecond_us, 7 * kSecond_us);
+
+  ASSERT_EQ(run_.state(), RunState::kHandOver);
+  EXPECT_EQ(events_[1].at_us, 7 + 20 * kMinute_us);
+  EXPECT_EQ(run_.handOverLeft_us(), kLongestHandOver_us - 3 * kSecond_us);
+}
+
+TEST_F(TrainingRunTest, WhoIsAtTheRealArmEarlierBeginsEarlier) {
+  run_.start();
+  pass(20 * kMinute_us + 4 * kSecond_us);
+  run_.resume();
+
+  EXPECT_EQ(run_.state(), RunState::kRunning);
+  EXPECT_EQ(run_.remainingInPhase_us(), 20 * kMinute_us);
+}
+
+TEST_F(TrainingRunTest, RestStopsTheClockAndIsLoggedApart) {
+  run_.start();
+  pass(5 * kMinute_us);
+  ASSERT_TRUE(run_.rest());
+  pass(2 * kMinute_us);
+  EXPECT_EQ(run_.remainingInPhase_us(), 15 * kMinute_us);
+  EXPECT_EQ(run_.restLeft_us(), 3 * kMinute_us);
+
+  run_.resume();
+  pass(kMinute_us);
+
+  const std::vector<ExposurePiece> pieces = run_.takeExposure(true);
+  EXPECT_EQ(sum(pieces, ExposureKind::kVirtual), 6 * kMinute_us);
+  EXPECT_EQ(sum(pieces, ExposureKind::kRest), 2 * kMinute_us);
+}
+
+TEST_F(TrainingRunTest, ARestThatMayNotBeSplitIsUsedUpByTheFirst) {
+  run_.start();
+  pass(kMinute_us);
+  ASSERT_TRUE(run_.rest());
+  pass(30 * kSecond_us);
+  run_.resume();
+  pass(kMinute_us);
+
+  EXPECT_FALSE(run_.mayRest());
+  EXPECT_FALSE(run_.rest());
+  EXPECT_EQ(run_.restLeft_us(), 0);
+}
+
+TEST_F(TrainingRunTest, ARestThatMayBeSplitLastsAsLongAsTheAllowance) {
+  RunPlan plan = paperArm();
+  plan.restSplittable = true;
+  run_ = TrainingRun(plan, clock_);
+  run_.start();
+  for (int i = 0; i < 2; ++i) {
+    pass(kMinute_us);
+    ASSERT_TRUE(run_.rest());
+    pass(2 * kMinute_us);
+    run_.resume();
+  }
+  EXPECT_EQ(run_.restLeft_us(), kMinute_us);
+  EXPECT_TRUE(run_.mayRest());
+}
+
+TEST_F(TrainingRunTest, TrainingGoesOnByItselfWhenTheRestIsUsedUp) {
+  run_.start();
+  ASSERT_TRUE(run_.rest());
+  pass(6 * kMinute_us);
+
+  EXPECT_EQ(run_.state(), RunState::kRunning);
+  EXPECT_EQ(run_.remainingInPhase_us(), 19 * kMinute_us);
+  EXPECT_EQ(kinds(), (std::vector<Kind>{Kind::kPhaseBegan, Kind::kRestBegan, Kind::kRestUsedUp}));
+}
+
+TEST_F(TrainingRunTest, AMachineThatSleptTrainedNobody) {
+  run_.start();
+  pass(kMinute_us);
+  clock_.advance_us(45 * kMinute_us);  // the lid was closed
+  for (const RunEvent& event : run_.advance()) {
+    events_.push_back(event);
+  }
+
+  EXPECT_EQ(run_.remainingInPhase_us(), 19 * kMinute_us);
+  EXPECT_EQ(kinds().back(), Kind::kPaused);
+}
+
+TEST_F(TrainingRunTest, WaitingForTheMachineIsNoTraining) {
+  run_.start();
+  pass(kMinute_us);
+  for (int i = 0; i < 30; ++i) {
+    clock_.advance_us(200'000);
+    run_.hold();
+  }
+  pass(kMinute_us);
+
+  EXPECT_EQ(run_.remainingInPhase_us(), 18 * kMinute_us);
+  const std::vector<ExposurePiece> pieces = run_.takeExposure(true);
+  std::int64_t sum_us = 0;
+  for (const ExposurePiece& piece : pieces) {
+    sum_us += piece.duration_us;
+  }
+  EXPECT_EQ(sum_us, 2 * kMinute_us);
+  EXPECT_EQ(kinds(), std::vector<Kind>{Kind::kPhaseBegan});
+}
+
+TEST_F(TrainingRunTest, GoesOnWhereAnEarlierRunEnded) {
+  RunPlan plan = paperArm();
+  plan.phases[0].done_us = 20 * kMinute_us;
+  plan.phases[1].done_us = 4 * kMinute_us;
+  plan.restTaken_us = 5 * kMinute_us;
+  run_ = TrainingRun(plan, clock_);
+
+  EXPECT_EQ(run_.phaseIndex(), 1U);
+  EXPECT_EQ(run_.remainingInPhase_us(), 16 * kMinute_us);
+  EXPECT_EQ(run_.restLeft_us(), 0);
+}
+
+TEST_F(TrainingRunTest, ExposureComesInPiecesAndAddsUp) {
+  run_.start();
+  pass(70 * kSecond_us);
+  const std::vector<ExposurePiece> complete = run_.takeExposure(false);
+  ASSERT_EQ(complete.size(), 2U);
+  EXPECT_EQ(complete[0].duration_us, kExposurePiece_us);
+  EXPECT_EQ(complete[0].phaseId, "p1");
+  pass(5 * kSecond_us);
+  run_.stop();
+
+  const std::vector<ExposurePiece> rest = run_.takeExposure(true);
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_EQ(rest[0].duration_us, 15 * kSecond_us);
+  EXPECT_EQ(rest[0].begun_us, 7 + 60 * kSecond_us);
+  EXPECT_TRUE(run_.over());
+}
+
+TEST_F(TrainingRunTest, RefusesAPlanWithNothingLeftToDo) {
+  RunPlan plan = paperArm();
+  for (RunPhase& phase : plan.phases) {
+    phase.done_us = phase.duration_us;
+  }
+  EXPECT_THROW(TrainingRun(plan, clock_), Error);
+  EXPECT_THROW(TrainingRun(RunPlan{}, clock_), Error);
+  plan.phases[0].duration_us = 0;
+  EXPECT_THROW(TrainingRun(plan, clock_), Error);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "app/services/training/next_steps.h"
+#include "app/services/training/run_session.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "db/repository/trial/digest_repository.h"
+#include "sim/core/error.h"
+#include "tests/app/support/training_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::deviceWith;
+using testing::kMinute_us;
+using testing::kSecond_us;
+using testing::TrainingCentre;
+
+ErrorCode codeOf(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return ErrorCode::kInternal;
+}
+
+TrainingCentre::Setup twoPhases() {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
+                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
+  setup.restAllowance_us = 30 * kSecond_us;
+  return setup;
+}
+
+TEST(NextSteps, SaysWhatIsOpenWhatIsLockedAndWhy) {
+  TrainingCentre centre;
+
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
+
+  ASSERT_EQ(steps.modules.size(), 3U);
+  EXPECT_EQ(steps.cohortName, "Autumn course");
+  EXPECT_EQ(steps.modules[0].state, StepState::kOpen);
+  EXPECT_EQ(steps.modules[1].state, StepState::kLocked);
+  EXPECT_EQ(steps.modules[1].missing, std::vector<std::string>{"Quarter turn, first"});
+  EXPECT_EQ(steps.modules[0].unlocks, std::vector<std::string>{"Quarter turn, second"});
+  ASSERT_TRUE(steps.next);
+  EXPECT_EQ(*steps.next, 0U);
+  EXPECT_TRUE(steps.recordingAllowed);
+}
+
+TEST(NextSteps, AModuleIsMasteredByEnoughGoodAttemptsInARow) {
+  TrainingCentre centre;
+  centre.attempt("first", "practice", 1.0);
+  NextSteps steps = nextSteps(centre.session(), centre.person());
+  EXPECT_EQ(steps.modules[0].state, StepState::kOpen);
+  EXPECT_EQ(steps.modules[0].rules[0].streak, 1);
+  ASSERT_TRUE(steps.modules[0].last);
+  EXPECT_GE(steps.modules[0].last->twists, 1);
+
+  centre.attempt("first", "practice", 1.0);
+  steps = nextSteps(centre.session(), centre.person());
+
+  EXPECT_EQ(steps.modules[0].state, StepState::kMastered);
+  EXPECT_EQ(steps.modules[1].state, StepState::kOpen);
+  EXPECT_EQ(*steps.next, 1U);
+}
+
+TEST(NextSteps, PracticeAtAGradedModuleDoesNotCount) {
+  TrainingCentre centre;
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
+  centre.attempt("second", "practice", 1.0);
+  NextSteps steps = nextSteps(centre.session(), centre.person());
+  EXPECT_EQ(steps.modules[1].state, StepState::kOpen);
+  EXPECT_EQ(steps.modules[1].attempts, 0);
+  EXPECT_EQ(steps.modules[1].attemptsLeft, 3);
+
+  centre.attempt("second", "graded", 1.0);
+  steps = nextSteps(centre.session(), centre.person());
+  EXPECT_EQ(steps.modules[1].state, StepState::kMastered);
+  EXPECT_EQ(steps.modules[1].attemptsLeft, 2);
+}
+
+TEST(NextSteps, AttemptsCanBeUsedUp) {
+  TrainingCentre centre;
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
+  // Too short for a single twist: nothing was reached.
+  for (int i = 0; i < 3; ++i) {
+    centre.attempt("second", "graded", 1.0, 0.5);
+  }
+
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
+
+  EXPECT_EQ(steps.modules[1].state, StepState::kUsedUp);
+  EXPECT_EQ(steps.modules[1].attemptsLeft, 0);
+  EXPECT_EQ(steps.modules[2].state, StepState::kLocked);
+  EXPECT_EQ(codeOf([&] {
+              const MonotonicClock clock;
+              RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
+            }),
+            ErrorCode::kBadParameter);
+}
+
+TEST(NextSteps, IsForOneselfOnly) {
+  TrainingCentre centre;
+  const std::string first = centre.person();
+  const std::string trial = centre.attempt("first", "practice", 1.0);
+  centre.become("T-02");
+
+  EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), first)); }), ErrorCode::kPermission);
+  EXPECT_EQ(codeOf([&] { static_cast<void>(attemptOf(centre.session(), trial)); }), ErrorCode::kPermission);
+  centre.become("chief");
+  EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
+            ErrorCode::kPermission);
+}
+
+TEST(NextSteps, ValuesAreMeasuredOnceAndKeptBesideTheTrial) {
+  TrainingCentre centre;
+  const std::string trial = centre.attempt("first", "practice", 1.0);
+  const Attempt first = attemptOf(centre.session(), trial);
+  const auto kept = DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion);
+
+  const Attempt again = attemptOf(centre.session(), trial);
+
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion), kept);
+  EXPECT_EQ(again.values, first.values);
+  EXPECT_EQ(again.twists, first.twists);
+  EXPECT_EQ(again.onTarget, first.onTarget);
+  EXPECT_GT(kept.front().measures.size(), 10U);
+}
+
+TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
+  TrainingCentre::Setup setup;
+  setup.consent = false;
+  TrainingCentre centre(setup);
+  const ManualClock clock;
+  const auto begin = [&](bool graded, Light light) {
+    RunSession(centre.session(), {centre.module("first"), graded, deviceWith(light)}, clock);
+  };
+  EXPECT_EQ(codeOf([&] { begin(false, Light::kGreen); }), ErrorCode::kPermission);
+  decideOwnConsent(centre.session(), "training_record", true, "1");
+
+  EXPECT_NO_THROW(begin(true, Light::kGreen));
+  EXPECT_NO_THROW(begin(false, Light::kAmber));
+  EXPECT_EQ(codeOf([&] { begin(true, Light::kAmber); }), ErrorCode::kDevice);
+  EXPECT_EQ(codeOf([&] { begin(true, Light::kRed); }), ErrorCode::kDevice);
+  EXPECT_EQ(codeOf([&] {
+              RunSession(centre.session(), {centre.module("first"), false, DeviceReadiness{}}, clock);
+            }),
+            ErrorCode::kDevice);
+}
+
+TEST(RunSession, LocksAreHeldByTheServiceToo) {
+  TrainingCentre centre;
+  const ManualClock clock;
+  EXPECT_EQ(codeOf([&] {
+              RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
+            }),
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(codeOf([&] {
+              RunSession(centre.session(), {"no such module", true, deviceWith(Light::kGreen)}, clock);
+            }),
+            ErrorCode::kBadParameter);
+}
+
+TEST(RunSession, ATrialSaysWhatItBelongsTo) {
+  TrainingCentre centre(twoPhases());
+  const ManualClock clock;
+  RunSession runSession(centre.session(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
+  runSession.start();
+
+  const RecordingSpec recording = runSession.newTrial();
+
+  EXPECT_EQ(recording.traineeCode, "T-01");
+  EXPECT_EQ(recording.phaseLabel, "virtual 1 min");
+  EXPECT_EQ(recording.context.moduleId, centre.module("first"));
+  EXPECT_EQ(recording.context.phaseId, runSession.run().phase().phaseId);
+  EXPECT_EQ(recording.context.attemptMode, AttemptMode::kGraded);
+  EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
+  EXPECT_FALSE(recording.context.host.name.empty());
+  EXPECT_EQ(runSession.trials(), std::vector<TrialId>{recording.trialId});
+}
+
+TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
+  TrainingCentre centre(twoPhases());
+  ManualClock clock;
+  RunSession runSession(centre.session(), {centre.module("first"), false, deviceWith(Light::kGreen)}, clock);
+  const auto pass = [&](std::int64_t span_us) {
+    for (std::int64_t t = 0; t < span_us; t += kSecond_us) {
+      clock.advance_us(kSecond_us);
+      centre.passTime_us(kSecond_us);
+      static_cast<void>(runSession.advance());
+    }
+  };
+  runSession.start();
+  pass(40 * kSecond_us);
+  ASSERT_TRUE(runSession.rest());
+  pass(10 * kSecond_us);
+  static_cast<void>(runSession.resume());
+  pass(20 * kSecond_us);
+  EXPECT_EQ(runSession.run().state(), RunState::kHandOver);
+  static_cast<void>(runSession.resume());
+  pass(kMinute_us);
+  EXPECT_TRUE(runSession.run().over());
+
+  std::map<ExposureKind, std::int64_t> dose_us;
+  for (const Exposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
+    dose_us[exposure.kind] += exposure.duration_us;
+  }
+  EXPECT_EQ(dose_us[ExposureKind::kVirtual], kMinute_us);
+  EXPECT_EQ(dose_us[ExposureKind::kReal], kMinute_us);
+  EXPECT_EQ(dose_us[ExposureKind::kRest], 10 * kSecond_us);
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
+  EXPECT_TRUE(steps.allPhasesDone);
+  EXPECT_FALSE(steps.next);
+}
+
+TEST(RunSession, AnEarlyStopKeepsTheDoseAndTellsTheStudy) {
+  TrainingCentre centre(twoPhases());
+  ManualClock clock;
+  {
+    RunSession runSession(centre.session(), {centre.module("first"), false, deviceWith(Light::kGreen)},
+                          clock);
+    runSession.start();
+    clock.advance_us(9 * kSecond_us);
+    runSession.stop("called to the ward");
+  }
+  const NextSteps steps = nextSteps(centre.session(), centre.person());
+  EXPECT_EQ(steps.plan.phases[0].done_us, 9 * kSecond_us);
+  const auto deviations = StudyRepository(centre.connection()).deviations(centre.cohort().id);
+  ASSERT_EQ(deviations.size(), 1U);
+  EXPECT_EQ(deviations[0].kind, "phase cut short");
+  EXPECT_EQ(deviations[0].description, "called to the ward");
+
+  // The next run goes on where this one ended.
+  RunSession later(centre.session(), {centre.module("first"), false, deviceWith(Light::kGreen)}, clock);
+  EXPECT_EQ(later.run().remainingInPhase_us(), 51 * kSecond_us);
+}
+
+TEST(RunSession, MouseAndKeyboardAreForPracticeUnlessTheCentreSaysOtherwise) {
+  TrainingCentre centre;
+  EXPECT_EQ(pointerReadiness(gradesWithMouse(centre.session())).light(), Light::kAmber);
+  SettingRepository(centre.connection()).set("graded_with_mouse", "yes", 0);
+  EXPECT_EQ(pointerReadiness(gradesWithMouse(centre.session())).light(), Light::kGreen);
+}
+
+TEST(RunSession, NoSoundTellsOfALimitUnlessTheCentreWantsIt) {
+  TrainingCentre centre;
+  EXPECT_FALSE(soundsAtLimit(centre.session()));
+  SettingRepository(centre.connection()).set("sound_at_limit", "yes", 0);
+  EXPECT_TRUE(soundsAtLimit(centre.session()));
+}
+
+}  // namespace
+}  // namespace torsio
