@@ -133,11 +133,10 @@ Json panelJson(const RatingGrid& grid, const Outcome<NumberTable>& complete) {
 
 /// Resamples of so many scores that take about a second for all metrics.
 int resamplesWithin(std::size_t scores) {
-  constexpr double kMostDrawn = 8e7;
+  constexpr double kMaxDrawn = 8e7;
   constexpr double kFewest = 999.0;
   constexpr double kMost = 9999.0;
-  return static_cast<int>(
-      std::clamp(kMostDrawn / std::max(1.0, static_cast<double>(scores)), kFewest, kMost));
+  return static_cast<int>(std::clamp(kMaxDrawn / std::max(1.0, static_cast<double>(scores)), kFewest, kMost));
 }
 
 }  // namespace

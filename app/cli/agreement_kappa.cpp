@@ -16,18 +16,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostKappaCategories = 100;
+constexpr std::size_t kMaxKappaCategories = 100;
 
 /// The categories of the ratings: as given, or the scores that occur.
 class CategoryList {
  public:
   CategoryList(const RatingGrid& grid, const AgreementOptions& options)
       : values_(options.categories.empty() ? distinctScores(grid) : options.categories) {
-    if (values_.size() > kMostKappaCategories) {
+    if (values_.size() > kMaxKappaCategories) {
       throw Error(
           ErrorCode::kBadData, std::to_string(values_.size()) + " different scores are too many categories",
           Text::verbatim("the ratings"),
-          Text::verbatim("Collapse them to at most %1, or use Krippendorff's alpha", kMostKappaCategories));
+          Text::verbatim("Collapse them to at most %1, or use Krippendorff's alpha", kMaxKappaCategories));
     }
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (std::find(values_.begin(), value, *value) != value) {

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t kMostCategories = 100;
+constexpr std::int64_t kMaxCategories = 100;
 constexpr double kLargestScore = 1e6;
 
 /// The lowest and the highest category of a scale in whole numbers.
@@ -49,7 +49,7 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
                 "scores run from " + Json(scores.front()).dump() + " to " + Json(scores.back()).dump(),
                 Text::verbatim("--lowest, --highest"), Text::verbatim("Give a scale that holds them all"));
   }
-  if (scale.highest - scale.lowest >= kMostCategories) {
+  if (scale.highest - scale.lowest >= kMaxCategories) {
     throw Error(ErrorCode::kBadData, Text::verbatim("the scale has more than 100 categories"),
                 Text::verbatim("--lowest, --highest"), Text::verbatim("Collapse categories first"));
   }

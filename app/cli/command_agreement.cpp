@@ -61,7 +61,7 @@ Json methodJson(const CsvTable& table, const AgreementArguments& arguments) {
   out["targets"] = grid.targets.size();
   out["raters"] = grid.raters.size();
   out["missing"] = grid.targets.size() * grid.raters.size() - grid.given;
-  out["confidence"] = kUsualConfidence;
+  out["confidence"] = kDefaultConfidence;
   return out;
 }
 

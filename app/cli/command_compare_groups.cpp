@@ -80,7 +80,7 @@ void comparePaired(const CompareArguments& arguments) {
     out["bootstrap"] = bootstrapJson(study.groups, gainsOf(study), arguments.request);
   }
   out["occasions"] = study.occasions;
-  out["confidence"] = kUsualConfidence;
+  out["confidence"] = kDefaultConfidence;
   printJson(out);
 }
 
@@ -151,7 +151,7 @@ void compareGroups(const CompareArguments& arguments) {
     out["occasions"] = study.occasions;
     out["occasion"] = request.outcome;
   }
-  out["confidence"] = kUsualConfidence;
+  out["confidence"] = kDefaultConfidence;
   printJson(out);
 }
 

@@ -42,9 +42,9 @@ struct LearningArguments {
   std::size_t further = 0;
 };
 
-constexpr std::int64_t kMostAttempts = 100'000;
-constexpr std::size_t kMostWatched = 10'000;  // attempts over which the watch for relapse is computed
-constexpr double kUsualReference = 0.5;       // k of the tabular CUSUM, in sigma
+constexpr std::int64_t kMaxAttempts = 100'000;
+constexpr std::size_t kMaxWatched = 10'000;  // attempts over which the watch for relapse is computed
+constexpr double kDefaultReference = 0.5;    // k of the tabular CUSUM, in sigma
 
 /// Attempts of one subject in their order.
 struct Attempts {
@@ -57,7 +57,7 @@ std::vector<Attempts> readAttempts(const CsvTable& table) {
   NamePlaces subjects;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& name = table.text(row, "subject");
-    const std::int64_t attempt = table.whole(row, "attempt", 1, kMostAttempts);
+    const std::int64_t attempt = table.whole(row, "attempt", 1, kMaxAttempts);
     const std::size_t place = subjects(name);
     if (place == list.size()) {
       list.push_back({name, {}});
@@ -129,8 +129,8 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
           beyondArithmetic(y, std::array{*arguments.target, *arguments.sigma, arguments.h})) {
     return undefinedJson(reason->str());
   }
-  const TabularCusum cusum =
-      tabularCusum(y, *arguments.target, kUsualReference * *arguments.sigma, arguments.h * *arguments.sigma);
+  const TabularCusum cusum = tabularCusum(y, *arguments.target, kDefaultReference * *arguments.sigma,
+                                          arguments.h * *arguments.sigma);
   Json out{{"upper", Json::array()}, {"lower", Json::array()}};
   for (const TabularCusumPoint& point : cusum.points) {
     out["upper"].push_back(point.upper);
@@ -153,7 +153,7 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                 const std::vector<Attempts>& subjects) {
   Json list = Json::array();
   const Json runLength = arguments.target
-                             ? numberJson(averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0),
+                             ? numberJson(averageRunLengthTwoSided(kDefaultReference, arguments.h, 0.0),
                                           "it is longer than 1e12 values")
                              : Json();
   for (const Attempts& subject : subjects) {
@@ -265,8 +265,8 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)},
                    {"not_able_in_the_end_if_adequate",
-                    longest <= kMostWatched ? Json(lcCusumNotAble(design, design.adequate, longest))
-                                            : undefinedJson("it takes at most 10,000 attempts")}};
+                    longest <= kMaxWatched ? Json(lcCusumNotAble(design, design.adequate, longest))
+                                           : undefinedJson("it takes at most 10,000 attempts")}};
   out["subjects"] = Json::array();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));

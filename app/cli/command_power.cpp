@@ -24,7 +24,7 @@ struct PowerArguments {
   std::optional<double> effect;
   std::optional<double> power;
   std::optional<double> correlation;
-  double alpha = kUsualAlpha;
+  double alpha = kDefaultAlpha;
   int groups = 3;
   std::optional<double> icc;
   std::optional<double> width;
@@ -114,7 +114,7 @@ Json intraclassJson(const PowerArguments& arguments) {
   out["icc"] = *arguments.icc;
   out["raters"] = arguments.raters;
   out["width"] = *arguments.width;
-  out["confidence"] = kUsualConfidence;
+  out["confidence"] = kDefaultConfidence;
   return out;
 }
 

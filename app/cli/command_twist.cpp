@@ -282,8 +282,8 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
 
 /// Pressure of an option in pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
 double pressureOf_Pa(const char* option, double pressure_mmHg) {
-  constexpr double kMostPressure_mmHg = 100.0;
-  if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMostPressure_mmHg)) {
+  constexpr double kMaxPressure_mmHg = 100.0;
+  if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMaxPressure_mmHg)) {
     throw Error(ErrorCode::kBadParameter, Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
                 option + (" " + std::to_string(pressure_mmHg)), Text::verbatim("Give 0 for an empty organ"));
   }

@@ -167,8 +167,8 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
 }
 
 Json boundsJson(const Study& study, const std::vector<MarkedTrainee>& subjects, const Interval& scale) {
-  constexpr std::size_t kMostGroups = 20;
-  if (study.groups.size() > kMostGroups) {
+  constexpr std::size_t kMaxGroups = 20;
+  if (study.groups.size() > kMaxGroups) {
     return undefinedJson("bounds are computed for 20 groups or fewer");
   }
   const auto show = [](const AdjustedDifference& pair) {

@@ -264,16 +264,16 @@ void addGroupTests(Json& out, const std::vector<std::string>& names, const Group
 }
 
 MonteCarlo permutationsWithin(std::uint64_t seed, double size, double tests) {
-  constexpr double kMostDraws = 2e7;
+  constexpr double kMaxDraws = 2e7;
   constexpr double kFewest = 299.0;  // of a thousand pairs and more
   constexpr double kMost = 99'999.0;
-  constexpr double kMostAdditions = 1e9;
+  constexpr double kMaxAdditions = 1e9;
   const double each = std::max(1.0, tests);
   MonteCarlo out;
   out.seed = seed;
   out.draws = static_cast<std::int64_t>(
-      std::clamp(std::floor(kMostDraws / (std::max(1.0, size) * each)), kFewest, kMost));
-  out.mostAdditions = static_cast<std::int64_t>(kMostAdditions / each);
+      std::clamp(std::floor(kMaxDraws / (std::max(1.0, size) * each)), kFewest, kMost));
+  out.mostAdditions = static_cast<std::int64_t>(kMaxAdditions / each);
   return out;
 }
 

@@ -154,7 +154,7 @@ Json correlationJson(const PairedScores& pairs) {
   });
 }
 
-constexpr double kMostResamples = 1e6;
+constexpr double kMaxResamples = 1e6;
 
 /// Median of values of which each may be drawn several times. The values are put in order once, so that a
 /// resample need only be counted.
@@ -201,7 +201,7 @@ class DrawnMedian {
 
 Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& request) {
   const double n = static_cast<double>(values.size());
-  if (request.everyResample && std::pow(n, n) > kMostResamples) {
+  if (request.everyResample && std::pow(n, n) > kMaxResamples) {
     return undefinedJson("more than seven subjects have more than a million resamples");
   }
   DrawnMedian median(values);
@@ -215,7 +215,7 @@ Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& requ
     }
     return meanOf(drawn);
   };
-  const BootstrapOptions options{request.seed, request.resamples, request.everyResample, kUsualConfidence};
+  const BootstrapOptions options{request.seed, request.resamples, request.everyResample, kDefaultConfidence};
   return outcomeJson(bootstrap(values.size(), statistic, options), [](const Bootstrap& result) {
     return Json{{"estimate", result.estimate},
                 {"error", result.error},

@@ -39,10 +39,10 @@ double numberOf(std::string_view word, const std::string& words) {
 
 // Pressure up to which a wall that is sealed is solved: P = p R / (G t) = 4 where that comes first.
 double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
-  constexpr double kMostPressure = 4.0;
+  constexpr double kMaxPressure = 4.0;
   double most_Pa = 1e9;
   for (const WallPlace& place : places) {
-    most_Pa = std::min(most_Pa, kMostPressure * shear_Pa * place.thickness_m / place.radius_m);
+    most_Pa = std::min(most_Pa, kMaxPressure * shear_Pa * place.thickness_m / place.radius_m);
   }
   return most_Pa;
 }

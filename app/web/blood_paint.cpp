@@ -20,7 +20,7 @@ namespace {
 constexpr float kWholeShare = 255.0F;
 constexpr float kFactorStep = 0.001F;
 constexpr double kClipStep_m = 0.0005;  // a clip that slides is painted anew each half millimetre
-constexpr std::size_t kMostClips = 32;
+constexpr std::size_t kMaxClips = 32;
 
 std::uint8_t shareByte(float share) {
   return static_cast<std::uint8_t>(std::lround(kWholeShare * share));
@@ -55,7 +55,7 @@ class PaintLayers {
     const auto place = static_cast<std::int64_t>(std::llround(state.twist.graspArc_m / kClipStep_m));
     if (!clips_.empty() && clips_.back().first == place && clips_.back().second.to == frame) {
       clips_.back().second.to = frame + 1;
-    } else if (clips_.size() < kMostClips) {
+    } else if (clips_.size() < kMaxClips) {
       clips_.push_back({place, {map_.clipPaint(state.twist.graspArc_m), frame, frame + 1}});
     }
   }

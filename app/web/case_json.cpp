@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostRows = 200;
-constexpr std::size_t kMostStretches = 200;
+constexpr std::size_t kMaxRows = 200;
+constexpr std::size_t kMaxStretches = 200;
 constexpr std::size_t kBytesACharacter = 4;
 constexpr std::int64_t kLargestScore_steps = 1'000'000'000;
 
@@ -158,7 +158,7 @@ Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric) {
   sheet.overall_steps = body.wholeOrNone("overall_steps", -kLargestScore_steps, kLargestScore_steps);
   sheet.notAssessableReason = wordsOf(body, "overall_not_assessable", kLongestReason);
   sheet.comment = wordsOf(body, "comment", kLongestComment);
-  for (const JsonBody& row : body.objects("rows", kMostRows)) {
+  for (const JsonBody& row : body.objects("rows", kMaxRows)) {
     SheetRow read{row.text("code", kLongestReason),
                   row.wholeOrNone("score_steps", -kLargestScore_steps, kLargestScore_steps),
                   wordsOf(row, "not_assessable", kLongestReason)};
@@ -177,7 +177,7 @@ std::vector<PlayedStretch> playedOf(const JsonBody& body) {
   constexpr double kSlowest = 0.01;
   constexpr double kFastest = 100.0;
   std::vector<PlayedStretch> played;
-  for (const JsonBody& one : body.objects("played", kMostStretches)) {
+  for (const JsonBody& one : body.objects("played", kMaxStretches)) {
     played.push_back({one.whole("from_us", 0, kDay_us), one.whole("to_us", 0, kDay_us),
                       one.number("speed", kSlowest, kFastest)});
   }

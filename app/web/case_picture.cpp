@@ -45,9 +45,9 @@ constexpr std::int64_t kShapeStep_ms = 33;
 // Of the shape in the middle; where a movement begins at once, twice as much beside it.
 constexpr float kBetween_mm = 0.025F;
 constexpr float kShared_mm = 2.0F;  // the large ones: what is finer differs from recording to recording
-constexpr std::size_t kMostComponents = 64;  // as many as the pages' shader sums
-constexpr std::size_t kLearnt = 48;          // shapes from which most components are made
-constexpr std::size_t kAtATime = 16;         // shapes that are in memory at once
+constexpr std::size_t kMaxComponents = 64;  // as many as the pages' shader sums
+constexpr std::size_t kLearnt = 48;         // shapes from which most components are made
+constexpr std::size_t kAtATime = 16;        // shapes that are in memory at once
 constexpr std::size_t kToolColumns = 7;
 constexpr float kMillimetresAMetre = 1000.0F;
 
@@ -266,7 +266,7 @@ struct FoundShapes {
 };
 
 FoundShapes findShapes(ShapeTrack& track) {
-  ShapeFitter fitter(track.rest(), kWithin_mm, kMostComponents);
+  ShapeFitter fitter(track.rest(), kWithin_mm, kMaxComponents);
   std::vector<std::vector<float>> shapes = track.pattern();
   fitter.learn(shapes, kShared_mm);
   const std::size_t shared = fitter.basis().components();

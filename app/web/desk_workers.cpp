@@ -8,7 +8,7 @@ namespace torsio::web {
 
 namespace {
 
-constexpr std::size_t kMostWaiting = 1000;  // a second or two of work for all
+constexpr std::size_t kMaxWaiting = 1000;  // a second or two of work for all
 
 }  // namespace
 
@@ -47,7 +47,7 @@ DeskWorkers::~DeskWorkers() {
 bool DeskWorkers::take(Work work) {
   {
     const std::lock_guard lock(mutex_);
-    if (ending_ || waiting_.size() >= kMostWaiting) {
+    if (ending_ || waiting_.size() >= kMaxWaiting) {
       return false;
     }
     waiting_.push_back(std::move(work));

@@ -21,8 +21,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::int64_t kMostIndices = 100;
-constexpr std::int64_t kMostSteps = 1'000'000;
+constexpr std::int64_t kMaxIndices = 100;
+constexpr std::int64_t kMaxSteps = 1'000'000;
 
 const char* const kCampaign = "campaign ";
 
@@ -75,9 +75,9 @@ HttpResponse answerForms(Call& call) {
 
 HttpResponse answerScore(Call& call) {
   const auto [campaignId, label] = modelOf(call);
-  const auto index = static_cast<std::size_t>(call.body.whole("index", 1, kMostIndices));
+  const auto index = static_cast<std::size_t>(call.body.whole("index", 1, kMaxIndices));
   saveEvaluationScore(call.context, campaignId, label, index - 1,
-                      call.body.wholeOrNone("score_steps", -kMostSteps, kMostSteps));
+                      call.body.wholeOrNone("score_steps", -kMaxSteps, kMaxSteps));
   return jsonAnswer({{"revision", 0}});
 }
 

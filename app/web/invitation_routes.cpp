@@ -28,7 +28,7 @@ using nlohmann::json;
 
 const char* const kUser = "user ";
 const char* const kRequest = "request ";
-constexpr std::size_t kMostUsers = 1000;
+constexpr std::size_t kMaxUsers = 1000;
 constexpr std::size_t kLongestReason = 1000;
 constexpr std::size_t kLongestPassword = 1024;
 constexpr std::size_t kLongestHandle = 100;
@@ -63,7 +63,7 @@ HttpResponse answerInvitations(Call& call) {
 
 std::vector<UserId> usersOf(const Call& call) {
   std::vector<UserId> ids;
-  for (const JsonBody& one : call.body.objects("users", kMostUsers)) {
+  for (const JsonBody& one : call.body.objects("users", kMaxUsers)) {
     const std::string what = call.session->whatOf(one.text("user", kLongestHandle));
     if (what.rfind(kUser, 0) != 0) {
       refuseParameter(Text::tr("there is no such user"), "", Text::tr("Load the page again"));

@@ -21,7 +21,7 @@ namespace torsio::web {
 
 namespace {
 
-constexpr std::size_t kMostSkins = 16;  // half a megabyte each
+constexpr std::size_t kMaxSkins = 16;  // half a megabyte each
 constexpr std::size_t kNameDigits = 32;
 constexpr int kColourQuality = 86;
 constexpr int kHeightQuality = 78;
@@ -126,7 +126,7 @@ std::string OrganShelf::putSkin(const Scene& scene) {
   auto bytes = std::make_shared<const std::string>(skinPicture(scene));
   const std::lock_guard lock(mutex_);
   skins_.push_front({organ, nameOf(*bytes), std::move(bytes)});
-  if (skins_.size() > kMostSkins) {
+  if (skins_.size() > kMaxSkins) {
     skins_.pop_back();
   }
   return skins_.front().name;

@@ -33,7 +33,7 @@ using nlohmann::json;
 const char* const kRun = "run ";
 const char* const kOwnRemark = "remark ";
 constexpr std::size_t kBytesOfALetter = 4;
-constexpr std::int64_t kMostVersions = 1'000'000;
+constexpr std::int64_t kMaxVersions = 1'000'000;
 
 template <typename Value>
 json orNothing(const std::optional<Value>& value) {
@@ -254,7 +254,7 @@ HttpResponse answerReply(Call& call) {
 }
 
 HttpResponse answerRead(Call& call) {
-  markRemarkRead(call.context, remarkOf(call), call.body.whole("version", 1, kMostVersions));
+  markRemarkRead(call.context, remarkOf(call), call.body.whole("version", 1, kMaxVersions));
   return answerRemarks(call);
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::int64_t kMostReferenceSteps = 1'000'000;
+constexpr std::int64_t kMaxReferenceSteps = 1'000'000;
 constexpr std::size_t kBytesOfASign = 4;
 
 template <typename Value>
@@ -65,7 +65,7 @@ HttpResponse answerCalibration(Call& call) {
 
 HttpResponse answerReferenceScore(Call& call) {
   scoreReferenceRun(call.context, numberOf(call),
-                    call.body.whole("score_steps", -kMostReferenceSteps, kMostReferenceSteps));
+                    call.body.whole("score_steps", -kMaxReferenceSteps, kMaxReferenceSteps));
   return answerCalibration(call);
 }
 

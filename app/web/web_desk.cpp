@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
 constexpr std::size_t kSignInTries = 10;
 constexpr std::chrono::seconds kIdleSlack{60};  // a page that is used says so every half a minute
-constexpr int kMostHashers = 4;                 // one at work, the others wait a second or two
+constexpr int kMaxHashers = 4;                  // one at work, the others wait a second or two
 constexpr std::size_t kWorkersOfAFile = 4;      // they wait for each other when they write
 constexpr std::size_t kWorkersOfAServer = 8;
 constexpr std::size_t kHeavyThreads = 2;  // pictures are made one at a time; the other one answers trainees
@@ -145,7 +145,7 @@ WebDesk::WebDesk(const DeskSettings& settings)
 WebDesk::~WebDesk() = default;
 
 bool WebDesk::enterHashing() {
-  if (hashers_.fetch_add(1) >= kMostHashers) {
+  if (hashers_.fetch_add(1) >= kMaxHashers) {
     hashers_.fetch_sub(1);
     return false;
   }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kSecretBytes = 32;
 constexpr std::string_view kCaseThing = "case ";
 constexpr std::size_t kRightToWrong = 6;
-constexpr std::size_t kMostWindows = 10'000;  // addresses; beyond it the old ones are forgotten
+constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond it the old ones are forgotten
 
 std::string hashOf(const std::string& cookie) {
   Digest digest;
@@ -187,7 +187,7 @@ void WebSessions::closeAll(const UserId& userId) {
 
 std::chrono::seconds TryLimit::tried(const std::string& address, SteadyTime now) {
   const std::lock_guard lock(mutex_);
-  if (windows_.size() > kMostWindows) {
+  if (windows_.size() > kMaxWindows) {
     windows_.clear();
   }
   Window& window = windows_[address];

@@ -37,8 +37,8 @@ void requireSoundNumbers(const CompetenceDesign& design) {
                 Text::tr("inadequate failure rate"),
                 Text::tr("Give two rates that differ, such as 0.1 and 0.3"));
   }
-  if (design.attempts < 1 || design.attempts > kMostCompetenceAttempts) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMostCompetenceAttempts),
+  if (design.attempts < 1 || design.attempts > kMaxCompetenceAttempts) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxCompetenceAttempts),
                 Text::tr("number of attempts"), Text::tr("Give as many as a trainee makes, such as 50"));
   }
   if (!(design.tolerance_rad > 0.0 && design.tolerance_rad <= std::numbers::pi)) {

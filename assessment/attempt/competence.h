@@ -26,10 +26,10 @@ struct CompetenceErrors {
 /// Computes both error rates, exactly. `attempts` at least 1.
 [[nodiscard]] CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t attempts);
 
-inline constexpr std::int64_t kMostCompetenceAttempts = 1'000;
+inline constexpr std::int64_t kMaxCompetenceAttempts = 1'000;
 /// Checks the numbers of a design and gives it the smallest limit, in steps of 0.01, that keeps its largest
 /// false pass within its attempts. Throws Error{kBadParameter} for a number that is no number or out of range
-/// (rates above 0 and below 1, inadequate above adequate, 1 to kMostCompetenceAttempts attempts, a tolerance
+/// (rates above 0 and below 1, inadequate above adequate, 1 to kMaxCompetenceAttempts attempts, a tolerance
 /// above 0 and at most half a turn), and when no limit keeps the largest false pass.
 [[nodiscard]] CompetenceDesign plannedCompetence(CompetenceDesign design);
 /// A planned design and what it does, before anybody registers it.

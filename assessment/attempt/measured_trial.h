@@ -20,7 +20,7 @@ namespace torsio {
 
 /// By what a run is judged: the tolerance and the limits of its exercise.
 struct AttemptRules {
-  double tolerance_rad = kUsualTolerance_rad;  ///< > 0
+  double tolerance_rad = kDefaultTolerance_rad;  ///< > 0
   std::optional<double> forceLimit_N{};
   std::optional<double> torqueLimit_Nm{};
   double hold_s = 0.0;           ///< on target before letting go, asked for to pass; changes no measure

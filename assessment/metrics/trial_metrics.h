@@ -34,12 +34,12 @@ struct TrialTrace {
 };
 
 /// Which error still counts as on target where neither a module nor a pattern says another: two degrees.
-inline constexpr double kUsualTolerance_rad = radians(2.0);
+inline constexpr double kDefaultTolerance_rad = radians(2.0);
 
 /// Parts of the exercise version that the judgement uses.
 struct TrialTargets {
   double target_rad = 0.0;  ///< 0: no end angle. Not read when the trace has targets of its own
-  double tolerance_rad = kUsualTolerance_rad;
+  double tolerance_rad = kDefaultTolerance_rad;
   std::optional<double> forceLimit_N;
   std::optional<double> torqueLimit_Nm;
   std::optional<double> shearLimit_Pa;

@@ -36,10 +36,10 @@ bool opensDirection(const PrimaryDifference& pair) {
 /// With more decimals where an interval is so narrow that its ends would read the same.
 /// As many decimals as tell the ends of the interval apart.
 int decimalsOf(const PrimaryDifference& pair) {
-  constexpr int kMostDecimals = 4;
+  constexpr int kMaxDecimals = 4;
   constexpr double kSteps = 2.0;  // of the last decimal, between the ends
   int decimals = kPointDecimals;
-  while (decimals < kMostDecimals &&
+  while (decimals < kMaxDecimals &&
          pair.interval.upper - pair.interval.lower < kSteps * std::pow(10.0, -decimals)) {
     ++decimals;
   }

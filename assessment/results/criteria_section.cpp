@@ -45,7 +45,7 @@ std::optional<double> valueOf(const Mean& mean, std::int64_t fewest) {
 
 /// Fewest marks, or trainees, that a mean may have for this reader.
 std::int64_t fewestFor(const CohortInputs& in) {
-  return in.singleMarks ? 1 : kFewestMarks;
+  return in.singleMarks ? 1 : kMinMarks;
 }
 
 /// By sheet, occasion, group, trainee.
@@ -195,7 +195,7 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
           ? Text::tr("What each rater gave for each criterion stands in the table of numbers (CSV), section "
                      "\"criterion\".")
           : Text::tr("Means of fewer than %1 marks are left out: a single mark could be read from them.",
-                     kFewestMarks)};
+                     kMinMarks)};
   return table;
 }
 

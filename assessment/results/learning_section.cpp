@@ -77,8 +77,8 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
       }
       const double mean = meanOf(errors);
       const auto count = static_cast<double>(errors.size());
-      const double half =
-          tQuantile(0.5 + 0.5 * kUsualConfidence, count - 1.0) * *sampleDeviation(errors) / std::sqrt(count);
+      const double half = tQuantile(0.5 + 0.5 * kDefaultConfidence, count - 1.0) * *sampleDeviation(errors) /
+                          std::sqrt(count);
       series.x.push_back(static_cast<double>(n + 1));
       series.y.emplace_back(mean);
       series.low.push_back(std::max(0.0, mean - half));

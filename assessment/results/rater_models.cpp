@@ -39,9 +39,9 @@ PointAgreement agreementInPoints(const OccasionMarks& at) {
   return out;
 }
 
-/// The fewest raters whose mean is dependable enough; empty: more than kMostRaters.
+/// The fewest raters whose mean is dependable enough; empty: more than kMaxRaters.
 std::optional<std::size_t> fewestRaters(const GStudy& found) {
-  for (std::size_t raters = 1; raters <= kMostRaters; ++raters) {
+  for (std::size_t raters = 1; raters <= kMaxRaters; ++raters) {
     const Outcome<DStudy> study = dStudyPR(found, static_cast<double>(raters));
     if (study && study->dependability >= kWantedDependability) {
       return raters;

@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 constexpr double kLargeEffect = 0.8;
-constexpr double kUsualPower = 0.8;
+constexpr double kDefaultPower = 0.8;
 
 Text waysSentence(const MarkWays& ways) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
@@ -130,7 +130,7 @@ Text powerSentence(const CohortInputs& in) {
       "is "
       "not significant is no evidence of equality.",
       listed(sizes), *smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
-      formatFixed(detectableTwoSampleT(n, kUsualPower), 2));
+      formatFixed(detectableTwoSampleT(n, kDefaultPower), 2));
 }
 
 Text detectableSentence(const CohortInputs& in) {
@@ -141,7 +141,7 @@ Text detectableSentence(const CohortInputs& in) {
   return Text::tr(
       "two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test "
       "at 5 %) and miss smaller ones more often; a difference that was not shown is no evidence of equality.",
-      *smallest, formatFixed(detectableTwoSampleT(static_cast<double>(*smallest), kUsualPower), 2));
+      *smallest, formatFixed(detectableTwoSampleT(static_cast<double>(*smallest), kDefaultPower), 2));
 }
 
 Text commitmentSentence(const CohortAllocation& drawn) {

@@ -17,7 +17,7 @@ Text neededSentence(const RatersNeeded& found) {
   return found.fewest
              ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.",
                         *found.fewest, formatFixed(kWantedDependability, 2))
-             : Text::tr("Not even %1 raters would give a dependability of %2.", kMostRaters,
+             : Text::tr("Not even %1 raters would give a dependability of %2.", kMaxRaters,
                         formatFixed(kWantedDependability, 2));
 }
 

@@ -65,14 +65,14 @@ void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
 void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
   std::set<std::pair<std::size_t, std::string>> few;  // occasion, trainee
   for (const TraineeScore& score : out.scores) {
-    if (score.n < kFewestMarks) {
+    if (score.n < kMinMarks) {
       few.insert({score.occasion, score.trainee});
     }
   }
   const auto fewMarks = [&](const auto& item) { return few.contains({item.occasion, item.trainee}); };
   std::set<std::pair<std::size_t, std::size_t>> small;  // occasion, group
   for (const GroupSummary& summary : out.summaries) {
-    if (summary.trainees < kFewestMarks) {
+    if (summary.trainees < kMinMarks) {
       small.insert({summary.occasion, summary.group});
     }
   }
@@ -92,7 +92,7 @@ void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
     left.push_back(Text::tr(
         "Scores of fewer than %1 marks, and means of fewer than %1 trainees or with such a score among "
         "them, are left out: a single mark could be read from them.",
-        kFewestMarks));
+        kMinMarks));
   }
 }
 

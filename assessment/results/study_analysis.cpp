@@ -99,7 +99,7 @@ std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
     RaterSeverity severity{study.raters[r], std::ssize(offsets), meanOf(offsets), {}};
     if (const std::optional<double> sd = sampleDeviation(offsets)) {
       const auto n = static_cast<double>(offsets.size());
-      const double half = tQuantile(0.5 + 0.5 * kUsualConfidence, n - 1.0) * *sd / std::sqrt(n);
+      const double half = tQuantile(0.5 + 0.5 * kDefaultConfidence, n - 1.0) * *sd / std::sqrt(n);
       severity.interval = Interval{severity.offset - half, severity.offset + half};
     }
     out.push_back(std::move(severity));

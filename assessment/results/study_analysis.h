@@ -60,7 +60,7 @@ struct RatersNeeded {
   std::optional<std::size_t> fewest;  ///< whose mean has a dependability of kWantedDependability or more
 };
 inline constexpr double kWantedDependability = 0.8;
-inline constexpr std::size_t kMostRaters = 100;  ///< that are tried
+inline constexpr std::size_t kMaxRaters = 100;  ///< that are tried
 
 /// What one group gained by itself from the first occasion to the last.
 struct GroupGain {

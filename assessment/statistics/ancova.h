@@ -51,7 +51,7 @@ struct Ancova {
 /// means over raters, never single marks. Empty groups are left out. Undefined for fewer than two groups with
 /// scores, too few trainees, or when the scores before, or those after, do not vary within groups.
 [[nodiscard]] Outcome<Ancova> ancova(const Groups& before, const Groups& after,
-                                     double confidence = kUsualConfidence);
+                                     double confidence = kDefaultConfidence);
 
 /// Level of the test of equal slopes below which the analysis with separate slopes is made as well.
 inline constexpr double kSlopesDiffer = 0.05;
@@ -87,7 +87,7 @@ struct SeparateSlopes {
 /// ancova(), and when the scores before do not vary in one group.
 [[nodiscard]] Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after,
                                                      std::span<const double> baselines,
-                                                     double confidence = kUsualConfidence);
+                                                     double confidence = kDefaultConfidence);
 
 /// Returns the mean of all scores before, and one standard deviation below and above it, ascending. There are
 /// at least two scores.
@@ -103,6 +103,6 @@ struct Equivalence {
 };
 /// Tests a difference with its standard error and degrees of freedom. `margin` and `error` > 0.
 [[nodiscard]] Equivalence equivalence(double difference, double error, double df, double margin,
-                                      double alpha = 1.0 - kUsualConfidence);
+                                      double alpha = 1.0 - kDefaultConfidence);
 
 }  // namespace torsio

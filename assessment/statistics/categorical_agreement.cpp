@@ -188,10 +188,10 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
     return Outcome<AlphaBootstrap>::undefined(point.reason());
   }
   const PairableRatings pairable = pairableRatings(ratings);
-  constexpr std::size_t kMostRatios = 300;  // each resample compares every value with every other
-  if (metric == AlphaMetric::kRatio && pairable.values.size() > kMostRatios) {
+  constexpr std::size_t kMaxRatios = 300;  // each resample compares every value with every other
+  if (metric == AlphaMetric::kRatio && pairable.values.size() > kMaxRatios) {
     return Outcome<AlphaBootstrap>::undefined(
-        Text::tr("there are more than %1 distinct values to compare in each resample", kMostRatios));
+        Text::tr("there are more than %1 distinct values to compare in each resample", kMaxRatios));
   }
   AlphaOfCopies statistic(pairable, metric);
   Random random(seed);

@@ -37,7 +37,7 @@ struct AlphaBootstrap {
 [[nodiscard]] Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& codersByUnit,
                                                            AlphaMetric metric, std::uint64_t seed,
                                                            int resamples = 9999,
-                                                           double confidence = kUsualConfidence);
+                                                           double confidence = kDefaultConfidence);
 
 enum class KappaWeights { kUnweighted, kLinear, kQuadratic };
 
@@ -55,11 +55,11 @@ struct KappaResult {
 /// second, the full list of categories even when one is unused. Undefined for an empty table or when both
 /// raters use one category only.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights,
-                                              double confidence = kUsualConfidence);
+                                              double confidence = kDefaultConfidence);
 /// Computes Cohen's kappa with disagreements of the caller's (0 on the diagonal); agreement is 1 -
 /// disagreement / largest disagreement.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& disagreement,
-                                              double confidence = kUsualConfidence);
+                                              double confidence = kDefaultConfidence);
 
 /// Computes Cohen's kappa with quadratic weights of two raters' whole numbers for the same targets, without a
 /// table of all categories, however many there are. Undefined for fewer than two targets or when all numbers

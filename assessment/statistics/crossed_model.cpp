@@ -97,7 +97,7 @@ double shareAboveZero(const Parts& variance, const Eigen::Vector3d& step) {
 }
 
 Minimum minimum(const CrossedLikelihood& likelihood) {
-  constexpr int kMostSteps = 200;
+  constexpr int kMaxSteps = 200;
   constexpr double kSettled = 1e-9;    // the next step of Newton's method is the square of this
   constexpr double kVanishing = 1e-6;  // of the residual variance: then it is asked whether 0 is better
   constexpr double kNoResidual = 1e9;  // ratio of a variance to the residual one
@@ -119,7 +119,7 @@ Minimum minimum(const CrossedLikelihood& likelihood) {
     out.at = at;
     return true;
   };
-  for (out.iterations = 1; out.iterations <= kMostSteps; ++out.iterations) {
+  for (out.iterations = 1; out.iterations <= kMaxSteps; ++out.iterations) {
     for (const std::size_t k : {kTargets, kRaters}) {
       if (!out.held[k] && out.variance[k] <= kVanishing * out.variance[kResidual] && !hold(k) &&
           out.variance[k] == 0.0) {
@@ -137,8 +137,8 @@ Minimum minimum(const CrossedLikelihood& likelihood) {
         next[k] = out.variance[k] + share * step[placeOf(k)];
       }
       at = likelihood.at(next);
-      constexpr int kMostHalvings = 30;
-      if (at.criterion <= out.at.criterion + kRise || halvings == kMostHalvings) {
+      constexpr int kMaxHalvings = 30;
+      if (at.criterion <= out.at.criterion + kRise || halvings == kMaxHalvings) {
         break;
       }
       share *= 0.5;

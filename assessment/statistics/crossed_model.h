@@ -48,7 +48,7 @@ class CrossedModel {
 
   /// Estimates sum of weights[j] x coefficient j, with Student's t on Satterthwaite's degrees of freedom.
   [[nodiscard]] ModelEstimate estimate(const std::vector<double>& weights,
-                                       double confidence = kUsualConfidence) const;
+                                       double confidence = kDefaultConfidence) const;
   /// Tests that all `contrasts` (rows, independent) are 0: Wald's F with the degrees of freedom of Fai and
   /// Cornelius. Undefined when those are too few.
   [[nodiscard]] Outcome<FTest> test(const std::vector<std::vector<double>>& contrasts) const;

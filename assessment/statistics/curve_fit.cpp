@@ -66,11 +66,11 @@ Eigen::VectorXd dampedStep(const State& state, double lambda) {
 /// whose differences their derivatives still show.
 void polish(const Curve& curve, std::span<const double> x, std::span<const double> y, State& state,
             Eigen::VectorXd& b) {
-  constexpr int kMostSteps = 50;
+  constexpr int kMaxSteps = 50;
   constexpr double kShrinks = 0.9;
   constexpr double kRounding = 1e-9;  // of the squares
   double before = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::VectorXd step = dampedStep(state, 0.0);
     if (!step.allFinite() || !(step.norm() < kShrinks * before)) {
       return;
@@ -294,7 +294,7 @@ Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const d
   if (const std::optional<Text> reason = beyondArithmetic(value)) {
     return Outcome<LearningCurve>::undefined(*reason);
   }
-  if (attempt.size() < kFewestAttempts) {
+  if (attempt.size() < kMinAttempts) {
     return Outcome<LearningCurve>::undefined(
         Text::tr("fewer than eight attempts cannot tell three parameters apart"));
   }

@@ -46,7 +46,7 @@ struct LearningCurve {
 };
 
 /// Fewest attempts that can tell three parameters apart.
-inline constexpr std::size_t kFewestAttempts = 8;
+inline constexpr std::size_t kMinAttempts = 8;
 
 /// Fits one trainee's learning curve; `attempt` counts from 1. Each trainee is fitted alone: a mean of
 /// exponentials looks like a power law. Undefined for fewer than eight attempts or when no start converges.
@@ -58,10 +58,10 @@ inline constexpr std::size_t kFewestAttempts = 8;
 [[nodiscard]] double learningCurveAt(const LearningCurve& curve, double t);
 /// Returns the confidence band of the mean at t, by the delta method.
 [[nodiscard]] Interval learningBandAt(const LearningCurve& curve, double t,
-                                      double confidence = kUsualConfidence);
+                                      double confidence = kDefaultConfidence);
 /// Returns the confidence band of the mean at each t, by the delta method.
 [[nodiscard]] std::vector<Interval> learningBand(const LearningCurve& curve, std::span<const double> t,
-                                                 double confidence = kUsualConfidence);
+                                                 double confidence = kDefaultConfidence);
 
 struct LogLogLine {
   double intercept = 0.0;

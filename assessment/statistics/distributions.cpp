@@ -209,8 +209,8 @@ double StudentizedRange::upper(double q, double df) {
   const double middle = std::clamp(std::log(kSmooth / q), from, to);
   const double end = std::clamp(std::log(kWidestRange / q), middle, to);
   const auto panels = [](double width, double widest) {
-    constexpr double kFewestPanels = 8.0;
-    return static_cast<int>(std::max(kFewestPanels, std::ceil(width / widest)));
+    constexpr double kMinPanels = 8.0;
+    return static_cast<int>(std::max(kMinPanels, std::ceil(width / widest)));
   };
   return integrate(integrand, from, middle, panels(middle - from, kWidePanel)) +
          integrate(integrand, middle, end, panels(end - middle, kNarrowPanel));

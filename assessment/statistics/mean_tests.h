@@ -31,19 +31,19 @@ struct TTest {
 /// Compares two means with unequal variances by Welch's t test (the default for two groups). Undefined for
 /// fewer than two values a group or no variation.
 [[nodiscard]] Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y,
-                                    double confidence = kUsualConfidence);
+                                    double confidence = kDefaultConfidence);
 /// Compares two means with pooled variance by Student's t test. Undefined as welchT.
 [[nodiscard]] Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y,
-                                      double confidence = kUsualConfidence);
+                                      double confidence = kDefaultConfidence);
 /// Compares paired values by the t test of their differences. Undefined for fewer than two pairs or
 /// differences that do not vary.
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
-                                     double confidence = kUsualConfidence);
+                                     double confidence = kDefaultConfidence);
 
 /// Returns the interval of one mean by Student's t; empty for fewer than two values. The values can be
 /// squared.
 [[nodiscard]] std::optional<Interval> meanInterval(std::span<const double> values,
-                                                   double confidence = kUsualConfidence);
+                                                   double confidence = kDefaultConfidence);
 
 /// Standardised difference with the pooled standard deviation, corrected for small groups.
 struct HedgesG {
@@ -58,7 +58,7 @@ struct HedgesG {
 };
 /// Computes Hedges' g of two groups, first minus second. Undefined as welchT.
 [[nodiscard]] Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y,
-                                       double confidence = kUsualConfidence);
+                                       double confidence = kDefaultConfidence);
 
 struct OneWayAnova {
   double ssBetween = 0.0;
@@ -108,9 +108,9 @@ struct PairComparison {
 };
 /// Compares all pairs with equal variances (Tukey-Kramer), ordered (0,1), (0,2), ..., (1,2).
 [[nodiscard]] Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups,
-                                                              double confidence = kUsualConfidence);
+                                                              double confidence = kDefaultConfidence);
 /// Compares all pairs with unequal variances; follows Welch's analysis of variance.
 [[nodiscard]] Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups,
-                                                                    double confidence = kUsualConfidence);
+                                                                    double confidence = kDefaultConfidence);
 
 }  // namespace torsio

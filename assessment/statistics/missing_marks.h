@@ -56,7 +56,7 @@ struct MixedComparison {
 /// does are left out. Undefined for fewer than two groups, and as CrossedModel::fit().
 [[nodiscard]] Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees,
                                                        std::size_t groups,
-                                                       double confidence = kUsualConfidence);
+                                                       double confidence = kDefaultConfidence);
 
 /// Reliability of marks with holes: absolute agreement of raters drawn at random, from variances by
 /// restricted maximum likelihood. With complete marks and no negative component the same as ICC(2,1) and

@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kFewestPairs = 1.5;  // at most two after rounding up
+constexpr double kMinPairs = 1.5;  // at most two after rounding up
 
 double powerOfT(double noncentrality, double df, double alpha) {
   const double critical = tQuantile(1.0 - 0.5 * alpha, df);
@@ -67,7 +67,7 @@ double detectablePairedT(double pairs, double power, double alpha) {
 
 double sizePairedT(double d, double power, double alpha) {
   TORSIO_EXPECTS(d > 0.0 && power > alpha && power < 1.0);
-  return solveRising([&](double pairs) { return powerPairedT(pairs, d, alpha) - power; }, kFewestPairs);
+  return solveRising([&](double pairs) { return powerPairedT(pairs, d, alpha) - power; }, kMinPairs);
 }
 
 double powerAnova(int groups, double n, double f, double alpha) {

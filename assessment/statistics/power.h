@@ -3,25 +3,25 @@
 
 namespace torsio {
 
-inline constexpr double kUsualAlpha = 0.05;
+inline constexpr double kDefaultAlpha = 0.05;
 
 // Sizes are returned as real numbers; round up. Arguments outside their ranges break a contract.
 
 /// Returns the power of the two-sided two-sample t test, both tails, for a standardised difference d and n
 /// trainees a group.
-[[nodiscard]] double powerTwoSampleT(double n, double d, double alpha = kUsualAlpha);
-[[nodiscard]] double sizeTwoSampleT(double d, double power, double alpha = kUsualAlpha);
+[[nodiscard]] double powerTwoSampleT(double n, double d, double alpha = kDefaultAlpha);
+[[nodiscard]] double sizeTwoSampleT(double d, double power, double alpha = kDefaultAlpha);
 /// Returns the standardised difference that n a group detect with the given power.
-[[nodiscard]] double detectableTwoSampleT(double n, double power, double alpha = kUsualAlpha);
-[[nodiscard]] double powerPairedT(double pairs, double d, double alpha = kUsualAlpha);
-[[nodiscard]] double detectablePairedT(double pairs, double power, double alpha = kUsualAlpha);
+[[nodiscard]] double detectableTwoSampleT(double n, double power, double alpha = kDefaultAlpha);
+[[nodiscard]] double powerPairedT(double pairs, double d, double alpha = kDefaultAlpha);
+[[nodiscard]] double detectablePairedT(double pairs, double power, double alpha = kDefaultAlpha);
 /// Returns the number of pairs that detects the standardised mean difference d with the given power.
-[[nodiscard]] double sizePairedT(double d, double power, double alpha = kUsualAlpha);
+[[nodiscard]] double sizePairedT(double d, double power, double alpha = kDefaultAlpha);
 /// Returns the power of a one-way analysis of variance of k groups of n with Cohen's f.
-[[nodiscard]] double powerAnova(int groups, double n, double f, double alpha = kUsualAlpha);
-[[nodiscard]] double sizeAnova(int groups, double f, double power, double alpha = kUsualAlpha);
+[[nodiscard]] double powerAnova(int groups, double n, double f, double alpha = kDefaultAlpha);
+[[nodiscard]] double sizeAnova(int groups, double f, double power, double alpha = kDefaultAlpha);
 /// Returns Cohen's f that k groups of n detect with the given power.
-[[nodiscard]] double detectableAnova(int groups, double n, double power, double alpha = kUsualAlpha);
+[[nodiscard]] double detectableAnova(int groups, double n, double power, double alpha = kDefaultAlpha);
 /// Returns the size for analysis of covariance: the size without covariate times 1 - rho^2 (correlation
 /// before and after).
 [[nodiscard]] double sizeWithCovariate(double sizeWithout, double rho);

@@ -36,7 +36,7 @@ struct MannWhitney {
 /// Compares two groups by Mann and Whitney's test. Undefined for an empty group or when all values are the
 /// same.
 [[nodiscard]] Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y,
-                                               double confidence = kUsualConfidence);
+                                               double confidence = kDefaultConfidence);
 
 /// Random arrangements in place of all where these are too many to count.
 struct MonteCarlo {

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kMostRaschRounds = 200;
+constexpr int kMaxRaschRounds = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
 
 /// What the ratings say about the parameters: abilities by themselves, and beside them the few severities and
@@ -228,7 +228,7 @@ std::optional<Maximum> maximise(const JointModel& model) {
   Maximum at{Eigen::VectorXd::Zero(model.size()), {}, 0.0, 0};
   Eigen::VectorXd gradient;
   at.logLikelihood = model.evaluate(at.x, &gradient, &at.information);
-  while (++at.iterations <= kMostRaschRounds) {
+  while (++at.iterations <= kMaxRaschRounds) {
     std::optional<Eigen::VectorXd> step = stepOf(at.information, gradient);
     if (!step) {
       return std::nullopt;

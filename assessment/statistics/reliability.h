@@ -48,7 +48,7 @@ struct IccResult {
 /// constants only leave no residual: consistency is 1, and what would be divided by the residual is empty.
 /// Undefined with fewer than two of either, without variation between targets, or when squares overflow.
 [[nodiscard]] Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings,
-                                                       double confidence = kUsualConfidence);
+                                                       double confidence = kDefaultConfidence);
 
 struct CronbachResult {
   double alpha = 0.0;
@@ -60,7 +60,7 @@ struct CronbachResult {
 /// Computes Cronbach's alpha. `answers`: persons x items. Undefined with fewer than two of either or when
 /// the sums do not vary.
 [[nodiscard]] Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers,
-                                                    double confidence = kUsualConfidence);
+                                                    double confidence = kDefaultConfidence);
 
 struct KendallResult {
   double w = 0.0;             ///< with tie correction
@@ -95,7 +95,7 @@ inline constexpr double kAgreementLimit = 1.96;
 /// Analyses differences x - y against pair means by Bland and Altman. Undefined for fewer than two pairs.
 [[nodiscard]] Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
                                                      double multiplier = kAgreementLimit,
-                                                     double confidence = kUsualConfidence);
+                                                     double confidence = kDefaultConfidence);
 
 /// Compares every rater with the mean of the others; a mean that contains the rater would agree by
 /// construction. `ratings`: targets x raters, at least two raters.

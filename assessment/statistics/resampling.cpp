@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMostResamples = 1e6;
+constexpr double kMaxResamples = 1e6;
 
 std::vector<double> drawAll(std::size_t n, const ResampledStatistic& statistic) {
   std::vector<double> out;
@@ -96,7 +96,7 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
     return Outcome<Bootstrap>::undefined(leaveOut.reason());
   }
   const double n = static_cast<double>(trainees);
-  TORSIO_EXPECTS(!options.everyResample || std::pow(n, n) <= kMostResamples);
+  TORSIO_EXPECTS(!options.everyResample || std::pow(n, n) <= kMaxResamples);
   TORSIO_EXPECTS(options.resamples >= 1);
   const std::vector<double> values =
       options.everyResample ? drawAll(trainees, statistic) : drawSome(trainees, statistic, options);

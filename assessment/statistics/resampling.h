@@ -26,7 +26,7 @@ struct BootstrapOptions {
   std::uint64_t seed = 1;
   std::int64_t resamples = 9999;
   bool everyResample = false;  ///< all n^n ordered resamples instead of a random choice; n^n <= 1e6
-  double confidence = kUsualConfidence;
+  double confidence = kDefaultConfidence;
 };
 
 /// Intervals by resampling trainees. Quantiles are of type 1 (inverse of the empirical distribution); ties in
@@ -52,6 +52,6 @@ struct Correlation {
   std::optional<Interval> fisherInterval;  ///< empty for fewer than four pairs or |r| = 1
 };
 [[nodiscard]] Outcome<Correlation> pearson(std::span<const double> x, std::span<const double> y,
-                                           double confidence = kUsualConfidence);
+                                           double confidence = kDefaultConfidence);
 
 }  // namespace torsio

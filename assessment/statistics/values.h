@@ -84,6 +84,6 @@ class NumberTable {
   std::vector<double> values_;
 };
 
-inline constexpr double kUsualConfidence = 0.95;
+inline constexpr double kDefaultConfidence = 0.95;
 
 }  // namespace torsio

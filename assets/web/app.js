@@ -25,7 +25,7 @@ import { TranscriptPage } from './transcript_page.js';
 import { forgetUnsaved } from './unsaved.js';
 
 const kLanguageNames = { en: 'English', zh_CN: '\u7b80\u4f53\u4e2d\u6587' };
-const kUsualIdle_s = 300;
+const kDefaultIdle_s = 300;
 const kNotice_ms = 6000;
 const kWarning_ms = 60_000;
 
@@ -218,7 +218,7 @@ function enter(answer, idle_s) {
 
 /// A sign-in does not say for how long somebody may be idle; /api/me does.
 async function watchIdle(idle_s) {
-  idle.start(idle_s ?? kUsualIdle_s);
+  idle.start(idle_s ?? kDefaultIdle_s);
   if (idle_s !== undefined) return;
   try {
     idle.start((await api.get('/api/me', { quiet: true })).idle_s);

@@ -5,17 +5,17 @@
 export const kRow = 1024;
 
 /// Of an organ; the server makes no more.
-export const kMostComponents = 64;
+export const kMaxComponents = 64;
 /// Bruises, tears (32 of both in a recording) and a clip that lie on an organ at once.
-export const kMostPaints = 33;
+export const kMaxPaints = 33;
 
 /// Where a vertex lies: its mean place and each displacement times its weight.
 export const kPlaceShader = `#version 300 es
 layout(location = 0) in vec3 mean;
 uniform highp isampler2DArray steps;
 uniform int count;
-uniform int layers[${kMostComponents}];
-uniform float weights[${kMostComponents}];
+uniform int layers[${kMaxComponents}];
+uniform float weights[${kMaxComponents}];
 out vec4 placed;
 void main() {
   ivec2 at = ivec2(gl_VertexID % ${kRow}, gl_VertexID / ${kRow});
@@ -34,8 +34,8 @@ uniform highp usampler2D fans;
 uniform highp sampler2DArray paints;
 uniform vec3 blood;
 uniform int paintCount;
-uniform int paintLayers[${kMostPaints}];
-uniform vec3 paintFactors[${kMostPaints}];
+uniform int paintLayers[${kMaxPaints}];
+uniform vec3 paintFactors[${kMaxPaints}];
 out vec3 position;
 out vec3 normal;
 out vec3 factor;

@@ -4,7 +4,7 @@
 // (transform feedback), the second each corner's place, normal and factor on the colour, from which it is drawn.
 import { attribute, kCorner_B, makeFeedback, tableTexture } from './gl.js';
 import { fanned } from './morph.js';
-import { kCornerShader, kMostComponents, kMostPaints, kPlaceShader, kRow } from './organ_shaders.js';
+import { kCornerShader, kMaxComponents, kMaxPaints, kPlaceShader, kRow } from './organ_shaders.js';
 
 const kPlace_B = 16;
 
@@ -14,7 +14,7 @@ export class OrganSum {
   /// picture can sum, Error where the shaders do not compile.
   constructor(gl, morph, corner = null) {
     const { meta, arrays } = morph;
-    if (meta.components > kMostComponents) throw new RangeError('too many components');
+    if (meta.components > kMaxComponents) throw new RangeError('too many components');
     Object.assign(this, { gl, morph });
     this.rows = Math.ceil(meta.vertices / kRow);
     this.placing = makeFeedback(gl, kPlaceShader, ['placed']);
@@ -106,7 +106,7 @@ export class OrganSum {
   }
   #tint(time_s) {
     const { blood, paints } = this.morph.coloursAt(time_s);
-    const shown = paints.slice(-kMostPaints);
+    const shown = paints.slice(-kMaxPaints);
     this.lighting.set('blood', blood);
     this.lighting.setWhole('paintCount', shown.length);
     if (shown.length === 0) return;

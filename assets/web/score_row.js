@@ -4,7 +4,7 @@ import { button, h, say, show } from './dom.js';
 import { scoreText } from './numbers.js';
 import { t } from './texts.js';
 
-const kMostCells = 11;
+const kMaxCells = 11;
 const kLongestReason = 200;
 let made = 0;
 
@@ -99,7 +99,7 @@ export class ScoreRow {
 
   #cells() {
     const span = (this.scale.highest_steps - this.scale.lowest_steps) / this.scale.steps_per_point;
-    this.count = Math.min(span + 1, kMostCells);
+    this.count = Math.min(span + 1, kMaxCells);
     return Array.from({ length: this.count }, (_, i) => h('span', { class: 'cell' }, scoreText(this.#stepsOf(i), this.scale)));
   }
   #stepsOf(cell) {

@@ -17,7 +17,7 @@ const kWhite = [1, 1, 1];
 const kPlainLook = { wetness: 0.38, scatter: 1, relief_mm: 0 };
 /// Share of the screen's pixels that are drawn; the first may be more than one a point of the layout.
 const kShares = [1, 0.8, 0.6, 0.45];
-const kMostRatio = 2;
+const kMaxRatio = 2;
 const kSlow_ms = 36;
 const kVerySlow_ms = 90;
 const kJudgedFrames = 8;
@@ -158,7 +158,7 @@ export class Stage {
     }, kStill_ms);
   }
   #resize() {
-    const ratio = Math.min(window.devicePixelRatio || 1, kMostRatio) * kShares[this.#drawnShare];
+    const ratio = Math.min(window.devicePixelRatio || 1, kMaxRatio) * kShares[this.#drawnShare];
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (this.canvas.width === width && this.canvas.height === height) return;

@@ -48,8 +48,8 @@ QString serverOptions(const Locator& locator, int busyTimeout_ms) {
   return options.join(QLatin1Char(';'));
 }
 
-constexpr std::size_t kMostKept = 64;
-constexpr int kMostRowsKept = 32;  // a query holds the rows of its last run
+constexpr std::size_t kMaxKept = 64;
+constexpr int kMaxRowsKept = 32;  // a query holds the rows of its last run
 
 /// Unique while the connection lives.
 std::string connectionName(const void* state) {
@@ -217,13 +217,13 @@ std::unique_ptr<QSqlQuery> ConnectionState::takeKept(std::string_view sql) {
 
 void ConnectionState::keep(std::string sql, QSqlQuery&& query) {
   // SQLite prepares in this process. What selects "*" would have other columns once a table has another one.
-  if (engine == Engine::kSqlite || query.size() > kMostRowsKept ||
-      sql.find("SELECT *") != std::string::npos || kept_->find(sql) != kept_->all.end()) {
+  if (engine == Engine::kSqlite || query.size() > kMaxRowsKept || sql.find("SELECT *") != std::string::npos ||
+      kept_->find(sql) != kept_->all.end()) {
     return;
   }
   query.finish();
   kept_->all.push_front({std::move(sql), std::move(query)});
-  if (kept_->all.size() > kMostKept) {
+  if (kept_->all.size() > kMaxKept) {
     kept_->all.pop_back();
   }
 }

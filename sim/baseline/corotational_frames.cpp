@@ -12,7 +12,7 @@ namespace torsio {
 namespace {
 
 constexpr double kGradientTolerance = 1e-3;
-constexpr int kMostGradientSteps = 200;
+constexpr int kMaxGradientSteps = 200;
 enum NodeKind : int { kFreeNode = 0, kStillNode = 1, kEndNode = 2 };
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
@@ -236,7 +236,7 @@ void CorotationalFrames::advance(double torque_Nm, std::optional<double> turn_ra
   // What is led has no torque on its right side: the error that it begins with is the measure.
   const double measure = turn_rad ? std::max(remaining, product(right, scaled)) : product(right, scaled);
   const double wanted = kGradientTolerance * kGradientTolerance * measure;
-  for (gradientSteps_ = 0; gradientSteps_ < kMostGradientSteps && remaining > wanted; ++gradientSteps_) {
+  for (gradientSteps_ = 0; gradientSteps_ < kMaxGradientSteps && remaining > wanted; ++gradientSteps_) {
     apply(direction, image);
     const double length = remaining / product(direction, image);
     for (std::size_t i = 0; i < way.size(); ++i) {

@@ -25,7 +25,7 @@ struct ElasticConstants {
 void checkElasticConstants(const ElasticConstants& constants);
 
 /// Most nodes of one element (quadratic wedge).
-inline constexpr std::size_t kMostElementNodes = 18;
+inline constexpr std::size_t kMaxElementNodes = 18;
 
 /// Something elastic between points: finite elements or springs. Immutable; every query may run in several
 /// threads. `places_m`: where the nodes of the body are, one a node; forces are those that the nodes feel

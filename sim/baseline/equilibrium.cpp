@@ -21,10 +21,10 @@ constexpr double kResidualWanted = 1e-7;  ///< over the forces that hold the end
 /// Where rounding ends the way: a residual below this that no step makes smaller is taken.
 constexpr double kResidualOfRounding = 1e-5;
 constexpr double kEnergyOfRounding_J = 1e-20;  ///< of a body at rest
-constexpr int kMostNewtonSteps = 30;
-constexpr int kMostStepHalvings = 16;
+constexpr int kMaxNewtonSteps = 30;
+constexpr int kMaxStepHalvings = 16;
 /// A finite rotation in one step is not what a tangent describes.
-constexpr double kMostTurnAStep_rad = 0.5;
+constexpr double kMaxTurnAStep_rad = 0.5;
 
 double component(const Vec3& v, int i) {
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
@@ -223,7 +223,7 @@ bool Equilibrium::evaluate(const Load& load, const TwistPose& pose) {
   }
   forces_N_.assign(pose.places_m.size(), Vec3{});
   energy_J_ = 0.0;
-  std::array<Vec3, kMostElementNodes> part;
+  std::array<Vec3, kMaxElementNodes> part;
   for (std::size_t e = 0; e < body_.elements(); ++e) {
     const std::span<const int> nodes = body_.elementNodes(e);
     double energy_J = 0.0;
@@ -276,7 +276,7 @@ void Equilibrium::shareFreedoms(const TwistPose& pose, int node, std::vector<Sha
 
 void Equilibrium::assemble(const Load& load, const TwistPose& pose) {
   linear_->clear();
-  std::vector<double> stiffness(9 * kMostElementNodes * kMostElementNodes);
+  std::vector<double> stiffness(9 * kMaxElementNodes * kMaxElementNodes);
   std::vector<Share> shares;
   std::vector<std::size_t> starts;  // of each freedom's shares, and the end
   for (std::size_t e = 0; e < body_.elements(); ++e) {
@@ -311,10 +311,10 @@ void Equilibrium::assemble(const Load& load, const TwistPose& pose) {
 }
 
 bool Equilibrium::factorise(const Load& load, const TwistPose& pose) {
-  constexpr int kMostShifts = 12;
+  constexpr int kMaxShifts = 12;
   constexpr double kFirstShift = 1e-3;  // of the mean of the diagonal
   double shift = linear_->shift / 16.0;
-  for (int attempt = 0; attempt < kMostShifts; ++attempt) {
+  for (int attempt = 0; attempt < kMaxShifts; ++attempt) {
     assemble(load, pose);
     const double mean = linear_->meanDiagonal();
     shift = shift < 1e-6 * mean ? 0.0 : shift;
@@ -346,8 +346,8 @@ bool Equilibrium::advance(const Load& load, std::span<const double> move, TwistP
   }
   const TwistPose start = pose;
   const double* turned = move.data() + turn_;
-  double share = std::min(1.0, kMostTurnAStep_rad / std::max(1e-300, std::abs(turned[0])));
-  for (int i = 0; i <= kMostStepHalvings; ++i, share *= 0.5) {
+  double share = std::min(1.0, kMaxTurnAStep_rad / std::max(1e-300, std::abs(turned[0])));
+  for (int i = 0; i <= kMaxStepHalvings; ++i, share *= 0.5) {
     if (ends_.placeFree) {
       pose.way_m = start.way_m + share * Vec3{turned[1], turned[2], turned[3]};
     }
@@ -397,7 +397,7 @@ EquilibriumReport Equilibrium::find(const Load& load, TwistPose& pose) {
   }
   EquilibriumReport report;
   double before = 1.0;
-  for (; report.iterations <= kMostNewtonSteps; ++report.iterations) {
+  for (; report.iterations <= kMaxNewtonSteps; ++report.iterations) {
     const double onAngle = residual_[static_cast<std::size_t>(turn_)];
     double free = 0.0;
     for (std::size_t i = 0; i < residual_.size(); ++i) {

@@ -57,7 +57,7 @@ class GraspedBody final : public GraspedOrgan {
 
   void turnTo(double angle_rad) override {
     const double now_rad = frames_.pose().angle_rad;
-    frames_.stepTo(now_rad + std::clamp(angle_rad - now_rad, -kMostTurn_rad, kMostTurn_rad));
+    frames_.stepTo(now_rad + std::clamp(angle_rad - now_rad, -kMaxTurn_rad, kMaxTurn_rad));
     torque_Nm_ = turningMoment_Nm(frames_.body(), frames_.ends(), frames_.pose());
   }
   [[nodiscard]] double angle_rad() const override { return frames_.pose().angle_rad; }
@@ -120,7 +120,7 @@ double turningMoment_Nm(const ElasticBody& body, const TwistEnds& ends, const Tw
   }
   double moment_Nm = 0.0;
   double energy_J = 0.0;
-  std::array<Vec3, kMostElementNodes> forces_N;
+  std::array<Vec3, kMaxElementNodes> forces_N;
   for (std::size_t e = 0; e < body.elements(); ++e) {
     const std::span<const int> nodes = body.elementNodes(e);
     const auto isTurned = [&turned](int node) { return turned[static_cast<std::size_t>(node)] != 0; };

@@ -19,7 +19,7 @@ inline constexpr int kGraspedRings = 2;
 inline constexpr double kGraspedPoisson = 0.45;
 /// Turn of the jaw above which an elastic model gives up following at once: a faster hand is followed with
 /// this turn a frame.
-inline constexpr double kMostTurn_rad = 0.15;
+inline constexpr double kMaxTurn_rad = 0.15;
 
 /// What the models of an organ in a hand have in common, whichever it is: the twist model, finite elements or
 /// springs. A jaw turns one section in its place; every call moves the model on by one frame. One thread.
@@ -31,7 +31,7 @@ class GraspedOrgan {
   virtual ~GraspedOrgan() = default;
 
   /// Computes the next frame, the jaw being led to this angle. A model in motion comes nearer by
-  /// kMostTurn_rad at most.
+  /// kMaxTurn_rad at most.
   virtual void turnTo(double angle_rad) = 0;
   /// Returns how far the jaw has turned, rad.
   [[nodiscard]] virtual double angle_rad() const = 0;

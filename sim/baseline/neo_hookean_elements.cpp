@@ -79,7 +79,7 @@ std::vector<ShapeAcross> shapesAcross(double xi, double eta, bool quadratic) {
   return shapes;
 }
 
-using LocalGradients = Eigen::Matrix<double, 3, static_cast<int>(kMostElementNodes)>;
+using LocalGradients = Eigen::Matrix<double, 3, static_cast<int>(kMaxElementNodes)>;
 
 /// Derivatives of all shape functions by (xi, eta, t), in the order of quadraticWedges and linearWedges.
 LocalGradients wedgeGradients(const ElementPoint& p, bool quadratic) {
@@ -128,7 +128,7 @@ Eigen::Vector3d vector(const Vec3& v) {
 
 /// F = sum x_a (grad N_a)^T.
 Eigen::Matrix3d deformation(std::span<const int> nodes, std::span<const Vec3> places,
-                            const std::array<Vec3, kMostElementNodes>& gradients) {
+                            const std::array<Vec3, kMaxElementNodes>& gradients) {
   Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const Vec3& x = places[static_cast<std::size_t>(nodes[a])];
@@ -152,7 +152,7 @@ NeoHookeanElements::NeoHookeanElements(SolidMesh mesh, std::span<const Vec3> res
     : mesh_(std::move(mesh)), constants_(constants) {
   checkElasticConstants(constants);
   const bool tetrahedra = mesh_.nodesPerCell == kQuadraticTetrahedronNodes;
-  const bool quadratic = mesh_.nodesPerCell == static_cast<int>(kMostElementNodes);
+  const bool quadratic = mesh_.nodesPerCell == static_cast<int>(kMaxElementNodes);
   const std::vector<ElementPoint> rule = tetrahedra ? tetrahedronPoints() : wedgePoints();
   pointsPerElement_ = rule.size();
   points_.reserve(mesh_.cells() * pointsPerElement_);

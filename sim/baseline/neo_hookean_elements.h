@@ -32,7 +32,7 @@ class NeoHookeanElements final : public ElasticBody {
  private:
   /// Derivatives of the shape functions by the place at rest, and the volume that the point stands for.
   struct IntegrationPoint {
-    std::array<Vec3, kMostElementNodes> gradients;
+    std::array<Vec3, kMaxElementNodes> gradients;
     double volume_m3 = 0.0;
   };
   SolidMesh mesh_;

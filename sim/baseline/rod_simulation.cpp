@@ -48,13 +48,13 @@ class RodRun final : public TwistSimulation {
 
   void settle(double torque_Nm) override {
     // Secant on the angle: the torque of a rod rises smoothly with it.
-    constexpr int kMostTries = 25;
+    constexpr int kMaxTries = 25;
     constexpr double kTorqueTolerance = 1e-10;
-    constexpr double kMostTurn_rad = 10.0 * kTurn;
+    constexpr double kMaxTurn_rad = 10.0 * kTurn;
     double before_rad = 0.0;
     double before_Nm = 0.0;
     double angle_rad = torque_Nm * kSmallRodTurn_rad / turnedBy(kSmallRodTurn_rad).torque_Nm;
-    for (int i = 0; i < kMostTries && std::abs(angle_rad) <= kMostTurn_rad; ++i) {
+    for (int i = 0; i < kMaxTries && std::abs(angle_rad) <= kMaxTurn_rad; ++i) {
       const TurnedRod turned = turnedBy(angle_rad);
       const double error_Nm = turned.torque_Nm - torque_Nm;
       if (std::abs(error_Nm) <= kTorqueTolerance * std::abs(torque_Nm)) {
@@ -165,7 +165,7 @@ class RodRun final : public TwistSimulation {
 }  // namespace
 
 int rodElementsOn(const SectionLattice& lattice) {
-  return std::clamp(lattice.sections() - 1, kRodElements, kMostRodNodes - 1);
+  return std::clamp(lattice.sections() - 1, kRodElements, kMaxRodNodes - 1);
 }
 
 std::array<double, 2> rodSpan(const SectionLattice& lattice, const TwistModel& model) {

@@ -196,7 +196,7 @@ void SpringLattice::elementStiffness(std::size_t element, std::span<const Vec3> 
 }
 
 double elasticEnergy_J(const ElasticBody& body, std::span<const Vec3> places_m) {
-  std::array<Vec3, kMostElementNodes> forces;
+  std::array<Vec3, kMaxElementNodes> forces;
   double sum_J = 0.0;
   for (std::size_t e = 0; e < body.elements(); ++e) {
     double energy_J = 0.0;

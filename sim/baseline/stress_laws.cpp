@@ -37,7 +37,7 @@ Eigen::Matrix3d rotationBySingularValues(const Eigen::Matrix3d& f) {
 
 /// Newton's iteration R <- (g R + R^-T / g) / 2 (Higham 1986), quadratic; scaled in its first steps only.
 Eigen::Matrix3d polarRotation(const Eigen::Matrix3d& f) {
-  constexpr int kMostSteps = 24;
+  constexpr int kMaxSteps = 24;
   constexpr double kDone = 1e-28;
   constexpr double kFlat = 1e-3;
   const double scale = f.norm();
@@ -45,7 +45,7 @@ Eigen::Matrix3d polarRotation(const Eigen::Matrix3d& f) {
     return rotationBySingularValues(f);
   }
   Eigen::Matrix3d r = f;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     Eigen::Matrix3d cofactor;
     cofactor.col(0) = r.col(1).cross(r.col(2));
     cofactor.col(1) = r.col(2).cross(r.col(0));

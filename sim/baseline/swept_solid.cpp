@@ -14,7 +14,7 @@ namespace torsio {
 namespace {
 
 /// Above this a factorisation takes gigabytes.
-constexpr double kMostSolidPoints = 200'000.0;
+constexpr double kMaxSolidPoints = 200'000.0;
 
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return dot(b - a, cross(c - a, d - a));
@@ -38,7 +38,7 @@ void checkOutlines(std::span<const std::vector<Vec3>> outlines_m, int rings) {
                     Text::tr("Give 3 or more"));
   }
   const double points = static_cast<double>(outlines_m.size()) * (1.0 + static_cast<double>(count) * rings);
-  if (points > kMostSolidPoints) {
+  if (points > kMaxSolidPoints) {
     refuseParameter(Text::tr("The solid would have more than 200000 points"), Text::tr("rings"),
                     Text::tr("Give fewer ridges, sections or rings"));
   }

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kPage = 4096;
-constexpr std::size_t kHead = 100;          // of the file, at the begin of its first page
-constexpr std::uintmax_t kMostPages = 256;  // that are looked at, spread over the file
+constexpr std::size_t kHead = 100;         // of the file, at the begin of its first page
+constexpr std::uintmax_t kMaxPages = 256;  // that are looked at, spread over the file
 
 std::size_t numberAt(std::string_view page, std::size_t at) {
   return static_cast<std::size_t>(static_cast<std::uint8_t>(page[at])) << 8U |
@@ -69,7 +69,7 @@ bool tellsOfDatabase(const fs::path& file) {
     return true;
   }
   const std::uintmax_t pages = size / kPage;
-  const std::uintmax_t looks = std::min(pages, kMostPages);
+  const std::uintmax_t looks = std::min(pages, kMaxPages);
   for (std::uintmax_t look = 0; look < looks; ++look) {
     const std::uintmax_t number = look * pages / looks;
     in.seekg(static_cast<std::streamoff>(number * kPage));

@@ -13,7 +13,7 @@ namespace torsio {
 inline constexpr double kHandTurn_rad = radians(155.0);
 
 /// Most marks of the jaw that a trial keeps.
-inline constexpr int kMostTissueMarks = 32;
+inline constexpr int kMaxTissueMarks = 32;
 
 /// How a hand may look whether blood flows. Each costs time and is wrong by a stated error.
 enum class FlowCheck : std::uint8_t {
@@ -67,7 +67,7 @@ struct HollowPose {
   bool leaking = false;     ///< the wall is torn: the content leaves for good
   FlowReading check;
   int markCount = 0;
-  std::array<TissueMark, kMostTissueMarks> marks{};
+  std::array<TissueMark, kMaxTissueMarks> marks{};
   friend constexpr bool operator==(const HollowPose&, const HollowPose&) = default;
 };
 

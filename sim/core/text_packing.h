@@ -14,7 +14,7 @@ namespace torsio {
 
 /// How deep texts may lie in one another, how many in a list, how many bytes each.
 inline constexpr int kDeepestPackedText = 24;
-inline constexpr std::size_t kMostPackedParts = 64;
+inline constexpr std::size_t kMaxPackedParts = 64;
 inline constexpr std::size_t kLongestPackedText = 8'192;
 
 /// Writes numbers and texts as bytes, for another process of this program on this machine.
@@ -35,16 +35,16 @@ class TextPacker {
       return;
     }
     text(value.pattern());
-    const std::size_t told = std::min(value.arguments().size(), kMostPackedParts);
+    const std::size_t told = std::min(value.arguments().size(), kMaxPackedParts);
     number(static_cast<double>(told));
     for (std::size_t n = 0; n < told; ++n) {
       text(value.arguments()[n], depth + 1);
     }
   }
-  /// At most kMostPackedParts of them.
+  /// At most kMaxPackedParts of them.
   template <typename Part>
   void list(const std::vector<Part>& parts) {
-    const std::size_t told = std::min(parts.size(), kMostPackedParts);
+    const std::size_t told = std::min(parts.size(), kMaxPackedParts);
     number(static_cast<double>(told));
     for (std::size_t n = 0; n < told; ++n) {
       text(parts[n]);
@@ -82,7 +82,7 @@ class TextUnpacker {
   void text(Text& value, int depth = 0) {
     std::string pattern;
     text(pattern);
-    const std::size_t parts = count(kMostPackedParts);
+    const std::size_t parts = count(kMaxPackedParts);
     std::vector<Text> arguments(depth < kDeepestPackedText ? parts : 0);
     for (Text& argument : arguments) {
       text(argument, depth + 1);
@@ -91,7 +91,7 @@ class TextUnpacker {
   }
   template <typename Part>
   void list(std::vector<Part>& parts) {
-    parts.resize(count(kMostPackedParts));
+    parts.resize(count(kMaxPackedParts));
     for (Part& part : parts) {
       text(part);
     }

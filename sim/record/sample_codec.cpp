@@ -152,13 +152,13 @@ void answersFromRow(const Row& row, Sample& s) noexcept {
 
 /// Refuses what no hollow organ is like.
 void checkHollow(const Row& row) {
-  constexpr double kMostPressure_Pa = 1e6;
-  constexpr double kMostDose = 1e6;
+  constexpr double kMaxPressure_Pa = 1e6;
+  constexpr double kMaxDose = 1e6;
   const auto inside = [&row](Column column, double step, double most) {
     return row[column] >= 0 && static_cast<double>(row[column]) * step <= most;
   };
-  if (!inside(kPressure, kPressureStep_Pa, kMostPressure_Pa) || !inside(kNarrowing, kShareStep, 1.0) ||
-      !inside(kWant, kShareStep, 1.0) || !inside(kDose, kDoseStep, kMostDose)) {
+  if (!inside(kPressure, kPressureStep_Pa, kMaxPressure_Pa) || !inside(kNarrowing, kShareStep, 1.0) ||
+      !inside(kWant, kShareStep, 1.0) || !inside(kDose, kDoseStep, kMaxDose)) {
     damaged(Text::verbatim("a hollow organ that makes no sense"));
   }
 }

@@ -17,26 +17,26 @@ constexpr double kMetresPerMm = 1e-3;
 constexpr double kSquareMetresPerMm2 = 1e-6;
 constexpr double kPascalsPerKpa = 1e3;
 constexpr double kSecondsPerHour = 3600.0;
-constexpr double kMostPressure_mmHg = 100.0;
-constexpr double kMostTwist_deg = 1440.0;
+constexpr double kMaxPressure_mmHg = 100.0;
+constexpr double kMaxTwist_deg = 1440.0;
 constexpr double kLeastSpan = 0.02;  // of the organ's length
-constexpr std::size_t kMostSpans = 2;
-constexpr std::size_t kMostWallPlaces = 64;
+constexpr std::size_t kMaxSpans = 2;
+constexpr std::size_t kMaxWallPlaces = 64;
 
 /// A thickness in millimetres, or pairs of a share of the length and a thickness.
 std::vector<std::array<double, 2>> readThickness(JsonFields& wall) {
-  constexpr double kMostThickness_mm = 50.0;
+  constexpr double kMaxThickness_mm = 50.0;
   constexpr const char* kName = "thickness_mm";
   const nlohmann::json& value = wall.child(kName);
   if (value.is_number()) {
-    return {{0.0, kMetresPerMm * wall.number(kName, 0.1, kMostThickness_mm)}};
+    return {{0.0, kMetresPerMm * wall.number(kName, 0.1, kMaxThickness_mm)}};
   }
   const auto refuseIt = [&wall] {
     wall.refuse(kName, Text::tr("is neither a number nor a list of pairs"),
                 Text::tr("Write 3, or [[0, 2], [1, 5]]: shares of the length, ascending, and millimetres."));
   };
   std::vector<std::array<double, 2>> places;
-  if (!value.is_array() || value.empty() || value.size() > kMostWallPlaces) {
+  if (!value.is_array() || value.empty() || value.size() > kMaxWallPlaces) {
     refuseIt();
   }
   for (const nlohmann::json& pair : value) {
@@ -45,7 +45,7 @@ std::vector<std::array<double, 2>> readThickness(JsonFields& wall) {
     }
     const std::array place{pair[0].get<double>(), pair[1].get<double>()};
     const bool ascends = places.empty() || place[0] > places.back()[0];
-    if (!(place[0] >= 0.0 && place[0] <= 1.0 && ascends && place[1] > 0.0 && place[1] <= kMostThickness_mm)) {
+    if (!(place[0] >= 0.0 && place[0] <= 1.0 && ascends && place[1] > 0.0 && place[1] <= kMaxThickness_mm)) {
       refuseIt();
     }
     places.push_back({place[0], kMetresPerMm * place[1]});
@@ -61,8 +61,8 @@ HollowWall readWall(JsonFields& parent) {
   const auto pressure_Pa = [&fields](const char* name, double most_mmHg) {
     return kPascalsPerMmHg * fields.number(name, 0.0, most_mmHg, 0.0);
   };
-  wall.restPressure_Pa = pressure_Pa("rest_pressure_mmhg", kMostPressure_mmHg);
-  wall.pressure_Pa = pressure_Pa("pressure_mmhg", kMostPressure_mmHg);
+  wall.restPressure_Pa = pressure_Pa("rest_pressure_mmhg", kMaxPressure_mmHg);
+  wall.pressure_Pa = pressure_Pa("pressure_mmhg", kMaxPressure_mmHg);
   wall.vent = fields.flag("vent", false);
   if (wall.vent || fields.has("vented_pressure_mmhg")) {
     wall.ventedPressure_Pa = pressure_Pa("vented_pressure_mmhg", wall.pressure_Pa / kPascalsPerMmHg);
@@ -82,7 +82,7 @@ std::vector<WrungSpan> readSpans(JsonFields& parent) {
         Text::tr("Write one or two pairs [held, mobile] of shares of the length, such as [[0, 0.4], "
                  "[1, 0.6]]."));
   };
-  if (!list.is_array() || list.empty() || list.size() > kMostSpans) {
+  if (!list.is_array() || list.empty() || list.size() > kMaxSpans) {
     refuseIt(Text::tr("must list one or two pairs"));
   }
   std::vector<WrungSpan> spans;
@@ -112,9 +112,9 @@ std::vector<WrungSpan> readSpans(JsonFields& parent) {
 InitialTwist readStart(JsonFields& parent) {
   JsonFields fields(parent.child("initial_twist"), parent.where() + " initial_twist");
   InitialTwist start;
-  start.least_rad = radians(fields.number("least_deg", 1.0, kMostTwist_deg));
-  start.most_rad = radians(fields.number("most_deg", degrees(start.least_rad), kMostTwist_deg));
-  start.step_rad = radians(fields.number("step_deg", 0.0, kMostTwist_deg, 0.0));
+  start.least_rad = radians(fields.number("least_deg", 1.0, kMaxTwist_deg));
+  start.most_rad = radians(fields.number("most_deg", degrees(start.least_rad), kMaxTwist_deg));
+  start.step_rad = radians(fields.number("step_deg", 0.0, kMaxTwist_deg, 0.0));
   start.sign = fields.choice("direction", {"counterclockwise", "clockwise"}, 0) == 0 ? 1 : -1;
   start.oppositeShare = fields.number("opposite_share", 0.0, 1.0, 0.0);
   start.since_s = kSecondsPerHour * fields.number("since_h", 0.0, 240.0, 0.0);
@@ -156,7 +156,7 @@ BaseFriction readBase(JsonFields& parent) {
   BaseFriction base;
   base.stickShare = fields.number("stick_share", 0.0, 10.0, base.stickShare);
   base.relapseShare = fields.number("relapse_share", 0.0, 10.0, base.relapseShare);
-  base.relapseFrom_rad = radians(fields.number("relapse_from_deg", 0.0, kMostTwist_deg, 90.0));
+  base.relapseFrom_rad = radians(fields.number("relapse_from_deg", 0.0, kMaxTwist_deg, 90.0));
   base.relapseTime_s = fields.number("relapse_time_s", 0.1, 600.0, base.relapseTime_s);
   base.source = fields.text("source");
   fields.finish();
@@ -189,7 +189,7 @@ TurnStages readStages(JsonFields& parent) {
   constexpr double kSecondsPerMinute = 60.0;
   JsonFields fields(parent.child("stages"), parent.where() + " stages");
   TurnStages stages;
-  stages.turn_rad = radians(fields.number("turn_deg", 30.0, kMostTwist_deg));
+  stages.turn_rad = radians(fields.number("turn_deg", 30.0, kMaxTwist_deg));
   stages.rest_s = kSecondsPerMinute * fields.number("rest_min", 0.1, 600.0);
   readSource(fields);
   return stages;

@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr std::uint64_t kStartStream = 41;
-constexpr double kMostShut_rad = radians(720.0);
+constexpr double kMaxShut_rad = radians(720.0);
 constexpr double kSlopeStep_rad = radians(0.5);
 // Share of a span, from its ends, along which a wall goes over into its neighbour, which keeps its radius.
 constexpr double kClampedShare = 0.08;
@@ -224,7 +224,7 @@ double HollowOrgan::closing_rad(double pressure_Pa) const noexcept {
 
 double HollowOrgan::shut_rad(double pressure_Pa) const noexcept {
   double angle_rad = closing_rad(pressure_Pa);
-  while (angle_rad < kMostShut_rad && patency(angle_rad, pressure_Pa) > kShutPatency) {
+  while (angle_rad < kMaxShut_rad && patency(angle_rad, pressure_Pa) > kShutPatency) {
     angle_rad += radians(1.0);
   }
   return angle_rad;

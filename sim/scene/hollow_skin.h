@@ -25,7 +25,7 @@ class HollowSkin {
 
  private:
   struct Limb {
-    int waves = kFewestDrawnWaves;
+    int waves = kMinDrawnWaves;
     HollowOrgan::Sections sections{};
     std::array<FoldPhase, kPlaces> folds{};
   };

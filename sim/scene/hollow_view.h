@@ -54,7 +54,7 @@ class HollowView {
     KernelBuffer<float> solved;        // of HollowMix, one after the other
     KernelBuffer<float> places;
     KernelBuffer<float> cells;
-    int waves = kFewestDrawnWaves;
+    int waves = kMinDrawnWaves;
   };
   void layStill(std::span<const std::size_t> vertices);
   void layMobile(std::span<const std::size_t> vertices);

@@ -23,13 +23,13 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kKeptTriangles = 40'000;  // of the whole instrument, where pieces can be thinned
-constexpr std::size_t kMostShown = 200'000;     // where they cannot
-constexpr std::size_t kFewestOfPiece = 400;
+constexpr std::size_t kMaxShown = 200'000;      // where they cannot
+constexpr std::size_t kMinOfPiece = 400;
 constexpr double kThinnest_mm = 0.5;  // across the shaft
 
 /// Points spread evenly over the triangles, each with its share of the area, and the vertices with none.
 ToolPoints pointsOn(const TriangleMesh& mesh) {
-  constexpr double kMostPoints = 2e4;
+  constexpr double kMaxPoints = 2e4;
   constexpr double kClosest_mm = 0.5;
   ToolPoints points;
   double area_mm2 = 0.0;
@@ -39,7 +39,7 @@ ToolPoints pointsOn(const TriangleMesh& mesh) {
                     kToolMetre_mm * mesh.vertices_m[t[2]]});
     area_mm2 += 0.5 * norm(cross(open.back()[1] - open.back()[0], open.back()[2] - open.back()[0]));
   }
-  const double step_mm = std::max(kClosest_mm, 1.5 * std::sqrt(area_mm2 / kMostPoints));
+  const double step_mm = std::max(kClosest_mm, 1.5 * std::sqrt(area_mm2 / kMaxPoints));
   while (!open.empty()) {
     const std::array<Vec3, 3> t = open.back();
     open.pop_back();
@@ -285,14 +285,14 @@ bool makeFit(std::vector<TriangleMesh>& pieces, std::size_t triangles, const std
     MeshRepairs ignored;
     if (closed.back() && orientFaces(piece, ignored) && share < 1.0) {
       const auto most = static_cast<std::size_t>(share * static_cast<double>(piece.triangles.size()));
-      piece = thinned(std::move(piece), std::max(most, kFewestOfPiece));
+      piece = thinned(std::move(piece), std::max(most, kMinOfPiece));
     }
     kept += piece.triangles.size();
   }
-  if (kept > kMostShown) {
+  if (kept > kMaxShown) {
     throw Error(ErrorCode::kBadMesh,
                 Text::tr("M03 %1 triangles of open surfaces; an instrument has at most %2",
-                         std::to_string(kept), std::to_string(kMostShown)),
+                         std::to_string(kept), std::to_string(kMaxShown)),
                 where, Text::tr("Decimate the surface"));
   }
   return std::all_of(closed.begin(), closed.end(), [](bool one) { return one; });

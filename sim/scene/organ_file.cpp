@@ -68,7 +68,7 @@ std::optional<OrganWallMap> mapFrom(const Json& json) {
     map.seen.push_back(thickness_um > 0 ? 1 : 0);
   }
   const bool whole =
-      map.bands > 0 && map.ridges > 0 && map.bands < kMostSections && map.ridges <= kMostRidges &&
+      map.bands > 0 && map.ridges > 0 && map.bands < kMaxSections && map.ridges <= kMaxRidges &&
       map.thickness_m.size() == static_cast<std::size_t>(map.bands) * static_cast<std::size_t>(map.ridges);
   return whole ? std::optional(std::move(map)) : std::nullopt;
 }
@@ -141,7 +141,7 @@ OrganFile organOfHead(const Json& head) {
 /// Takes the surface out of the bytes behind the head; false when there are more or less of them.
 bool takeSurface(std::string_view bytes, std::uint64_t vertices, std::uint64_t triangles,
                  TriangleMesh& mesh) {
-  constexpr std::uint64_t kMost = 2 * std::uint64_t{kMostTriangles};
+  constexpr std::uint64_t kMost = 2 * std::uint64_t{kMaxTriangles};
   if (vertices > kMost || triangles > kMost ||
       bytes.size() != vertices * kVertexBytes + triangles * kTriangleBytes) {
     return false;

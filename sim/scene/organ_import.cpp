@@ -27,13 +27,13 @@ struct UsualVolume {
   double least_ml;
   double most_ml;
 };
-constexpr std::array<UsualVolume, 7> kUsualVolumes{{{"forearm", 500.0, 8000.0},
-                                                    {"stomach", 100.0, 3000.0},
-                                                    {"gastric-organo-axial", 100.0, 3000.0},
-                                                    {"gastric-mesentero-axial", 100.0, 3000.0},
-                                                    {"testis", 3.0, 100.0},
-                                                    {"sigmoid", 50.0, 8000.0},
-                                                    {"midgut", 20.0, 5000.0}}};
+constexpr std::array<UsualVolume, 7> kDefaultVolumes{{{"forearm", 500.0, 8000.0},
+                                                      {"stomach", 100.0, 3000.0},
+                                                      {"gastric-organo-axial", 100.0, 3000.0},
+                                                      {"gastric-mesentero-axial", 100.0, 3000.0},
+                                                      {"testis", 3.0, 100.0},
+                                                      {"sigmoid", 50.0, 8000.0},
+                                                      {"midgut", 20.0, 5000.0}}};
 
 void checkImportRequest(const OrganImportRequest& request) {
   requireUnit(request.scale_m, request.file.string());
@@ -128,7 +128,7 @@ MeshRepairs mendHoles(const OrganImportRequest& request, TriangleMesh& mesh,
 
 /// A volume that no such organ has: most often a wrong unit.
 void addVolume(const OrganImportRequest& request, double volume_ml, std::vector<OrganFinding>& findings) {
-  for (const UsualVolume& usual : kUsualVolumes) {
+  for (const UsualVolume& usual : kDefaultVolumes) {
     if (usual.anatomy != request.anatomy || (volume_ml >= usual.least_ml && volume_ml <= usual.most_ml)) {
       continue;
     }

@@ -13,9 +13,9 @@ namespace torsio {
 
 namespace {
 
-constexpr double kLeastSeen = 0.2;     // of the patches
-constexpr double kMostOfRadius = 0.4;  // what a closed wall is computed up to
-constexpr int kFillingSweeps = 400;    // a gap of a quarter of the organ is even to a hundredth then
+constexpr double kLeastSeen = 0.2;    // of the patches
+constexpr double kMaxOfRadius = 0.4;  // what a closed wall is computed up to
+constexpr int kFillingSweeps = 400;   // a gap of a quarter of the organ is even to a hundredth then
 
 /// The vertices of a mesh sorted along z, for the nearest one to a point.
 class NearestVertex {
@@ -143,7 +143,7 @@ std::optional<OrganWallMap> wallMapOf(std::span<const WallRay> rays, const Trian
   fillGaps(map);
   for (std::size_t n = 0; n < patches; ++n) {
     const int band = static_cast<int>(n / static_cast<std::size_t>(map.ridges));
-    map.thickness_m[n] = std::min(map.thickness_m[n], kMostOfRadius * radiusOf_m(lattice, band));
+    map.thickness_m[n] = std::min(map.thickness_m[n], kMaxOfRadius * radiusOf_m(lattice, band));
   }
   return map;
 }

@@ -15,12 +15,12 @@ namespace torsio {
 
 namespace {
 
-constexpr int kMostPatchNodes = 7;
+constexpr int kMaxPatchNodes = 7;
 // Assumed: a stomach that is let go swings back with a time constant of 0.12 s, as a straight organ does.
 constexpr double kDrag_Ns_per_m = 0.005;
 constexpr double kPathStep_rad = radians(3.0);
 constexpr double kBeyondTarget = 1.15;  // of the target: how far the path goes
-constexpr double kMostHandTurn = 3.0;   // of the target, for a measured turn that stays behind the hand
+constexpr double kMaxHandTurn = 3.0;    // of the target, for a measured turn that stays behind the hand
 constexpr double kNearLine_m = 1e-6;
 // Nothing slips back by a whole turn before the organ has turned by about half a one.
 constexpr double kLeastBeforeSlip_rad = radians(120.0);
@@ -55,7 +55,7 @@ class RestraintPlacer {
     const double halfWidth_m =
         restraint.halfWidth_m > 0.0 ? restraint.halfWidth_m : 0.5 * organ_.radii_m[node];
     const NodeRange patch = nodesAround(organ_.elements, organ_.arcs_m[node] - organ_.arcs_m.front(),
-                                        halfWidth_m, kMostPatchNodes);
+                                        halfWidth_m, kMaxPatchNodes);
     if (restraint.stiffness_N_per_m > 0.0) {
       const Vec3 point_m = restraint.point_m ? *restraint.point_m : pointAt(restraint.side, node);
       const Vec3 anchor_m = anchorOf(restraint, point_m);
@@ -321,7 +321,7 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
   std::vector<TaskPoint> path(1);
   path.front().pose = rest;
   const double direction = angle_rad < 0.0 ? -1.0 : 1.0;
-  const double farthest_rad = kMostHandTurn * std::abs(angle_rad);
+  const double farthest_rad = kMaxHandTurn * std::abs(angle_rad);
   std::vector<double> turns_rad(static_cast<std::size_t>(rest.count), 0.0);
   for (int step = 1; step * kPathStep_rad <= farthest_rad; ++step) {
     TaskPoint next = path.back();

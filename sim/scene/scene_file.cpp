@@ -20,7 +20,7 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 constexpr double kLargestAngle_deg = 3600.0;
 constexpr double kLeastLine_m = 1e-3;
-constexpr int kMostSprings = 30;
+constexpr int kMaxSprings = 30;
 constexpr double kShortestFoundation = 0.05;  // organ lengths: below it a turn does not leave the grasp
 
 nlohmann::json readJson(const fs::path& file) {
@@ -46,8 +46,8 @@ LatticeOptions readLattice(JsonFields& parent) {
                                     LatticeMode::kAutomatic};
   JsonFields fields(parent.child("lattice"), parent.where() + " lattice");
   LatticeOptions lattice;
-  lattice.ridges = fields.integer("ridges", kFewestRidges, kMostRidges, lattice.ridges);
-  lattice.sections = fields.integer("sections", kFewestSections, kMostSections, lattice.sections);
+  lattice.ridges = fields.integer("ridges", kMinRidges, kMaxRidges, lattice.ridges);
+  lattice.sections = fields.integer("sections", kMinSections, kMaxSections, lattice.sections);
   lattice.mode = kModes[fields.choice("mode", {"harmonic", "straight-axis", "automatic"}, 0)];
   lattice.spacing = fields.choice("spacing", {"arc-length", "angle"}, 0) == 0 ? RidgeSpacing::kArcLength
                                                                               : RidgeSpacing::kAngle;
@@ -122,7 +122,7 @@ Restraint readRestraint(const nlohmann::json& json, const std::string& where) {
   } else {
     restraint.from = fields.number("from", 0.0, 1.0);
     restraint.to = fields.number("to", restraint.from, 1.0);
-    restraint.count = fields.integer("count", 1, kMostSprings, 1);
+    restraint.count = fields.integer("count", 1, kMaxSprings, 1);
   }
   restraint.side = kSides[fields.choice("side", {"centre", "inner", "outer"}, 0)];
   if (fields.has("point_mm")) {

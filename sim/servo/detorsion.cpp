@@ -158,7 +158,7 @@ void DetorsionStep::press(const HollowOrgan& hollow, const DetorsionHand& hand, 
 }
 
 void DetorsionStep::mark(const DetorsionHand& hand, bool torn, HollowPose& pose) const noexcept {
-  if (pose.markCount < kMostTissueMarks) {
+  if (pose.markCount < kMaxTissueMarks) {
     pose.marks[static_cast<std::size_t>(pose.markCount)] = {hand.arc_m, hand.round_rad, ticks_, torn};
     ++pose.markCount;
   }

@@ -13,8 +13,8 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kShortestPiece = 500;     // samples: shorter ones cost more than they bring
-constexpr std::size_t kMostAtOnce = 64 * 1024;  // samples: 20 MB of answers
+constexpr std::size_t kShortestPiece = 500;    // samples: shorter ones cost more than they bring
+constexpr std::size_t kMaxAtOnce = 64 * 1024;  // samples: 20 MB of answers
 
 /// An exercise with its constants as those of a servo loop.
 Exercise begunAnew(const ExerciseOptions& options) {
@@ -76,7 +76,7 @@ void ExerciseAhead::computeMore() {
   TORSIO_EXPECTS(begun_ < recorded_.size());
   const Exercise anew = begunAnew(options_);
   std::vector<Piece> pieces;
-  for (std::size_t first = begun_; first < recorded_.size() && first - begun_ < kMostAtOnce;) {
+  for (std::size_t first = begun_; first < recorded_.size() && first - begun_ < kMaxAtOnce;) {
     Piece piece{first, 0, exercise_};
     if (!pieces.empty()) {
       piece.exercise = anew;

@@ -124,7 +124,7 @@ TEST(Competence, DesignsThatBreakTheirPromiseAreRefused) {
   refused([](CompetenceDesign& d) { d.inadequate = 1.0; });
   refused([](CompetenceDesign& d) { d.inadequate = d.adequate; });
   refused([](CompetenceDesign& d) { d.attempts = 0; });
-  refused([](CompetenceDesign& d) { d.attempts = kMostCompetenceAttempts + 1; });
+  refused([](CompetenceDesign& d) { d.attempts = kMaxCompetenceAttempts + 1; });
   refused([](CompetenceDesign& d) { d.falsePassMost = 1.0; });
   refused([](CompetenceDesign& d) { d.tolerance_rad = 0.0; });
   refused([](CompetenceDesign& d) { d.attempts = 2; });  // two attempts can show nobody with 5 %

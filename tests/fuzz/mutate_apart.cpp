@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using namespace torsio;
 
 constexpr HelperLimits kLimits{4'000, 20, 30};
-constexpr auto kMostAnswer = std::chrono::seconds(40);
+constexpr auto kMaxAnswer = std::chrono::seconds(40);
 
 /// Numbers that look random, the same from the same start.
 class Dice {
@@ -77,7 +77,7 @@ std::string answerOf(const Read& read) {
     answer = happened.find("crashed") != std::string::npos ? "refused: the reader crashed"
                                                            : "refused: " + happened.substr(0, 3);
   }
-  if (std::chrono::steady_clock::now() - begun > kMostAnswer) {
+  if (std::chrono::steady_clock::now() - begun > kMaxAnswer) {
     std::cerr << "no answer within the limits\n";
     std::exit(1);
   }

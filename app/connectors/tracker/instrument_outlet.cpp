@@ -31,8 +31,8 @@ constexpr std::chrono::milliseconds kOutletLook{20};
 constexpr std::chrono::milliseconds kOutletFarewell{500};
 constexpr qint64 kSlow_bytes = 64 * 1024;    // waiting to go out: poses are left out
 constexpr qint64 kDead_bytes = 1024 * 1024;  // let go
-constexpr std::size_t kMostWatchers = 8;
-constexpr std::size_t kMostWaiting = 256;
+constexpr std::size_t kMaxWatchers = 8;
+constexpr std::size_t kMaxWaiting = 256;
 
 /// World (left, back, head) to what viewers expect (right, front, head): half a turn about the last axis.
 Pose inRas(const Pose& pose) {
@@ -87,7 +87,7 @@ void InstrumentOutlet::State::welcome(QTcpServer& server) {
     if (socket == nullptr) {
       return;
     }
-    if (watchers.size() < kMostWatchers) {
+    if (watchers.size() < kMaxWatchers) {
       socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
       socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kSlow_bytes);
       watchers.push_back(std::move(socket));
@@ -202,7 +202,7 @@ void InstrumentOutlet::show(const LiveState& state) {
   }
   const std::lock_guard lock(state_->mutex);
   state_->pose = std::move(pose);
-  if (event && state_->events.size() < kMostWaiting) {
+  if (event && state_->events.size() < kMaxWaiting) {
     state_->events.push_back(std::move(*event));
   }
   state_->changed.notify_all();

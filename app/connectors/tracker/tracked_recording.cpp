@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kSecond_us = 1'000'000;
-constexpr std::int64_t kFewestInChunk = 10;
+constexpr std::int64_t kMinInChunk = 10;
 
 TrialHeader headerOf(const TrackerView& view, const RecordingSpec& spec) {
   TrialHeader header;
@@ -54,7 +54,7 @@ TrialHeader headerOf(const TrackerView& view, const RecordingSpec& spec) {
 RecorderOptions optionsFor(const TrackerView& view) {
   TORSIO_EXPECTS(view.period_us.has_value());
   RecorderOptions options;
-  options.samplesPerChunk = std::clamp(kSecond_us / *view.period_us, kFewestInChunk, kSamplesPerChunk);
+  options.samplesPerChunk = std::clamp(kSecond_us / *view.period_us, kMinInChunk, kSamplesPerChunk);
   return options;
 }
 

@@ -32,7 +32,7 @@ constexpr std::int64_t kAskForTracking_us = 1'000'000;
 constexpr std::int64_t kSilent_us = 2'000'000;
 constexpr std::int64_t kLetGo_us = 30'000'000;
 constexpr std::int64_t kRateOver_us = 1'000'000;
-constexpr std::size_t kMostInstruments = 20;
+constexpr std::size_t kMaxInstruments = 20;
 constexpr qint64 kReadAtOnce = 64 * 1024;
 
 Text socketTrouble(QAbstractSocket::SocketError error, const QString& said) {
@@ -144,7 +144,7 @@ void TrackerLink::State::keep(const Pose& pose, const TrackerClock::Moment& mome
 
 void TrackerLink::State::takePose(const TrackedPose& pose, std::int64_t arrived_us) {
   std::vector<std::string>& seen = view.instruments;
-  if (std::find(seen.begin(), seen.end(), pose.instrument) == seen.end() && seen.size() < kMostInstruments) {
+  if (std::find(seen.begin(), seen.end(), pose.instrument) == seen.end() && seen.size() < kMaxInstruments) {
     seen.push_back(pose.instrument);
   }
   if (view.instrument.empty()) {

@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMostShown = 1'000;
+constexpr std::int64_t kMaxShown = 1'000;
 
 void noteDone(const SessionContext& session, const char* what, std::int64_t count) {
   session.note({.action = AuditAction::kSettingChange,
@@ -34,7 +34,7 @@ LearningRecordsView learningRecords(SessionContext& session) {
   view.hasKey = stationLrsKey().has_value();
   view.counts = outbox.counts();
   view.trouble = readSentence(outbox.newestTrouble());
-  for (LearningEvent& event : outbox.inState(LearningEventState::kDead, kMostShown)) {
+  for (LearningEvent& event : outbox.inState(LearningEventState::kDead, kMaxShown)) {
     Text answer = readSentence(event.answer);
     view.dead.push_back({std::move(event), std::move(answer)});
   }

@@ -28,9 +28,9 @@ namespace {
 constexpr int kPlacesWidth = 400;
 // As requireToolRequest() allows.
 constexpr double kLeastThreshold_HU = -500.0;
-constexpr double kMostThreshold_HU = 3000.0;
+constexpr double kMaxThreshold_HU = 3000.0;
 constexpr double kLeastPivot_mm = 3.0;
-constexpr double kMostPivot_mm = 100.0;
+constexpr double kMaxPivot_mm = 100.0;
 constexpr std::array<double, 5> kUnits_m{1e-3, 1e-2, 1.0, 1e-6, 0.0254};  // mm, cm, m, um, inch
 
 QDoubleSpinBox* box(QWidget* parent, const char* name, double least, double most, const QString& unit) {
@@ -61,9 +61,8 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   remarks_ = sentence(placesCard_);
   column->addWidget(numbers_);
   column->addWidget(remarks_);
-  threshold_ =
-      box(placesCard_, "toolThreshold", kLeastThreshold_HU, kMostThreshold_HU, QStringLiteral(" HU"));
-  pivot_ = box(placesCard_, "toolHinge", kLeastPivot_mm, kMostPivot_mm, QStringLiteral(" mm"));
+  threshold_ = box(placesCard_, "toolThreshold", kLeastThreshold_HU, kMaxThreshold_HU, QStringLiteral(" HU"));
+  pivot_ = box(placesCard_, "toolHinge", kLeastPivot_mm, kMaxPivot_mm, QStringLiteral(" mm"));
   pivot_->setDecimals(1);
   opening_ = box(placesCard_, "toolOpening", 0.0, 90.0, QStringLiteral("\u00B0"));
   reach_ = box(placesCard_, "toolReach", 0.5, 50.0, QStringLiteral(" mm"));

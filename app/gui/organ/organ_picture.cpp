@@ -24,7 +24,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kMostTwist_deg = 60;  // that an organ is judged at, either way
+constexpr int kMaxTwist_deg = 60;  // that an organ is judged at, either way
 
 }  // namespace
 
@@ -51,7 +51,7 @@ QWidget* OrganPicture::createBar() {
   twistLabel_ = new QLabel(bar);
   twist_ = new QSlider(Qt::Horizontal, bar);
   twist_->setObjectName(QStringLiteral("trialTwist"));
-  twist_->setRange(-kMostTwist_deg, kMostTwist_deg);
+  twist_->setRange(-kMaxTwist_deg, kMaxTwist_deg);
   twist_->setPageStep(15);
   twistLabel_->setBuddy(twist_);
   angle_ = new QLabel(bar);

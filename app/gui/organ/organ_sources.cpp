@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kCardWidth = 620;
 constexpr int kWholePage = 1000;  // against the room beside it, until the page is as wide as it gets
-constexpr int kMostSeries = 100'000;
+constexpr int kMaxSeries = 100'000;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ QWidget* OrganWizard::createSourcePage() {
   scanText_ = sentence(scanCard_);
   scanCard_->content()->addWidget(scanText_);
   series_ = new QSpinBox(scanCard_);
-  series_->setRange(0, kMostSeries);
+  series_->setRange(0, kMaxSeries);
   seriesLabel_ = addField(scanCard_->content(), series_);
   resample_ = new QCheckBox(scanCard_);
   scanCard_->content()->addWidget(resample_);

@@ -35,8 +35,8 @@ namespace {
 constexpr int kControlsWidth = 320;
 constexpr double kFinest_mm = 1.0 / 16.0;  // of a dab's place: it goes to another process in words
 constexpr double kDabEvery = 0.4;          // of its radius, along a stroke
-constexpr int kMostLevel_HU = 2000;
-constexpr int kMostWidth_HU = 4000;
+constexpr int kMaxLevel_HU = 2000;
+constexpr int kMaxWidth_HU = 4000;
 constexpr std::size_t kTissues = 4;
 
 double finest(double mm) {
@@ -187,11 +187,11 @@ void ScanPanel::createGrey(QVBoxLayout* column) {
   preset_->addItems({QString(), QString(), QString(), QString()});
   presetLabel_ = addField(greyCard_->content(), preset_);
   level_ = new QSlider(Qt::Horizontal, greyCard_);
-  level_->setRange(-1024, kMostLevel_HU);
+  level_->setRange(-1024, kMaxLevel_HU);
   level_->setPageStep(50);
   levelLabel_ = addField(greyCard_->content(), level_);
   width_ = new QSlider(Qt::Horizontal, greyCard_);
-  width_->setRange(10, kMostWidth_HU);
+  width_->setRange(10, kMaxWidth_HU);
   width_->setPageStep(100);
   widthLabel_ = addField(greyCard_->content(), width_);
   connect(preset_, &QComboBox::activated, this, [this](int index) {
@@ -342,7 +342,7 @@ void ScanPanel::dab(const PreviewVoxel& voxel) {
   const int steps = std::max(1, static_cast<int>(way_mm / step_mm));
   for (int i = 1; i <= steps; ++i) {
     const Vec3 at_mm = from_mm + (static_cast<double>(i) / steps) * (to_mm - from_mm);
-    if (state_.dabs().size() < kMostDabs) {
+    if (state_.dabs().size() < kMaxDabs) {
       state_.paint({{finest(at_mm.x), finest(at_mm.y), finest(at_mm.z)}, radius_mm, tool_ == Tool::kAdd});
     }
   }

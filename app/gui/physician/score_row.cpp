@@ -25,7 +25,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kMostCells = 11;
+constexpr int kMaxCells = 11;
 constexpr int kLeastCell_px = 32;
 constexpr int kCellGap = 3;
 constexpr double kCorner = 4.0;
@@ -204,7 +204,7 @@ void ScoreRow::resizeEvent(QResizeEvent* event) {
 
 int ScoreRow::cellCount() const {
   return static_cast<int>(
-      std::min<std::int64_t>((scale_.hi - scale_.lo) / scale_.stepsPerPoint + 1, kMostCells));
+      std::min<std::int64_t>((scale_.hi - scale_.lo) / scale_.stepsPerPoint + 1, kMaxCells));
 }
 
 std::int64_t ScoreRow::stepsOf(int cell) const {

@@ -13,7 +13,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::size_t kMostStretches = 65'536;  // a dozen for each pixel of the widest screen
+constexpr std::size_t kMaxStretches = 65'536;  // a dozen for each pixel of the widest screen
 constexpr float kPercent = 100.0F;
 
 std::array<float, kTraces> valuesOf(const Sample& sample) {
@@ -31,8 +31,8 @@ std::array<float, kTraces> valuesOf(const Sample& sample) {
 }  // namespace
 
 TraceCollector::TraceCollector(std::int64_t samples)
-    : perStretch_((static_cast<std::size_t>(std::max<std::int64_t>(samples, 0)) + kMostStretches - 1) /
-                  kMostStretches) {
+    : perStretch_((static_cast<std::size_t>(std::max<std::int64_t>(samples, 0)) + kMaxStretches - 1) /
+                  kMaxStretches) {
   perStretch_ = std::max<std::size_t>(perStretch_, 1);
 }
 

@@ -170,7 +170,7 @@ void MarkerEditor::choose(int row) {
     widget->setEnabled(any);
   }
   remove_->setEnabled(any && markers_.size() > 1);
-  add_->setEnabled(scene_ != nullptr && markers_.size() < kMostMarkers);
+  add_->setEnabled(scene_ != nullptr && markers_.size() < kMaxMarkers);
   if (any) {
     name_->setText(toQString(Text(markers_[static_cast<std::size_t>(row)].name)));
     name_->setCursorPosition(0);

@@ -26,9 +26,9 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr const char* kUsualMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
-                                         "twist.sparc",     "force.peak",     "time.total"};
-constexpr const char* kUsualOfUntwisting[] = {
+constexpr const char* kDefaultMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
+                                           "twist.sparc",     "force.peak",     "time.total"};
+constexpr const char* kDefaultOfUntwisting[] = {
     "detorse.done",    "detorse.time_to_flow", "detorse.dose",          "detorse.residual",
     "detorse.regrips", "detorse.slip_back",    "detorse.overload_time", "detorse.peak_jaw"};
 constexpr int kTableHeight = 260;
@@ -147,9 +147,9 @@ void TrendPage::fillChoices() {
   modules_->setCurrentIndex(modules_->findData(toQString(module_)));
   std::vector<std::string> metrics;
   if (trend_.untwisting) {
-    metrics.assign(std::begin(kUsualOfUntwisting), std::end(kUsualOfUntwisting));
+    metrics.assign(std::begin(kDefaultOfUntwisting), std::end(kDefaultOfUntwisting));
   } else {
-    metrics.assign(std::begin(kUsualMetrics), std::end(kUsualMetrics));
+    metrics.assign(std::begin(kDefaultMetrics), std::end(kDefaultMetrics));
   }
   for (const ModuleStep& step : steps_.modules) {
     if (step.module.id != module_) {

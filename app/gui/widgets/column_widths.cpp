@@ -9,7 +9,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kMostGrowth = 3;
+constexpr std::int64_t kMaxGrowth = 3;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_
   }
   if (over < 0) {
     const std::int64_t whole = over + list_px;
-    const std::int64_t room = std::min<std::int64_t>(list_px, kMostGrowth * whole);
+    const std::int64_t room = std::min<std::int64_t>(list_px, kMaxGrowth * whole);
     for (int& width : widths) {
       width = whole > 0 ? static_cast<int>(width * room / whole) : width;
     }

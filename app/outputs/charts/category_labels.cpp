@@ -14,7 +14,7 @@ namespace {
 constexpr double kAcross_px = 570.0;  // the axis of a figure on paper; on the screen there is more
 constexpr double kAir_px = 8.0;       // left and right of a label, as Qt leaves it
 constexpr int kSmallest_px = 8;
-constexpr qsizetype kMostLines = 3;
+constexpr qsizetype kMaxLines = 3;
 constexpr qsizetype kTogether = 6;  // Chinese characters that stay on one line
 
 /// Lines of a text as an axis takes them.
@@ -40,7 +40,7 @@ CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
     for (const QString& name : names) {
       const QStringList lines = wrappedLines(name, share_px, metrics);
       labels.html << htmlOf(lines);
-      fits = fits && lines.size() <= kMostLines && widestPart(name, metrics, kTogether) <= share_px;
+      fits = fits && lines.size() <= kMaxLines && widestPart(name, metrics, kTogether) <= share_px;
     }
     if (fits || labels.font.stretch() == QFont::SemiCondensed) {
       return labels;

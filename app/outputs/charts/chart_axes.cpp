@@ -36,10 +36,10 @@ QString besideMark(const QString& name) {
 
 /// From one mark to the next: a whole number, of few enough marks.
 double wholeStep(double span) {
-  constexpr double kMostTicks = 8.0;
+  constexpr double kMaxTicks = 8.0;
   double step = 1.0;
   for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
-    if (span / step > kMostTicks) {
+    if (span / step > kMaxTicks) {
       step = wider;
     }
   }

@@ -22,7 +22,7 @@ constexpr double kShortHeader_mm = 19.0;
 constexpr double kHalf = 0.6;         // of a header: two lines, which do not break in the very middle
 constexpr double kRounding_mm = 0.6;  // a cell exactly as wide as its text would wrap
 constexpr double kMargin_mm = 2.0 * kCellPadding_mm + kRounding_mm;
-constexpr double kMostStretch = 1.35;
+constexpr double kMaxStretch = 1.35;
 
 /// Numbers, and what stands in their place: "< 0.001", "4, 54".
 bool looksNumeric(const QString& cell) {
@@ -107,7 +107,7 @@ std::vector<double> widthsFor(const Demand& demand, double available_mm) {
   if (natural <= available_mm) {
     std::vector<double> widths = demand.natural;
     for (double& width : widths) {
-      width *= std::min(kMostStretch, available_mm / natural);
+      width *= std::min(kMaxStretch, available_mm / natural);
     }
     return widths;
   }

@@ -22,10 +22,10 @@ QString printedTime(QString text, const QLocale& locale) {
 }
 
 QString printedCount(QString text, const QLocale& locale) {
-  constexpr qsizetype kMostDigits = 18;
+  constexpr qsizetype kMaxDigits = 18;
   static const QRegularExpression kWhole(QStringLiteral("^[1-9]\\d*$"));
-  return text.size() <= kMostDigits && kWhole.match(text).hasMatch() ? locale.toString(text.toLongLong())
-                                                                     : text;
+  return text.size() <= kMaxDigits && kWhole.match(text).hasMatch() ? locale.toString(text.toLongLong())
+                                                                    : text;
 }
 
 }  // namespace torsio

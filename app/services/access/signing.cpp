@@ -38,7 +38,7 @@ int signMinutes(Connection& connection) {
   if (const auto text = SettingRepository(connection).value(kSignMinutesSetting)) {
     std::from_chars(text->data(), text->data() + text->size(), minutes);
   }
-  return minutes >= 0 && minutes <= kLongestSignMinutes ? minutes : kUsualSignMinutes;
+  return minutes >= 0 && minutes <= kLongestSignMinutes ? minutes : kDefaultSignMinutes;
 }
 
 void setSignMinutes(SessionContext& session, int minutes) {
@@ -58,7 +58,7 @@ bool passwordIsDue(SessionContext& session) {
   const std::int64_t since_us = session.now_us() - shown_us;
   const int minutes = signMinutes(session.connectionWithoutRight());
   // Where each signature asks, a password that was shown is good for the act that follows at once.
-  const std::int64_t good_us = (minutes == 0 ? kUsualSignMinutes : minutes) * kMinute_us;
+  const std::int64_t good_us = (minutes == 0 ? kDefaultSignMinutes : minutes) * kMinute_us;
   return shown_us == 0 || since_us < 0 || since_us > good_us;
 }
 

@@ -14,7 +14,7 @@ class Connection;
 
 /// Name of the setting: for how many minutes a password that was shown is good for signing; 0: once.
 inline constexpr const char* kSignMinutesSetting = "sign_minutes";
-inline constexpr int kUsualSignMinutes = 15;
+inline constexpr int kDefaultSignMinutes = 15;
 inline constexpr int kLongestSignMinutes = 60;
 
 /// Actor::passwordShownUtc_us of an administrator who entered as a simulated person: there is no password

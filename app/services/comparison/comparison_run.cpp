@@ -21,10 +21,10 @@ namespace {
 
 using RunClock = std::chrono::steady_clock;
 constexpr int kReferenceSteps = 12;   ///< of the ramp
-constexpr double kMostTime_s = 6.0;   ///< simulated, until a model counts as at rest
+constexpr double kMaxTime_s = 6.0;    ///< simulated, until a model counts as at rest
 constexpr int kRestFrames = 10;       ///< over so many frames
 constexpr double kRestChange = 1e-3;  ///< the angle changes by less than this share
-constexpr double kMostTorque_Nm = 100.0;
+constexpr double kMaxTorque_Nm = 100.0;
 
 double secondsSince(RunClock::time_point start) {
   return std::chrono::duration<double>(RunClock::now() - start).count();
@@ -37,7 +37,7 @@ double medianOf(std::vector<double> values) {
 }
 
 void checkOptions(const ComparisonOptions& options) {
-  if (options.torque_Nm && !(std::abs(*options.torque_Nm) <= kMostTorque_Nm && *options.torque_Nm != 0.0)) {
+  if (options.torque_Nm && !(std::abs(*options.torque_Nm) <= kMaxTorque_Nm && *options.torque_Nm != 0.0)) {
     refuseParameter(Text::tr("The torque must not be 0 and lie within 100 N m"), Text::tr("torque"),
                     Text::tr("Give newton metres, such as 0.03"));
   }
@@ -185,7 +185,7 @@ class ComparisonBench {
     keep(model, processing_s, run);
     const double frame_s = organ.dynamics.frame_s;
     const int ramp = static_cast<int>(std::lround(result_.options.ramp_s / frame_s));
-    const int most = static_cast<int>((result_.options.ramp_s + kMostTime_s) / frame_s);
+    const int most = static_cast<int>((result_.options.ramp_s + kMaxTime_s) / frame_s);
     for (int frame = 1; frame <= most; ++frame) {
       const double torque_Nm = result_.torque_Nm * std::min(1.0, static_cast<double>(frame) / ramp);
       const auto stepStart = RunClock::now();

@@ -132,8 +132,8 @@ void placeMarker(const Scene& scene, std::uint32_t face, const std::array<double
 }
 
 void checkMarkers(const std::vector<OrganMarker>& markers, const std::string& where) {
-  if (markers.empty() || markers.size() > kMostMarkers) {
-    refuse(Text::tr("An organ has 1 to %1 markers, here are %2", kMostMarkers, markers.size()), where,
+  if (markers.empty() || markers.size() > kMaxMarkers) {
+    refuse(Text::tr("An organ has 1 to %1 markers, here are %2", kMaxMarkers, markers.size()), where,
            Text::tr("Add or remove some"));
   }
   for (std::size_t i = 0; i < markers.size(); ++i) {

@@ -14,7 +14,7 @@
 namespace torsio {
 
 /// Most markers of an organ: the paper's Fig. 11 has ten.
-inline constexpr std::size_t kMostMarkers = 10;
+inline constexpr std::size_t kMaxMarkers = 10;
 
 /// A named point on the skin of an organ (Fig. 11).
 struct OrganMarker {

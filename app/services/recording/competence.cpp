@@ -19,7 +19,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMostRuns = 10'000;
+constexpr std::int64_t kMaxRuns = 10'000;
 
 CompetenceRun runOf(const TrainingModule& module, const TrialDigest& digest) {
   const AttemptMeasures measures = measuresFrom(digest);
@@ -77,7 +77,7 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   TrialFilter filter;
   filter.traineeCode = traineeCode;
   filter.moduleId = module.id;
-  filter.limit = kMostRuns;
+  filter.limit = kMaxRuns;
   std::vector<TrialListing> trials = TrialRepository(connection).list(filter);
   std::reverse(trials.begin(), trials.end());  // oldest first
   std::vector<CompetenceRun> runs;

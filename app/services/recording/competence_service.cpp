@@ -143,11 +143,11 @@ ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId
       errors.push_back(*error);
     }
   }
-  if (errors.size() < kFewestExperts) {
+  if (errors.size() < kMinExperts) {
     throw Error(ErrorCode::kBadData,
                 Text::tr("%1 {person of this cohort has|people of this cohort have} a finished run at this "
                          "exercise; %2 {is|are} needed",
-                         errors.size(), kFewestExperts),
+                         errors.size(), kMinExperts),
                 module.title, Text::tr("Let more experts make a run, or keep the tolerance of the exercise"));
   }
   const Outcome<ProficiencyThreshold> threshold = proficiencyThreshold(errors);

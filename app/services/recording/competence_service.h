@@ -36,11 +36,11 @@ struct ExerciseDesigns {
 CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDesign& design);
 
 /// Fewer experts say too little of what experts do.
-inline constexpr std::size_t kFewestExperts = 8;
+inline constexpr std::size_t kMinExperts = 8;
 
 /// Derives a tolerance from experts: the people of a cohort, each with the mean absolute error, in degrees,
 /// of the twists made at the scene and pattern of an exercise. kCurriculumEdit. Throws Error{kBadData} for an
-/// unknown exercise, or with fewer than kFewestExperts who have a finished run there.
+/// unknown exercise, or with fewer than kMinExperts who have a finished run there.
 [[nodiscard]] ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId& moduleId,
                                                        const CohortId& expertCohortId);
 

@@ -44,7 +44,7 @@ AttemptRules ExerciseRules::ofPattern(const SceneId& sceneId, const PatternId& p
 }
 
 double ExerciseRules::patternTolerance_rad(const SceneId& sceneId, const PatternId& patternId) {
-  const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kUsualTolerance_rad);
+  const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kDefaultTolerance_rad);
   if (!isNew) {
     return known->second;
   }

@@ -21,8 +21,8 @@ namespace torsio {
 class Connection;
 
 /// By what each recording is judged: its module's tolerance, hold and limits, else the tolerance of the
-/// scene's pattern in the assets, else kUsualTolerance_rad. Who looks, and when, changes nothing. One thread
-/// at a time.
+/// scene's pattern in the assets, else kDefaultTolerance_rad. Who looks, and when, changes nothing. One
+/// thread at a time.
 class ExerciseRules {
  public:
   /// `assets`: where patterns are read; empty: assetsFolder().

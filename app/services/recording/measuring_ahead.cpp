@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMostSamples = 1'500'000;  // decoded, some hundred bytes each
+constexpr std::int64_t kMaxSamples = 1'500'000;  // decoded, some hundred bytes each
 
 std::vector<TrialDigest> measuredInTurn(const std::vector<RecordingToMeasure>& recordings,
                                         std::int64_t now_us) {
@@ -31,7 +31,7 @@ std::vector<TrialDigest> measuredInTurn(const std::vector<RecordingToMeasure>& r
 
 bool MeasuringAhead::hasRoomFor(std::int64_t samples) const {
   return underWay_.empty() || (underWay_.size() < std::max(1U, std::thread::hardware_concurrency()) &&
-                               samples_ + samples <= kMostSamples);
+                               samples_ + samples <= kMaxSamples);
 }
 
 void MeasuringAhead::give(std::vector<RecordingToMeasure> recordings) {

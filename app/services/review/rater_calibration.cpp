@@ -21,7 +21,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMostListed = 2000;  // a longer list is nothing to choose from
+constexpr std::int64_t kMaxListed = 2000;  // a longer list is nothing to choose from
 
 std::string labelOf(std::size_t number) {
   std::string label = "R";
@@ -164,7 +164,7 @@ std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session) {
     decided.insert(run.trialId);
   }
   std::vector<ReferenceCandidate> candidates;
-  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMostListed})) {
+  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMaxListed})) {
     const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
     if (!complete || isForeign(trial.sceneId) || decided.contains(trial.trialId)) {
       continue;

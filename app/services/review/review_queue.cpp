@@ -20,7 +20,7 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kPaceCases = 20;
-constexpr std::size_t kFewestForPace = 3;
+constexpr std::size_t kMinForPace = 3;
 constexpr double kMinuteForTheSheet = 1.0;
 constexpr double kLiveCase_min = 4.0;
 constexpr double kShortSitting_min = 10.0;
@@ -29,7 +29,7 @@ constexpr std::int64_t kAllCases = 1'000'000;
 /// Minutes a case takes this rater; empty before there are enough of them.
 std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {
   std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
-  if (times_us.size() < kFewestForPace) {
+  if (times_us.size() < kMinForPace) {
     return std::nullopt;
   }
   const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);

@@ -25,7 +25,7 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kAllOrdersUpTo = 4;  // 24 orders; five models would already have 120
-constexpr std::int64_t kMostRecordings = 1'000;
+constexpr std::int64_t kMaxRecordings = 1'000;
 constexpr std::uint64_t kLabelStream = 1;
 constexpr std::uint64_t kOrderStream = 2;
 
@@ -169,7 +169,7 @@ EvaluationInstrument paperEvaluationInstrument() {
 std::vector<EvaluationRecording> evaluationRecordings(SessionContext& session) {
   session.require(Operation::kEvaluationSetup);
   std::vector<EvaluationRecording> found;
-  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMostRecordings})) {
+  for (const TrialListing& trial : TrialRepository(session.connection()).list({.limit = kMaxRecordings})) {
     if (trial.summary && trial.traineeCode.empty()) {
       found.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.model, trial.startedUtc_us});
     }

@@ -20,11 +20,11 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "torsio curriculum 1";
-constexpr double kMostSeconds = 1e6;
-constexpr double kMostDegrees = 3600.0;
+constexpr double kMaxSeconds = 1e6;
+constexpr double kMaxDegrees = 3600.0;
 constexpr double kMost = 1e9;
-constexpr int kMostCount = 1'000'000;
-constexpr int kMostTwists = 1'000;
+constexpr int kMaxCount = 1'000'000;
+constexpr int kMaxTwists = 1'000;
 
 /// Whole billionths of a degree: what was written as 60 is shown as 60 again.
 double writtenDegrees(double angle_rad) {
@@ -134,7 +134,7 @@ MasteryCriterion readRule(const json& source, const std::string& place) {
   rule.comparison = fields.text("comparison", rule.comparison);
   rule.threshold = fields.number("threshold", -kMost, kMost, 0.0);
   rule.unit = fields.text("unit", "");
-  rule.consecutive = fields.integer("consecutive", 1, kMostCount, 1);
+  rule.consecutive = fields.integer("consecutive", 1, kMaxCount, 1);
   fields.finish();
   return rule;
 }
@@ -148,10 +148,10 @@ TrainingModule readModule(const json& source, const std::string& place) {
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
   module.mode = readTerm(fields, "mode", module.mode, Text::tr("is neither practice nor graded"));
-  module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
-  module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
-  module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
-  module.leastTwists = fields.integer("least_twists", 1, kMostTwists, 1);
+  module.targetAngle_rad = radians(fields.number("target_deg", -kMaxDegrees, kMaxDegrees, 0.0));
+  module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMaxDegrees, 0.0));
+  module.hold_us = microseconds(fields, "hold_s", kMaxSeconds, kSecond_us, 0.0);
+  module.leastTwists = fields.integer("least_twists", 1, kMaxTwists, 1);
   if (fields.has("max_force_n")) {
     module.maxForce_N = fields.number("max_force_n", 0.0, kMost);
   }
@@ -159,7 +159,7 @@ TrainingModule readModule(const json& source, const std::string& place) {
     module.maxTorque_Nm = fields.number("max_torque_nm", 0.0, kMost);
   }
   if (fields.has("attempt_limit")) {
-    module.attemptLimit = fields.integer("attempt_limit", 1, kMostCount, 1);
+    module.attemptLimit = fields.integer("attempt_limit", 1, kMaxCount, 1);
   }
   for (const json& required : elements(fields, "requires")) {
     if (!required.is_string()) {
@@ -181,7 +181,7 @@ StudyArm readArm(const json& source, const std::string& place) {
   arm.code = fields.text("code", "");
   arm.id = arm.code;
   arm.label = fields.text("label", "");
-  arm.restAllowance_us = microseconds(fields, "rest_min", kMostMinutes, kMinute_us, 0.0);
+  arm.restAllowance_us = microseconds(fields, "rest_min", kMaxMinutes, kMinute_us, 0.0);
   arm.restSplittable = flag(fields, "rest_splittable");
   const std::vector<json> phases = elements(fields, "phases");
   for (std::size_t i = 0; i < phases.size(); ++i) {
@@ -190,7 +190,7 @@ StudyArm readArm(const json& source, const std::string& place) {
     phase.kind =
         readTerm(step, "kind", phase.kind, Text::tr("is neither on the virtual nor on the real arm"));
     phase.label = step.text("label", "");
-    phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
+    phase.duration_us = microseconds(step, "minutes", kMaxMinutes, kMinute_us, 0.0);
     phase.moduleId = step.text("module", "");
     step.finish();
     arm.phases.push_back(std::move(phase));
@@ -216,7 +216,7 @@ CurriculumVersion readContent(JsonFields& fields) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     JsonFields point(points[i], placeIn(fields, "occasions", i));
     PlannedOccasion stored{point.text("code", ""),
-                           microseconds(point, "after_min", kMostMinutes, kMinute_us, 0.0)};
+                           microseconds(point, "after_min", kMaxMinutes, kMinute_us, 0.0)};
     point.finish();
     content.plannedOccasions.push_back(std::move(stored));
   }

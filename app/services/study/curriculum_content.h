@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-inline constexpr double kMostMinutes = 100'000.0;  ///< that a time of a curriculum may have
+inline constexpr double kMaxMinutes = 100'000.0;  ///< that a time of a curriculum may have
 
 // While a curriculum is being written, its CurriculumVersion carries codes in place of ids: a module's
 // `id` is its code, `requires_` and TrainingPhase::moduleId name codes. Publishing gives real ids.

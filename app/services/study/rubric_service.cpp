@@ -25,18 +25,18 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kRubricFormat = "torsio rubric 1";
-constexpr double kMostPoints = 1000.0;
-constexpr int kMostSteps = 1000;
-constexpr double kMostWeight = 100.0;
+constexpr double kMaxPoints = 1000.0;
+constexpr int kMaxSteps = 1000;
+constexpr double kMaxWeight = 100.0;
 constexpr double kMilli = 1000.0;
 
 ScoreScale readScale(JsonFields& fields) {
   ScoreScale scale{.lo = -1'000'000, .hi = 1'000'000};
-  scale.stepsPerPoint = fields.integer("steps_per_point", 1, kMostSteps, 1);
+  scale.stepsPerPoint = fields.integer("steps_per_point", 1, kMaxSteps, 1);
   const std::string where = fields.where();
   const ScoreScale open = scale;
-  scale.lo = stepsFromPoints(fields.number("from", -kMostPoints, kMostPoints), open, where);
-  scale.hi = stepsFromPoints(fields.number("to", -kMostPoints, kMostPoints), open, where);
+  scale.lo = stepsFromPoints(fields.number("from", -kMaxPoints, kMaxPoints), open, where);
+  scale.hi = stepsFromPoints(fields.number("to", -kMaxPoints, kMaxPoints), open, where);
   return scale;
 }
 
@@ -50,12 +50,12 @@ RubricLine readRow(const json& source, const std::string& place) {
     for (const json& part : fields.child("anchors")) {
       JsonFields anchor(part, place + ", anchors");
       row.anchors.push_back(
-          {stepsFromPoints(anchor.number("score", -kMostPoints, kMostPoints), row.scale, anchor.where()),
+          {stepsFromPoints(anchor.number("score", -kMaxPoints, kMaxPoints), row.scale, anchor.where()),
            anchor.text("meaning")});
       anchor.finish();
     }
   }
-  row.weight_milli = std::llround(fields.number("weight", 0.0, kMostWeight, 1.0) * kMilli);
+  row.weight_milli = std::llround(fields.number("weight", 0.0, kMaxWeight, 1.0) * kMilli);
   fields.finish();
   return row;
 }
@@ -135,7 +135,7 @@ std::vector<RubricProblem> rubricProblems(const RubricRevision& revision) {
     } else if (!codes.insert(row.code).second) {
       say(RubricField::kLabel, Text::tr("two rows have the same code"), Text::tr("Rename one of them"));
     }
-    if (row.weight_milli < 0 || row.weight_milli > std::llround(kMostWeight * kMilli)) {
+    if (row.weight_milli < 0 || row.weight_milli > std::llround(kMaxWeight * kMilli)) {
       say(RubricField::kWeight, Text::tr("a weight is out of range"), Text::tr("Use 0 to 100"));
     }
     if (const std::optional<Error> flaw = flawOf(row.scale)) {

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMostAttempts = 10'000;
+constexpr std::int64_t kMaxAttempts = 10'000;
 
 Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseRules& rules) {
   Attempt attempt;
@@ -60,7 +60,7 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   TrialFilter filter;
   filter.traineeCode = record.code;
   filter.moduleId = moduleId;
-  filter.limit = kMostAttempts;
+  filter.limit = kMaxAttempts;
   std::vector<Attempt> attempts;
   ExerciseRules rules;
   Transaction transaction(session.connection());

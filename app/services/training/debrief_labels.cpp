@@ -82,9 +82,9 @@ std::string figure(double value, int decimals) {
 
 /// The value of a limit: with further digits where it would look like the limit that it misses.
 std::string beside(const TargetCheck& check, int decimals) {
-  constexpr int kMostDecimals = 6;
+  constexpr int kMaxDecimals = 6;
   const double value = check.value.value_or(0.0);
-  while (!check.passed && decimals < kMostDecimals &&
+  while (!check.passed && decimals < kMaxDecimals &&
          figure(value, decimals) == figure(check.wanted, decimals)) {
     ++decimals;
   }

@@ -13,7 +13,7 @@ namespace torsio {
 namespace {
 
 /// Letters that are a password's own, below which it is no more than its common words.
-constexpr std::size_t kFewestOwnLetters = 6;
+constexpr std::size_t kMinOwnLetters = 6;
 
 /// Words of the passwords that leaked lists have most often, and what is near at hand here. Not a dictionary:
 /// a sentence of plain words is a good password.
@@ -121,7 +121,7 @@ bool isMadeOfWords(std::string text) {
       found = true;
     }
   }
-  return found && lettersOf(text).size() < kFewestOwnLetters;
+  return found && lettersOf(text).size() < kMinOwnLetters;
 }
 
 }  // namespace

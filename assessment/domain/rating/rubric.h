@@ -17,7 +17,7 @@ struct RubricAnchor {
 };
 
 /// Of a row whose weight nobody chose.
-inline constexpr std::int64_t kUsualWeight_milli = 1000;
+inline constexpr std::int64_t kDefaultWeight_milli = 1000;
 
 /// One line of a rubric.
 struct RubricLine {
@@ -25,7 +25,7 @@ struct RubricLine {
   std::string label{};
   ScoreScale scale{};
   std::vector<RubricAnchor> anchors{};
-  std::int64_t weight_milli = kUsualWeight_milli;  ///< in the mean of the criteria; 0: left out
+  std::int64_t weight_milli = kDefaultWeight_milli;  ///< in the mean of the criteria; 0: left out
 };
 
 /// A rubric as it was at one time. Never changes once stored.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpeedTolerance = 1e-3;  // stored in thousandths
 constexpr double kFarApart = 0.7;         // of the scale, between the lowest and the highest row
-constexpr std::size_t kFewestRows = 3;    // that tell a pattern from chance
+constexpr std::size_t kMinRows = 3;       // that tell a pattern from chance
 
 double shareOfScale(std::int64_t steps, const ScoreScale& scale) {
   return static_cast<double>(steps - scale.lo) / static_cast<double>(scale.hi - scale.lo);
@@ -32,7 +32,7 @@ void lookForSlips(std::span<const SheetLine> lines, SheetCheck& check) {
       shares.push_back(share);
     }
   }
-  if (shares.size() < kFewestRows) {
+  if (shares.size() < kMinRows) {
     return;
   }
   const auto [low, high] = std::minmax_element(shares.begin(), shares.end());

@@ -86,7 +86,7 @@ hd::ErrorCode HdapiErrors::worstCode() const noexcept {
 
 HdapiErrors drainHdapiErrors(const hd::Api& api) noexcept {
   HdapiErrors errors;
-  while (errors.count < kMostErrorsAtOnce) {
+  while (errors.count < kMaxErrorsAtOnce) {
     const hd::ErrorInfo info = api.hdGetError();
     if (info.error == hd::kSuccess) {
       break;

@@ -28,11 +28,11 @@ enum class HdapiErrorClass : std::uint8_t {
 [[nodiscard]] Text hdapiErrorText(hd::ErrorCode code);
 
 /// Most errors that are taken in one tick, so that the library cannot hold up a tick.
-inline constexpr std::size_t kMostErrorsAtOnce = 16;
+inline constexpr std::size_t kMaxErrorsAtOnce = 16;
 
 /// The errors that one emptying of the stack brought, in the order in which they happened.
 struct HdapiErrors {
-  std::array<hd::ErrorInfo, kMostErrorsAtOnce> entries{};
+  std::array<hd::ErrorInfo, kMaxErrorsAtOnce> entries{};
   std::size_t count = 0;
   HdapiErrorClass worst = HdapiErrorClass::kNone;
 

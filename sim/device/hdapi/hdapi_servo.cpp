@@ -11,7 +11,7 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kEventCapacity = 1024;
-constexpr std::size_t kMostMotors = 6;
+constexpr std::size_t kMaxMotors = 6;
 // Joints turn by less than a circle; what is far beyond is no angle.
 constexpr double kLargestAngle_rad = 20.0;
 
@@ -189,7 +189,7 @@ void HdapiServo::readTemperature() noexcept {
     return;
   }
   // Three values on a device with three motors, six on one with six.
-  std::array<double, kMostMotors> motors{};
+  std::array<double, kMaxMotors> motors{};
   api_.hdGetDoublev(hd::kMotorTemperature, motors.data());
   double warmest = 0.0;
   for (const double motor : motors) {

@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kMostEvents = 256;
+constexpr std::size_t kMaxEvents = 256;
 constexpr std::int64_t kLook_us = 5'000;
 constexpr double kGripTime_s = 0.1;
 /// Middle of the workspace as third parties' examples place it; measure your own.
@@ -32,7 +32,7 @@ Inverse3Device::Inverse3Device(std::unique_ptr<WebSocket> service, const Inverse
     : service_(std::move(service)),
       deviceId_(first.deviceId),
       origin_m_(request.workspaceCentre_m - kCentre_m),
-      events_(kMostEvents) {
+      events_(kMaxEvents) {
   identity_.model = "Inverse3";
   identity_.vendor = "Haply";
   identity_.serial = first.deviceId;

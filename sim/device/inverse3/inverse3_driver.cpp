@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kUsualPlace = "127.0.0.1:10001";
+constexpr const char* kDefaultPlace = "127.0.0.1:10001";
 constexpr std::int64_t kPatience_us = 1'000'000;
 
 Text plugItIn() {
@@ -22,7 +22,7 @@ Text plugItIn() {
 
 std::unique_ptr<WebSocket> connectToService() {
   const char* const named = std::getenv("TORSIO_INVERSE_SERVICE");
-  const std::string place = named != nullptr && *named != '\0' ? named : kUsualPlace;
+  const std::string place = named != nullptr && *named != '\0' ? named : kDefaultPlace;
   const std::size_t colon = place.rfind(':');
   const int port = colon == std::string::npos ? 0 : std::atoi(place.c_str() + colon + 1);
   if (port <= 0 || port > 65'535) {

@@ -26,13 +26,13 @@ namespace {
 /// What a puck reports when it is pushed as far as it goes, at the daemon's usual sensitivity.
 constexpr double kPuckMost = 350.0;
 constexpr double kPuckDead = 0.05;  // the daemon has taken most of the rest out already
-constexpr int kMostEventsAtOnce = 64;
-constexpr const char* kUsualSocket = "/var/run/spnav.sock";
+constexpr int kMaxEventsAtOnce = 64;
+constexpr const char* kDefaultSocket = "/var/run/spnav.sock";
 
 /// Whether somebody listens there: spnav_open loses memory each time it fails.
 bool daemonListens() {
   const char* const named = std::getenv("SPNAV_SOCKET");
-  for (const std::string& path : {std::string(named != nullptr ? named : ""), std::string(kUsualSocket)}) {
+  for (const std::string& path : {std::string(named != nullptr ? named : ""), std::string(kDefaultSocket)}) {
     sockaddr_un address{};
     if (path.empty() || path.size() >= sizeof(address.sun_path)) {
       continue;
@@ -128,7 +128,7 @@ class SpaceMouseSource final : public SteeringSource {
       return std::nullopt;
     }
     spnav_event event;
-    for (int i = 0; i < kMostEventsAtOnce && spnav_poll_event(&event) != 0; ++i) {
+    for (int i = 0; i < kMaxEventsAtOnce && spnav_poll_event(&event) != 0; ++i) {
       if (event.type == SPNAV_EVENT_DEV && event.dev.op == SPNAV_DEV_RM) {
         return std::nullopt;
       }

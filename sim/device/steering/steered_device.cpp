@@ -12,7 +12,7 @@ namespace torsio {
 namespace {
 
 constexpr auto kPollEvery = std::chrono::milliseconds(1);
-constexpr std::size_t kMostEvents = 256;
+constexpr std::size_t kMaxEvents = 256;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SteeredDevice::SteeredDevice(std::unique_ptr<SteeringSource> source, DeviceIdent
     : source_(std::move(source)),
       identity_(std::move(identity)),
       steering_(request.start.position_m, request.workspaceCentre_m),
-      events_(kMostEvents) {
+      events_(kMaxEvents) {
   const Vec3 reach_m{kSteeringReach_m, kSteeringReach_m, kSteeringReach_m};
   capabilities_.model = identity_.model;
   capabilities_.workspaceMin_m = request.workspaceCentre_m - reach_m;

@@ -32,7 +32,7 @@ bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s) {
   leaveNoDump();
   std::signal(SIGPIPE, SIG_IGN);  // whoever asked may have stopped listening
   return (!kLimitsMemory || limited(RLIMIT_AS, memory_MB * 1'000'000)) && limited(RLIMIT_CPU, processor_s) &&
-         limited(RLIMIT_FSIZE, kMostAnswerBytes) && limited(RLIMIT_NPROC, 0);
+         limited(RLIMIT_FSIZE, kMaxAnswerBytes) && limited(RLIMIT_NPROC, 0);
 }
 
 bool leaveAnswer(const std::string& answer) {

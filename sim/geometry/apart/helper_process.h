@@ -24,7 +24,7 @@ struct HelperLimits {
 inline constexpr int kHelperAnswerFile = 3;
 inline constexpr int kHelperNewsFile = 4;
 /// Most bytes of an answer: two million triangles with corners of their own.
-inline constexpr std::uint64_t kMostAnswerBytes = 600'000'000;
+inline constexpr std::uint64_t kMaxAnswerBytes = 600'000'000;
 
 /// Memory in which another process leaves its answer.
 class HelperAnswer {

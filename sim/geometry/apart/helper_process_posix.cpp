@@ -132,7 +132,7 @@ HelperAnswer::~HelperAnswer() {
 std::span<const char> HelperAnswer::bytes() {
   struct stat state {};
   if (fstat(number_, &state) != 0 || state.st_size <= 0 ||
-      static_cast<std::uint64_t>(state.st_size) > kMostAnswerBytes) {
+      static_cast<std::uint64_t>(state.st_size) > kMaxAnswerBytes) {
     return {};
   }
   size_ = static_cast<std::size_t>(state.st_size);

@@ -89,7 +89,7 @@ RawMesh meshOfMail(std::span<const char> bytes, const std::string& where) {
     texts.text(remedy);
     throw Error(static_cast<ErrorCode>(head.code), what, place, remedy);
   }
-  constexpr std::uint64_t kMost = kMostAnswerBytes;
+  constexpr std::uint64_t kMost = kMaxAnswerBytes;
   if (head.kind != kMeshMail || head.vertices > kMost || head.triangles > kMost ||
       rest.size() != head.vertices * sizeof(Vec3) + head.triangles * sizeof(TriangleMesh::Triangle)) {
     refuseMail(where);

@@ -18,12 +18,12 @@ namespace {
 
 using Index = std::uint32_t;
 
-constexpr double kMostArea = 0.1;          // of the organ's surface
+constexpr double kMaxArea = 0.1;           // of the organ's surface
 constexpr double kLeastSlenderness = 0.4;  // area over squared girth: 0.16 of a hemisphere, more of a stub
 constexpr double kSaddle = 0.7;            // of the slenderness at the root: beyond it the organ opens out
 constexpr double kTip = 0.15;              // of a branch's length: what its tip is
 constexpr double kEdgesInStep = 1.5;
-constexpr std::size_t kMostTips = 24;
+constexpr std::size_t kMaxTips = 24;
 
 /// Vertices, each with the third of the surface that surrounds it.
 std::vector<double> vertexAreas_m2(const TriangleMesh& mesh) {
@@ -100,7 +100,7 @@ class BranchFinder {
         const auto isNear = [&](Index other) {
           return norm(mesh_.vertices_m[v] - mesh_.vertices_m[other]) < 4.0 * step_m_;
         };
-        if (found.size() < kMostTips && !isNear(fixed) && !isNear(free) &&
+        if (found.size() < kMaxTips && !isNear(fixed) && !isNear(free) &&
             std::none_of(found.begin(), found.end(), isNear)) {
           found.push_back(v);
         }
@@ -124,7 +124,7 @@ class BranchFinder {
       within_m2 += areas[k];
       const double girth_m = (areas[k] + areas[k + 1]) / (2.0 * step_m_);
       const double slenderness = within_m2 / (girth_m * girth_m);
-      if (within_m2 < kMostArea * whole_m2_ && slenderness > best.slenderness) {
+      if (within_m2 < kMaxArea * whole_m2_ && slenderness > best.slenderness) {
         best = {static_cast<double>(k + 1) * step_m_, slenderness};
       } else if (best.slenderness >= kLeastSlenderness && slenderness < kSaddle * best.slenderness) {
         return best;

@@ -20,7 +20,7 @@ constexpr int kWaySteps = 256;          // of the ridge angle at a station
 constexpr std::size_t kStations = 400;  // level lines traced for the axis of a curved organ
 constexpr double kSmoothing = 0.012;    // of the length; removes the steps of the mesh from the axis
 constexpr double kSmoothingOfRadius = 0.25;
-constexpr double kMostSmoothingOfRadius = 0.5;
+constexpr double kMaxSmoothingOfRadius = 0.5;
 constexpr double kBeforeBranch = 0.5;  // of the last section's radius: what is left out before a branching
 constexpr double kStride = 0.25;       // of a section's radius: over this way its centre must advance
 constexpr double kSpeck = 1e-3;        // of the perimeter: a loop of rounding noise
@@ -191,7 +191,7 @@ class FieldBuilder {
       if (turn.angle_rad <= kSharpestTurn_rad) {
         return;
       }
-      if (2.0 * smoothing > kMostSmoothingOfRadius * radius) {
+      if (2.0 * smoothing > kMaxSmoothingOfRadius * radius) {
         refuseKink(turn);
       }
     }

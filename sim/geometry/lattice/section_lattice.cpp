@@ -27,9 +27,9 @@ void checkCount(int value, int least, int most, const Text& what, const Text& wh
 }
 
 void check(const LatticeOptions& options) {
-  checkCount(options.ridges, kFewestRidges, kMostRidges, Text::tr("ridges"),
+  checkCount(options.ridges, kMinRidges, kMaxRidges, Text::tr("ridges"),
              Text::tr("two ridges cannot bound an area"));
-  checkCount(options.sections, kFewestSections, kMostSections, Text::tr("sections"), "");
+  checkCount(options.sections, kMinSections, kMaxSections, Text::tr("sections"), "");
   if (!isFinite(options.ridgeZero)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the direction of ridge 0 is not finite"), "",
                 Text::tr("Give three finite numbers."));

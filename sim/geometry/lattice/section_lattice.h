@@ -43,11 +43,11 @@ enum class RidgeSpacing {
   kArcLength,  ///< equal way along each section's outline
 };
 
-inline constexpr int kFewestRidges = 3;  ///< two ridges cannot bound an area
-inline constexpr int kMostRidges = 360;
-inline constexpr int kFewestSections = 2;
-inline constexpr int kMostSections = 360;
-inline constexpr int kFewestOutlinePoints = 96;  ///< fewer make a round section more than 0.2 % too soft
+inline constexpr int kMinRidges = 3;  ///< two ridges cannot bound an area
+inline constexpr int kMaxRidges = 360;
+inline constexpr int kMinSections = 2;
+inline constexpr int kMaxSections = 360;
+inline constexpr int kMinOutlinePoints = 96;  ///< fewer make a round section more than 0.2 % too soft
 
 struct LatticeOptions {
   int ridges = 36;    ///< N, 3..360 (two ridges cannot bound an area)
@@ -111,7 +111,7 @@ class SectionLattice {
   [[nodiscard]] Vec3 keyPoint_m(int ridge, int j) const;
   /// Returns the real outline of section j in its frame: (x, y) along e1, e2 from the centre, anticlockwise
   /// about the tangent, not closed (first point not repeated), metres. Starts on ridge 0 and holds every
-  /// key point, at least kFewestOutlinePoints equal steps of the ridge angle, and every corner of the
+  /// key point, at least kMinOutlinePoints equal steps of the ridge angle, and every corner of the
   /// mesh's section in between: its area is that of the section.
   [[nodiscard]] std::span<const Point2> outline_m(int j) const;
   /// Returns the ridge angle of each outline point of section j, strictly increasing from 0, below 2 pi.

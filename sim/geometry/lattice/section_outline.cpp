@@ -278,7 +278,7 @@ bool isStarShaped(const LevelLoop& loop, const AxisFrame& frame) {
 SectionOutline cutOutline(const LevelLoop& loop, const AxisFrame& frame, const RidgeRule& rule, int ridges,
                           const std::string& name) {
   const DividedLoop divided(loop, frame, rule);
-  const int stepsPerRidge = (kFewestOutlinePoints + ridges - 1) / ridges;
+  const int stepsPerRidge = (kMinOutlinePoints + ridges - 1) / ridges;
   const int count = ridges * stepsPerRidge;
   SectionOutline outline;
   outline.ridges_m.reserve(static_cast<std::size_t>(ridges));

@@ -17,7 +17,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-constexpr double kMostOfOrgan = 0.1;
+constexpr double kMaxOfOrgan = 0.1;
 
 [[noreturn]] void refuseBranch(const Text& what) {
   throw Error(
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> branchOf(const TriangleMesh& mesh, const Vec3& root_m,
   if (piece.empty()) {
     refuseBranch(Text::tr("nothing of the organ lies beyond the cut of its side branch"));
   }
-  if (static_cast<double>(piece.size()) > kMostOfOrgan * static_cast<double>(open.size())) {
+  if (static_cast<double>(piece.size()) > kMaxOfOrgan * static_cast<double>(open.size())) {
     refuseBranch(Text::tr("the side branch is more than a tenth of the organ"));
   }
   std::vector<std::uint8_t> branch(open.size(), 0);

@@ -200,9 +200,9 @@ void requireShape(const MeshReport& r, const std::string& where) {
                         number(r.volume_m3 * 1e6)),
                where, Text::tr("Give a closed surface that encloses the organ"));
   }
-  if (r.triangles < kFewestTriangles) {
+  if (r.triangles < kMinTriangles) {
     refuseMesh(Text::tr("M19 too coarse: %1 triangles, at least %2 are needed", std::to_string(r.triangles),
-                        std::to_string(kFewestTriangles)),
+                        std::to_string(kMinTriangles)),
                where, Text::tr("Subdivide the surface"));
   }
 }
@@ -282,9 +282,9 @@ void requireSound(const TriangleMesh& mesh, const std::string& where) {
     refuseMesh(Text::tr("M06 no triangles"), where,
                Text::tr("Give a file with a surface, not points or lines"));
   }
-  if (mesh.triangles.size() > kMostTriangles) {
+  if (mesh.triangles.size() > kMaxTriangles) {
     refuseMesh(Text::tr("M03 %1 triangles, at most %2 are accepted", std::to_string(mesh.triangles.size()),
-                        std::to_string(kMostTriangles)),
+                        std::to_string(kMaxTriangles)),
                where, Text::tr("Decimate the surface"));
   }
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {

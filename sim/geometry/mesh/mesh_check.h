@@ -25,8 +25,8 @@ struct SideRange {
   }
 };
 inline constexpr SideRange kOrganSide{kSmallestOrgan_m, kLargestOrgan_m};
-inline constexpr std::size_t kMostTriangles = 2'000'000;
-inline constexpr std::size_t kFewestTriangles = 200;
+inline constexpr std::size_t kMaxTriangles = 2'000'000;
+inline constexpr std::size_t kMinTriangles = 200;
 inline constexpr double kSmallPieceShare =
     0.05;  ///< separate pieces up to this share of the area are dropped
 inline constexpr double kThinnestOrgan_m = 0.0005;  ///< mean thickness 2 V / A

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::string_view, 7> kFormats{"obj", "stl", "ply", "off", "glb", "gltf", "dae"};
-constexpr std::uintmax_t kMostBytes = 500'000'000;
+constexpr std::uintmax_t kMaxBytes = 500'000'000;
 
 std::string lowerExtension(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -89,9 +89,9 @@ Vec3 transformed(const aiMatrix4x4& m, const aiVector3D& v) {
 
 void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, double scale_m,
             const std::string& where) {
-  if (!part.HasPositions() || mesh.triangles.size() + part.mNumFaces > 2 * kMostTriangles) {
+  if (!part.HasPositions() || mesh.triangles.size() + part.mNumFaces > 2 * kMaxTriangles) {
     if (part.HasPositions()) {
-      throw Error(ErrorCode::kBadMesh, Text::tr("M03 more than %1 triangles", std::to_string(kMostTriangles)),
+      throw Error(ErrorCode::kBadMesh, Text::tr("M03 more than %1 triangles", std::to_string(kMaxTriangles)),
                   where, Text::tr("Decimate the surface"));
     }
     return;
@@ -217,9 +217,9 @@ void requireThere(const fs::path& file) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("M01 the file is empty"), file.string(),
                 Text::tr("Export the mesh again"));
   }
-  if (failed || size > kMostBytes) {
+  if (failed || size > kMaxBytes) {
     throw Error(ErrorCode::kFileUnreadable,
-                Text::tr("M03 the file has more than %1 MB", std::to_string(kMostBytes / 1'000'000)),
+                Text::tr("M03 the file has more than %1 MB", std::to_string(kMaxBytes / 1'000'000)),
                 file.string(), Text::tr("Decimate the surface"));
   }
 }

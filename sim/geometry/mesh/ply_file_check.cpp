@@ -116,7 +116,7 @@ void parseHeaderLine(PlyHeader& header, const Words& w, const std::string& where
 }
 
 PlyHeader parseHeader(TextLines& lines, const std::string& where) {
-  constexpr std::uint64_t kMostLines = 10'000;
+  constexpr std::uint64_t kMaxLines = 10'000;
   PlyHeader header;
   Words words;
   auto line = lines.next();
@@ -128,7 +128,7 @@ PlyHeader parseHeader(TextLines& lines, const std::string& where) {
   }
   while (true) {
     line = lines.next();
-    if (!line || lines.number() > kMostLines) {
+    if (!line || lines.number() > kMaxLines) {
       refuseFormat(where, "PLY", Text::tr("the header has no end"));
     }
     splitWords(*line, words);

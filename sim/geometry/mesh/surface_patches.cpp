@@ -160,7 +160,7 @@ void SurfacePatches::cut(const TriangleMesh& mesh) {
       }
     }
   }
-  const std::size_t patches = std::clamp<std::size_t>(triangles_.size() / kTrianglesInPatch, 1, kMostPatches);
+  const std::size_t patches = std::clamp<std::size_t>(triangles_.size() / kTrianglesInPatch, 1, kMaxPatches);
   const std::vector<std::uint32_t> patchOf = RoundPieces(next, places_m).cut(patches);
 
   std::vector<std::set<std::uint32_t>> touching(patches);
@@ -182,7 +182,7 @@ void SurfacePatches::cut(const TriangleMesh& mesh) {
       sums_m[p] = sums_m[p] / counts[p];
     }
   }
-  const std::size_t groups = std::clamp<std::size_t>(patches / kPatchesInGroup, 1, kMostGroups);
+  const std::size_t groups = std::clamp<std::size_t>(patches / kPatchesInGroup, 1, kMaxGroups);
   const std::vector<std::uint32_t> groupOf = RoundPieces(nextPatch, sums_m).cut(groups);
 
   // Patches are numbered in the order of their groups.
@@ -237,7 +237,7 @@ void SurfacePatches::fill(const TriangleMesh& mesh, const std::vector<std::vecto
         facet.corner[k] = found->second;
       }
       facets_.push_back(facet);
-      if (local.size() > kMostVertices) {
+      if (local.size() > kMaxVertices) {
         throw Error(ErrorCode::kBadMesh,
                     Text::tr("the surface has %1 triangles, more than a tick can look at",
                              std::to_string(triangles_.size())),

@@ -16,9 +16,9 @@ namespace torsio {
 /// (deformed_surface.h). Immutable.
 class SurfacePatches {
  public:
-  static constexpr std::size_t kMostPatches = 1024;
-  static constexpr std::size_t kMostGroups = 256;
-  static constexpr std::size_t kMostVertices = 2048;  ///< of one patch
+  static constexpr std::size_t kMaxPatches = 1024;
+  static constexpr std::size_t kMaxGroups = 256;
+  static constexpr std::size_t kMaxVertices = 2048;  ///< of one patch
 
   struct Facet {
     std::uint32_t triangle = 0;

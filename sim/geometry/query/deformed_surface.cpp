@@ -82,14 +82,14 @@ class OpenList {
   static bool farther(const Entry& a, const Entry& b) noexcept { return a.bound_m > b.bound_m; }
   [[nodiscard]] Entry* end() noexcept { return entries_.data() + count_; }
 
-  std::array<Entry, SurfacePatches::kMostGroups + SurfacePatches::kMostPatches> entries_;
+  std::array<Entry, SurfacePatches::kMaxGroups + SurfacePatches::kMaxPatches> entries_;
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
 bool FacetList::add(std::uint32_t triangle, const std::array<std::uint32_t, 3>& corners) noexcept {
-  if (facetCount == kMostFacets) {
+  if (facetCount == kMaxFacets) {
     return false;
   }
   Facet& facet = facets[facetCount];
@@ -98,7 +98,7 @@ bool FacetList::add(std::uint32_t triangle, const std::array<std::uint32_t, 3>& 
     const auto* const end = vertices.data() + vertexCount;
     const auto* const known = std::find(vertices.data(), vertices.data() + vertexCount, corners[k]);
     if (known == end) {
-      if (vertexCount == kMostVertices) {
+      if (vertexCount == kMaxVertices) {
         return false;
       }
       vertices[vertexCount++] = corners[k];
@@ -165,7 +165,7 @@ std::uint32_t DeformedSurface::movePatch(std::size_t patch) noexcept {
     return movedAt_[patch];
   }
   const auto vertices = patches_.vertices(patches_.patches()[patch]);
-  if (movedCount_ + vertices.size() > kMostMoved) {
+  if (movedCount_ + vertices.size() > kMaxMoved) {
     movedAt_.fill(kNotMoved);
     movedCount_ = 0;
   }
@@ -251,7 +251,7 @@ SegmentHit DeformedSurface::hitOf(const Segment& segment, double along, std::uin
 }
 
 SegmentHit DeformedSurface::nearestAmong(const Segment& segment, const FacetList& list) const noexcept {
-  std::array<Place, FacetList::kMostVertices> moved_m;
+  std::array<Place, FacetList::kMaxVertices> moved_m;
   for (std::size_t v = 0; v < list.vertexCount; ++v) {
     moved_m[v] = kept(place(list.vertices[v]));
   }

@@ -28,15 +28,15 @@ struct PieceBounds {
 
 /// Some triangles that lie together, with the vertices that they share. Fixed size, trivially copyable.
 struct FacetList {
-  static constexpr std::size_t kMostFacets = 128;
-  static constexpr std::size_t kMostVertices = 128;
+  static constexpr std::size_t kMaxFacets = 128;
+  static constexpr std::size_t kMaxVertices = 128;
 
   struct Facet {
     std::uint32_t triangle;
     std::array<std::uint8_t, 3> corner;  ///< in `vertices`
   };
-  std::array<Facet, kMostFacets> facets;
-  std::array<std::uint32_t, kMostVertices> vertices;
+  std::array<Facet, kMaxFacets> facets;
+  std::array<std::uint32_t, kMaxVertices> vertices;
   std::size_t facetCount = 0;
   std::size_t vertexCount = 0;
 
@@ -83,8 +83,8 @@ class DeformedSurface {
   static Place kept(const Vec3& v) noexcept { return {v.x, v.y, v.z}; }
   static Vec3 at(const Place& place) noexcept { return {place.x, place.y, place.z}; }
   static constexpr std::uint32_t kNotMoved = 0xFFFFFFFFU;
-  static constexpr std::size_t kMostMoved = 4096;  // vertices; more than this and they are moved anew
-  static_assert(kMostMoved >= SurfacePatches::kMostVertices);
+  static constexpr std::size_t kMaxMoved = 4096;  // vertices; more than this and they are moved anew
+  static_assert(kMaxMoved >= SurfacePatches::kMaxVertices);
 
   [[nodiscard]] Vec3 place(std::uint32_t vertex) const noexcept { return places_.at(places_.self, vertex); }
   void moveSeeds() noexcept;
@@ -102,14 +102,14 @@ class DeformedSurface {
   PieceBounds bounds_;
   bool seeded_ = false;   // the seeds of the groups are moved
   double stretch_ = 1.0;  // of the surface on the whole; unused with bounds
-  std::array<Place, SurfacePatches::kMostGroups> groups_m_;
-  std::array<double, SurfacePatches::kMostGroups> groupRadii_m_;
-  std::array<bool, SurfacePatches::kMostGroups> opened_{};
+  std::array<Place, SurfacePatches::kMaxGroups> groups_m_;
+  std::array<double, SurfacePatches::kMaxGroups> groupRadii_m_;
+  std::array<bool, SurfacePatches::kMaxGroups> opened_{};
   // Of the patches of the opened groups.
-  std::array<Place, SurfacePatches::kMostPatches> patches_m_;
-  std::array<double, SurfacePatches::kMostPatches> radii_m_;
-  std::array<std::uint32_t, SurfacePatches::kMostPatches> movedAt_;
-  std::array<Place, kMostMoved> moved_m_;
+  std::array<Place, SurfacePatches::kMaxPatches> patches_m_;
+  std::array<double, SurfacePatches::kMaxPatches> radii_m_;
+  std::array<std::uint32_t, SurfacePatches::kMaxPatches> movedAt_;
+  std::array<Place, kMaxMoved> moved_m_;
   std::size_t movedCount_ = 0;
 };
 

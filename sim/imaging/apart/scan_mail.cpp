@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t kScanMail = 0x5343414e;     // "SCAN"
 constexpr std::uint32_t kToolMail = 0x544f4f4c;     // "TOOL"
 constexpr std::uint32_t kPreviewMail = 0x534c4943;  // "SLIC"
-constexpr std::size_t kMostRemarks = 64;
+constexpr std::size_t kMaxRemarks = 64;
 constexpr std::size_t kRequestWords = 9;
 constexpr std::size_t kDabsInWord = 1000;
 constexpr std::size_t kDabNumbers = 5;
@@ -85,7 +85,7 @@ struct OpenedMail {
 };
 
 void packRemarks(const std::vector<ScanRemark>& remarks, TextPacker& facts) {
-  const std::size_t told = std::min(remarks.size(), kMostRemarks);
+  const std::size_t told = std::min(remarks.size(), kMaxRemarks);
   facts.number(static_cast<double>(told));
   for (std::size_t i = 0; i < told; ++i) {
     facts.text(remarks[i].code);
@@ -98,7 +98,7 @@ void packRemarks(const std::vector<ScanRemark>& remarks, TextPacker& facts) {
 }
 
 void unpackRemarks(TextUnpacker& facts, std::vector<ScanRemark>& remarks) {
-  remarks.resize(facts.count(kMostRemarks));
+  remarks.resize(facts.count(kMaxRemarks));
   for (ScanRemark& remark : remarks) {
     facts.text(remark.code);
     remark.warning = facts.number() != 0.0;
@@ -180,7 +180,7 @@ std::vector<std::string> wordsOf(const ScanRequest& request) {
 }
 
 std::optional<ScanRequest> requestOfWords(std::span<const char* const> words) {
-  if (words.size() < kRequestWords || words.size() > kRequestWords + kMostDabs / kDabsInWord) {
+  if (words.size() < kRequestWords || words.size() > kRequestWords + kMaxDabs / kDabsInWord) {
     return std::nullopt;
   }
   ScanRequest request;
@@ -283,9 +283,9 @@ ScanSurface scanOfMail(std::span<const char> bytes, const std::string& where) {
   ScanSurface surface;
   TextUnpacker facts(mail.facts);
   facts.text(surface.kind);
-  constexpr std::size_t kMostSide = 100'000;
+  constexpr std::size_t kMaxSide = 100'000;
   for (std::size_t& side : surface.count) {
-    side = facts.count(kMostSide);
+    side = facts.count(kMaxSide);
   }
   surface.voxel_mm.x = facts.number();
   surface.voxel_mm.y = facts.number();
@@ -294,7 +294,7 @@ ScanSurface scanOfMail(std::span<const char> bytes, const std::string& where) {
   const bool levelled = facts.number() != 0.0;
   const double level_HU = facts.number();
   surface.level_HU = levelled ? std::optional(level_HU) : std::nullopt;
-  surface.rawTriangles = facts.count(kMostAnswerBytes);
+  surface.rawTriangles = facts.count(kMaxAnswerBytes);
   const double ownWall_mm = facts.number();
   surface.ownWall_mm = ownWall_mm > 0.0 ? std::optional(ownWall_mm) : std::nullopt;
   const bool walled = facts.number() != 0.0;

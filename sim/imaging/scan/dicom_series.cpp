@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostFiles = 50'000;
+constexpr std::size_t kMaxFiles = 50'000;
 constexpr int kDeepest = 12;
 constexpr std::size_t kListedSeries = 12;
 constexpr double kUnitTolerance = 1e-3;
 constexpr double kSameDirection = 1e-3;
 constexpr double kSameSpacing_mm = 1e-4;
-constexpr long kMostSide_px = 8192;
+constexpr long kMaxSide_px = 8192;
 
 [[noreturn]] void refuseSeries(const Text& what, const std::string& where, const Text& remedy) {
   throw Error(ErrorCode::kFileUnreadable, what, where, remedy);
@@ -67,8 +67,8 @@ DicomFiles collected(const fs::path& folder) {
     if (entries->is_regular_file(unknown) && !entries->is_symlink(unknown)) {
       found.files.push_back(entries->path());
     }
-    if (found.files.size() > kMostFiles) {
-      refuseSeries(Text::tr("D15 the folder holds more than %1 files", std::to_string(kMostFiles)),
+    if (found.files.size() > kMaxFiles) {
+      refuseSeries(Text::tr("D15 the folder holds more than %1 files", std::to_string(kMaxFiles)),
                    folder.string(), Text::tr("Give the folder of one scan"));
     }
   }
@@ -191,7 +191,7 @@ void requirePixels(const DicomSlice& slice, const std::string& where) {
                  slice.name, std::to_string(slice.bitsAllocated), std::to_string(slice.samples)),
         where, again);
   }
-  if (slice.rows < 2 || slice.columns < 2 || slice.rows > kMostSide_px || slice.columns > kMostSide_px ||
+  if (slice.rows < 2 || slice.columns < 2 || slice.rows > kMaxSide_px || slice.columns > kMaxSide_px ||
       slice.bitsStored < 8 || slice.bitsStored > 16 || slice.highBit + 1 < slice.bitsStored ||
       slice.highBit > 15) {
     refuseSeries(

@@ -17,9 +17,9 @@ constexpr double kSamePlace_mm = 0.01;
 constexpr double kEvenShare = 0.01;  // of the distance
 constexpr double kEven_mm = 0.01;
 constexpr double kLeastShift_mm = 0.02;  // a slice, across: less is no tilt
-constexpr double kMostStray_mm = 0.1;    // off a straight line through the slices
-constexpr double kMostTilt_deg = 35.0;
-constexpr std::size_t kFewestSlices = 10;
+constexpr double kMaxStray_mm = 0.1;     // off a straight line through the slices
+constexpr double kMaxTilt_deg = 35.0;
+constexpr std::size_t kMinSlices = 10;
 constexpr double kCoarse_mm = 6.0;
 constexpr double kLong = 8.0;  // longest over shortest side of a voxel
 constexpr double kDegrees = 180.0 / kPi;
@@ -93,7 +93,7 @@ Vec3 shiftOf(const DicomStack& stack, const Vec3& normal, const std::string& whe
     const Vec3 from = *slice.position_mm - first;
     const double here_mm = dot(from, normal);
     const double stray_mm = norm(from - here_mm * (normal + shift));
-    if (stray_mm > kMostStray_mm) {
+    if (stray_mm > kMaxStray_mm) {
       refuseStack(
           Text::tr("D07 slice %1 is shifted by %2 mm against the others", slice.name, shortNumber(stray_mm)),
           where, Text::tr("Give one series of one scan"));
@@ -104,9 +104,9 @@ Vec3 shiftOf(const DicomStack& stack, const Vec3& normal, const std::string& whe
     return {};
   }
   const double tilt_deg = kDegrees * std::atan(norm(shift));
-  if (tilt_deg > kMostTilt_deg) {
+  if (tilt_deg > kMaxTilt_deg) {
     refuseStack(Text::tr("D10 the gantry was tilted by %1 degrees, at most %2 are corrected",
-                         shortNumber(tilt_deg), shortNumber(kMostTilt_deg)),
+                         shortNumber(tilt_deg), shortNumber(kMaxTilt_deg)),
                 where, Text::tr("Give a scan with an upright gantry"));
   }
   remarks.push_back(
@@ -147,9 +147,9 @@ DicomStack stacked(std::vector<DicomSlice> slices, bool resample, const std::str
   }
   stack.slices = std::move(slices);
   partTwins(stack, along_mm);
-  if (stack.slices.size() < kFewestSlices) {
+  if (stack.slices.size() < kMinSlices) {
     refuseStack(Text::tr("D11 the series has %1 {slice|slices} at different places, at least %2 are needed",
-                         std::to_string(stack.slices.size()), std::to_string(kFewestSlices)),
+                         std::to_string(stack.slices.size()), std::to_string(kMinSlices)),
                 where, Text::tr("Give a whole series"));
   }
   const double layer_mm = spaced(along_mm, resample, where, stack, remarks);

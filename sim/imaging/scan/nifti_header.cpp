@@ -16,11 +16,11 @@ namespace torsio {
 namespace {
 
 constexpr std::int32_t kNifti2Bytes = 540;
-constexpr std::int16_t kMostSide = 4096;
-constexpr double kMostOffset = 64e6;
+constexpr std::int16_t kMaxSide = 4096;
+constexpr double kMaxOffset = 64e6;
 constexpr double kThinnestVoxel_mm = 0.01;
 constexpr double kThickestVoxel_mm = 50.0;
-constexpr double kMostShear = 0.01745;  // cosine of 89 degrees
+constexpr double kMaxShear = 0.01745;  // cosine of 89 degrees
 constexpr double kFarthest_mm = 1e5;
 
 // Where the fields lie.
@@ -104,9 +104,9 @@ void readDimensions(const HeaderBytes& bytes, const std::string& where, NiftiHea
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto side = bytes.at<std::int16_t>(kDim + 2 * (axis + 1));
-    if (side < 1 || side > kMostSide) {
+    if (side < 1 || side > kMaxSide) {
       refuseHeader(Text::tr("N02 dimension %1 is %2, it must lie between 1 and %3", std::to_string(axis + 1),
-                            std::to_string(side), std::to_string(kMostSide)),
+                            std::to_string(side), std::to_string(kMaxSide)),
                    where, Text::tr("Export the scan again"));
     }
     header.count[axis] = static_cast<std::size_t>(side);
@@ -146,7 +146,7 @@ void readDatatype(const HeaderBytes& bytes, const std::string& where, NiftiHeade
 void readOffset(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
   const double offset = bytes.real(kVoxOffset);
   const double least = header.twoFiles ? 0.0 : static_cast<double>(kNiftiHeaderBytes);
-  if (!(offset >= 0.0 && offset <= kMostOffset) || (offset > 0.0 && offset < least)) {
+  if (!(offset >= 0.0 && offset <= kMaxOffset) || (offset > 0.0 && offset < least)) {
     refuseHeader(Text::tr("N04 the voxels are said to begin at byte %1", shortNumber(offset)), where,
                  Text::tr("Export the scan again"));
   }
@@ -249,7 +249,7 @@ void checkPlace(const NiftiHeader& header, const std::string& where) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double shear = dot(normalized(header.step_mm[axis]), normalized(header.step_mm[(axis + 1) % 3]));
-    if (std::abs(shear) > kMostShear) {
+    if (std::abs(shear) > kMaxShear) {
       refuseHeader(Text::tr("N05 the volume is sheared: two of its axes are %1 degrees off a right angle",
                             shortNumber(std::abs(std::asin(std::clamp(shear, -1.0, 1.0))) * 57.29577951)),
                    where, again);

@@ -58,12 +58,12 @@ void requireHounsfield(const ScanVolume& volume, const std::string& where) {
 void requireSize(const std::array<std::size_t, 3>& count, const std::string& where) {
   const double voxels =
       static_cast<double>(count[0]) * static_cast<double>(count[1]) * static_cast<double>(count[2]);
-  if (voxels > static_cast<double>(kMostVoxels)) {
+  if (voxels > static_cast<double>(kMaxVoxels)) {
     throw Error(ErrorCode::kFileUnreadable,
                 Text::tr("D15 the scan is too large: %1 x %2 x %3 voxels are %4 GB, at most %5 GB are read",
                          std::to_string(count[0]), std::to_string(count[1]), std::to_string(count[2]),
                          inGigabytes(voxels * sizeof(std::int16_t)),
-                         inGigabytes(static_cast<double>(kMostVoxels) * sizeof(std::int16_t))),
+                         inGigabytes(static_cast<double>(kMaxVoxels) * sizeof(std::int16_t))),
                 where, Text::tr("Crop the scan, or export it with larger voxels"));
   }
 }

@@ -16,7 +16,7 @@ namespace torsio {
 /// What lies outside of a scan, and where it was padded: air.
 inline constexpr std::int16_t kOutsideScan_HU = -1024;
 /// Most voxels of a scan: 1.5 GB of memory.
-inline constexpr std::uint64_t kMostVoxels = 750'000'000;
+inline constexpr std::uint64_t kMaxVoxels = 750'000'000;
 
 /// A scan on a grid of voxels: Hounsfield units of a CT, or the numbers of a label mask. Millimetres, LPS (x
 /// to the patient's left, y to the back, z to the head).
@@ -56,7 +56,7 @@ struct ScanRead {
 /// Throws Error{kFileUnreadable} when a volume of CT holds no air, no soft tissue, or one value only: D13.
 void requireHounsfield(const ScanVolume& volume, const std::string& where);
 
-/// Throws Error{kFileUnreadable}, D15, for more voxels than kMostVoxels. `count` is positive.
+/// Throws Error{kFileUnreadable}, D15, for more voxels than kMaxVoxels. `count` is positive.
 void requireSize(const std::array<std::size_t, 3>& count, const std::string& where);
 
 }  // namespace torsio

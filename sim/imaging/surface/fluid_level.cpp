@@ -22,10 +22,10 @@ constexpr double kLeastFluid_HU = -50.0;
 constexpr double kFat_HU = -100.0;
 constexpr double kSoftFrom_HU = 20.0;
 constexpr double kSoftTo_HU = 100.0;
-constexpr double kUsualSoft_HU = 45.0;
+constexpr double kDefaultSoft_HU = 45.0;
 constexpr double kLeastContrast_HU = 15.0;
-constexpr double kMostFilled_ml = 3000.0;
-constexpr std::size_t kMostFluidBorders = 3;
+constexpr double kMaxFilled_ml = 3000.0;
+constexpr std::size_t kMaxFluidBorders = 3;
 
 /// Columns of a grid along a way; the farther along it, the lower.
 class Columns {
@@ -175,7 +175,7 @@ FluidRange fluidRange(const Columns& columns, const GasEnds& ends, const VoxelMa
   }
   FluidRange range;
   range.fluid = medianOf(fluid);
-  const double soft = wall.empty() ? kUsualSoft_HU : medianOf(wall);
+  const double soft = wall.empty() ? kDefaultSoft_HU : medianOf(wall);
   if (std::abs(soft - range.fluid) < kLeastContrast_HU) {
     refuseFluid(Text::tr("D16 the fluid below the gas (%1 HU) is as dense as the wall (%2 HU)",
                          shortNumber(range.fluid), shortNumber(soft)),
@@ -226,7 +226,7 @@ VoxelMask filledDown(const Columns& columns, const GasEnds& ends, const WorkGrid
   }
   const MaskPiece& piece = pieces.list()[static_cast<std::size_t>(most - below.begin())];
   if (static_cast<std::size_t>(std::count(piece.atBorder.begin(), piece.atBorder.end(), true)) >
-      kMostFluidBorders) {
+      kMaxFluidBorders) {
     refuseFluid(Text::tr("D16 the fluid leaks: it reaches the borders of the scan"), where);
   }
   VoxelMask fluid = pieces.mask(static_cast<std::size_t>(most - below.begin())).grown(2);
@@ -279,10 +279,10 @@ VoxelMask fluidBelow(const WorkGrid& grid, const VoxelMask& gas, const std::stri
   VoxelMask fluid = filledDown(columns, ends, grid, mayHold(columns, ends, grid, range), where);
   const double voxel_ml = 0.001 * std::abs(grid.volume.voxel_mm3());
   const double fluid_ml = voxel_ml * static_cast<double>(fluid.voxels());
-  if (fluid_ml + voxel_ml * static_cast<double>(gas.voxels()) > kMostFilled_ml) {
+  if (fluid_ml + voxel_ml * static_cast<double>(gas.voxels()) > kMaxFilled_ml) {
     refuseFluid(Text::tr("D16 the fluid leaks: with the gas it fills %1 ml, a stomach holds at most %2 ml",
                          shortNumber(fluid_ml + voxel_ml * static_cast<double>(gas.voxels())),
-                         shortNumber(kMostFilled_ml)),
+                         shortNumber(kMaxFilled_ml)),
                 where);
   }
   remarks.push_back({"D20", true,

@@ -35,9 +35,9 @@ struct BrushDab {
 };
 
 /// Most dabs of a request, and their radii.
-inline constexpr std::size_t kMostDabs = 20'000;
+inline constexpr std::size_t kMaxDabs = 20'000;
 inline constexpr double kLeastDab_mm = 0.25;
-inline constexpr double kMostDab_mm = 100.0;
+inline constexpr double kMaxDab_mm = 100.0;
 
 /// What is to be made of a scan.
 struct ScanRequest {
@@ -55,10 +55,10 @@ struct ScanRequest {
 
 /// Checks a request before anything is read. Throws Error{kBadParameter}.
 inline void requireScanRequest(const ScanRequest& request) {
-  constexpr int kMostLabel = 32'767;
-  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMostLabel)) {
+  constexpr int kMaxLabel = 32'767;
+  if (request.tissue == ScanTissue::kLabel && (request.label < 1 || request.label > kMaxLabel)) {
     throw Error(ErrorCode::kBadParameter,
-                Text::tr("a label must lie between 1 and %1", std::to_string(kMostLabel)), "",
+                Text::tr("a label must lie between 1 and %1", std::to_string(kMaxLabel)), "",
                 Text::tr("Name a label of the mask: --tissue label N"));
   }
   if (request.fluid && request.tissue != ScanTissue::kGasLumen && request.tissue != ScanTissue::kWall) {
@@ -66,10 +66,10 @@ inline void requireScanRequest(const ScanRequest& request) {
                 Text::tr("Choose gas or the wall as the tissue, or leave the fluid out"));
   }
   const auto wrong = [](const BrushDab& dab) {
-    return !(dab.radius_mm >= kLeastDab_mm && dab.radius_mm <= kMostDab_mm) ||
+    return !(dab.radius_mm >= kLeastDab_mm && dab.radius_mm <= kMaxDab_mm) ||
            !std::isfinite(dab.centre_mm.x + dab.centre_mm.y + dab.centre_mm.z);
   };
-  if (request.brush.size() > kMostDabs || std::any_of(request.brush.begin(), request.brush.end(), wrong)) {
+  if (request.brush.size() > kMaxDabs || std::any_of(request.brush.begin(), request.brush.end(), wrong)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("the strokes of the brush are too many or too large"), "",
                 Text::tr("Correct the mask with fewer strokes"));
   }

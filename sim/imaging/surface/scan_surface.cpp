@@ -30,13 +30,13 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMostWorkVoxels = 16e6;
-constexpr int kMostClosing = 3;    // voxels
+constexpr double kMaxWorkVoxels = 16e6;
+constexpr int kMaxClosing = 3;     // voxels
 constexpr double kSoftBlur = 0.6;  // voxels: shares of voxels are smooth already
 constexpr double kHardBlur = 0.9;  // whole voxels are stairs
 constexpr int kSmoothingPasses = 20;
-constexpr double kMostRestored = 0.25;  // voxels that the surface is moved to give its volume back
-constexpr double kCubicMetres = 1e-9;   // in a cubic millimetre
+constexpr double kMaxRestored = 0.25;  // voxels that the surface is moved to give its volume back
+constexpr double kCubicMetres = 1e-9;  // in a cubic millimetre
 constexpr double kAssumedWall_mm = 3.0;
 constexpr double kLeastSeen = 0.2;  // of the rays, to believe what they say
 constexpr double kThickestWall_mm = 12.0;
@@ -86,11 +86,11 @@ WorkGrid gridFor(const ScanVolume& scan, const ScanRequest& request, const std::
   if (request.tissue == ScanTissue::kLabel) {
     const auto wanted = static_cast<std::int16_t>(request.label);
     return workGrid(
-        scan, range, kMostWorkVoxels,
+        scan, range, kMaxWorkVoxels,
         [wanted](std::int16_t value) { return value == wanted ? kWholeVoxel : 0.0F; }, 0);
   }
   return workGrid(
-      scan, range, kMostWorkVoxels, [](std::int16_t value) { return static_cast<float>(value); },
+      scan, range, kMaxWorkVoxels, [](std::int16_t value) { return static_cast<float>(value); },
       kOutsideScan_HU);
 }
 
@@ -114,8 +114,8 @@ DrawnOrgan drawn(const WorkGrid& grid, const VoxelMask& start, const ScanProgres
                  const std::function<OrganShares(const VoxelMask&)>& sharesOfOrgan,
                  std::vector<ScanRemark>& remarks) {
   DrawnOrgan result{start, {}, 0.0};
-  for (int closing = 1; closing <= kMostClosing; ++closing) {
-    tell(progress, ScanStep::kDrawing, static_cast<double>(closing - 1) / kMostClosing);
+  for (int closing = 1; closing <= kMaxClosing; ++closing) {
+    tell(progress, ScanStep::kDrawing, static_cast<double>(closing - 1) / kMaxClosing);
     result.organ = wholeOrgan(grid, start, closing);
     OrganShares shares = sharesOfOrgan(result.organ);
     result.volume_m3 = kCubicMetres * volume_mm3(shares, grid.volume);
@@ -153,7 +153,7 @@ TriangleMesh finished(DrawnOrgan organ, double step_mm, const ScanProgress& prog
   tell(progress, ScanStep::kThinning, 0.0);
   smooth(organ.mesh, kSmoothingPasses);
   TriangleMesh mesh = thinned(std::move(organ.mesh), kKeptTriangles);
-  restoreVolume(mesh, organ.volume_m3, 1e-3 * kMostRestored * step_mm);
+  restoreVolume(mesh, organ.volume_m3, 1e-3 * kMaxRestored * step_mm);
   return mesh;
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kSkin_HU = -400.0;  // half way between air and soft tissue, before it is measured
 constexpr double kGas_HU = -400.0;
-constexpr double kMostCorrection_HU = 200.0;  // that measuring may make
-constexpr double kMostLumen_ml = 3000.0;
-constexpr std::size_t kMostBorders = 3;
+constexpr double kMaxCorrection_HU = 200.0;  // that measuring may make
+constexpr double kMaxLumen_ml = 3000.0;
+constexpr std::size_t kMaxBorders = 3;
 constexpr double kAlike = 0.25;       // of the largest piece: there is a choice to make
 constexpr double kSmallPiece = 0.01;  // of the largest piece: not worth telling
 constexpr std::size_t kListedPieces = 5;
@@ -202,7 +202,7 @@ VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanR
   const std::size_t chosen = request.seed_mm ? pieceAtSeed(grid, pieces, *request.seed_mm, where)
                                              : largestPiece(grid, pieces, request.tissue, where, remarks);
   const MaskPiece& piece = pieces.list()[chosen];
-  if (bordersOf(piece) > kMostBorders) {
+  if (bordersOf(piece) > kMaxBorders) {
     if (onTable) {
       remarks.erase(remarks.begin() + before, remarks.end());  // of pieces that are told of anew
       if (const auto body = offTheTable(grid, within, request, remarks)) {
@@ -217,9 +217,9 @@ VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanR
   VoxelMask organ = pieces.mask(chosen).grown(2);
   organ.keepOnly(within);
   const double volume_ml = millilitres(grid, organ.voxels());
-  if (isGas(request.tissue) && volume_ml > kMostLumen_ml) {
+  if (isGas(request.tissue) && volume_ml > kMaxLumen_ml) {
     refuseTissue(Text::tr("D16 the gas leaks: it fills %1 ml, a stomach holds at most %2 ml",
-                          shortNumber(volume_ml), shortNumber(kMostLumen_ml)),
+                          shortNumber(volume_ml), shortNumber(kMaxLumen_ml)),
                  where, Text::tr("Give a --seed inside of the organ, or cut it out with --box"));
   }
   return organ;
@@ -256,7 +256,7 @@ TissueLevel measuredLevel(const WorkGrid& grid, const VoxelMask& piece, const Ti
   const double outside = medianWithin(grid, around, first.level - 0.5 * first.contrast);
   const double level = 0.5 * (inside + outside);
   const bool plausible =
-      (inside - outside) * first.contrast > 0.0 && std::abs(level - first.level) <= kMostCorrection_HU;
+      (inside - outside) * first.contrast > 0.0 && std::abs(level - first.level) <= kMaxCorrection_HU;
   return plausible ? TissueLevel{level, inside - outside} : first;
 }
 
@@ -293,9 +293,9 @@ FoundPiece foundPiece(const WorkGrid& grid, const ScanRequest& request, const st
 
 FoundPiece densePiece(const WorkGrid& grid, double threshold_HU, const std::optional<Vec3>& seed_mm,
                       const std::string& where, std::vector<ScanRemark>& remarks) {
-  constexpr double kUsualContrast_HU = 1000.0;
+  constexpr double kDefaultContrast_HU = 1000.0;
   constexpr double kLeastContrast_HU = 200.0;
-  const TissueLevel first{threshold_HU, kUsualContrast_HU};
+  const TissueLevel first{threshold_HU, kDefaultContrast_HU};
   const MaskPieces pieces(withinLevel(grid, first), grid.low(), grid.high());
   if (pieces.list().empty()) {
     refuseTissue(Text::tr("D16 nothing in this scan is denser than %1 HU", shortNumber(threshold_HU)), where,

@@ -22,14 +22,14 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMostToolVoxels = 24e6;
+constexpr double kMaxToolVoxels = 24e6;
 constexpr double kToolBlur = 0.6;  // voxels
 constexpr int kToolPasses = 10;
 constexpr std::size_t kToolTriangles = 4'000;  // of a part
 
 WorkGrid toolGrid(const ScanVolume& scan, const std::string& where) {
   return workGrid(
-      scan, rangeOf(scan, std::nullopt, where), kMostToolVoxels,
+      scan, rangeOf(scan, std::nullopt, where), kMaxToolVoxels,
       [](std::int16_t value) { return static_cast<float>(value); }, kOutsideScan_HU);
 }
 

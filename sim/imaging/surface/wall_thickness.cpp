@@ -12,7 +12,7 @@ namespace torsio {
 namespace {
 
 constexpr double kLongestRay_mm = 10.0;
-constexpr double kMostSlope_mm = 3.0;    // from the end of the gas to soft tissue: blurred by the scanner
+constexpr double kMaxSlope_mm = 3.0;     // from the end of the gas to soft tissue: blurred by the scanner
 constexpr double kStepShare = 0.25;      // of the scan's smallest voxel
 constexpr double kSoftToFat_HU = 140.0;  // soft tissue 40, fat -100
 constexpr double kFarAway = 1e9;
@@ -46,7 +46,7 @@ std::optional<double> valueAt(const ScanVolume& scan, const Vec3& place_mm) {
 /// Length of the soft tissue along a ray that begins in gas; none where no end of it is seen.
 std::optional<double> thicknessAlong(const ScanVolume& scan, const Vec3& from_mm, const Vec3& direction,
                                      double level_HU, double step_mm) {
-  const int before = static_cast<int>(kMostSlope_mm / step_mm);
+  const int before = static_cast<int>(kMaxSlope_mm / step_mm);
   const int steps = static_cast<int>(kLongestRay_mm / step_mm);
   std::optional<double> gasEnds_mm;
   bool soft = false;
@@ -65,7 +65,7 @@ std::optional<double> thicknessAlong(const ScanVolume& scan, const Vec3& from_mm
     if (!gasEnds_mm && last_HU <= level_HU && value_HU > level_HU) {
       gasEnds_mm = passed_mm(level_HU);
     }
-    if (gasEnds_mm && !soft && at_mm > *gasEnds_mm + kMostSlope_mm) {
+    if (gasEnds_mm && !soft && at_mm > *gasEnds_mm + kMaxSlope_mm) {
       return std::nullopt;  // thinner than the scan can show
     }
     if (gasEnds_mm && soft && value_HU < kWallEnd_HU) {

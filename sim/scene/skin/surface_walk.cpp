@@ -9,7 +9,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kMostCrossings = 64;  // a step is shorter than a few triangles; a corner must not hold it
+constexpr int kMaxCrossings = 64;  // a step is shorter than a few triangles; a corner must not hold it
 
 std::uint64_t edgeKey(std::uint32_t from, std::uint32_t to) {
   return (static_cast<std::uint64_t>(from) << 32U) | to;
@@ -42,7 +42,7 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
 
 bool SurfaceWalk::step(SurfaceWalker& walker, double way_m) const {
   double left_m = way_m;
-  for (int crossing = 0; crossing < kMostCrossings; ++crossing) {
+  for (int crossing = 0; crossing < kMaxCrossings; ++crossing) {
     const TriangleMesh::Triangle& corner = mesh_.triangles[walker.triangle];
     const Vec3& normal = normals_[walker.triangle];
     double nearest_m = std::numeric_limits<double>::max();

@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr double kPixel_m = 0.00030;  // a fine vessel is two pixels wide
-constexpr int kMostPixels = 1'600'000;
+constexpr int kMaxPixels = 1'600'000;
 constexpr double kCell_m = 0.004;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
@@ -426,7 +426,7 @@ class Painter {
 
 TissueSkin paintSkin(const Scene& scene, const TissueLook& look) {
   TissueSkin skin;
-  skin.charts = layFlat(scene.mesh, kPixel_m, kMostPixels);
+  skin.charts = layFlat(scene.mesh, kPixel_m, kMaxPixels);
   for (std::size_t i = 0; i < scene.mesh.vertices_m.size(); ++i) {
     const Vec3& p = scene.mesh.vertices_m[i];
     constexpr float kMillimetres = 1000.0F;

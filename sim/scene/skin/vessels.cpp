@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
-constexpr std::size_t kMostPieces = 60'000;
+constexpr std::size_t kMaxPieces = 60'000;
 constexpr std::size_t kTaper = 6;  // pieces over which a vessel that is stopped grows thin
 
 /// Where a tissue's vessels come from and how far they go.
@@ -67,7 +67,7 @@ class Growth {
       sproutAlong();
     }
     // Side by side, so that no tree takes all the room.
-    while (!tips_.empty() && pieces_.size() < kMostPieces) {
+    while (!tips_.empty() && pieces_.size() < kMaxPieces) {
       std::vector<Tip> next;
       for (Tip& tip : tips_) {
         advance(tip, next);

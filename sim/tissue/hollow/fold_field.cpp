@@ -46,17 +46,17 @@ AmplitudeTable tableOf(int waves) {
   return table;
 }
 
-using Tables = std::array<AmplitudeTable, kMostDrawnWaves - kFewestDrawnWaves + 1>;
+using Tables = std::array<AmplitudeTable, kMaxDrawnWaves - kMinDrawnWaves + 1>;
 
 const AmplitudeTable& tableFor(int waves) {
   static const Tables kTables = [] {
     Tables tables;
-    for (int n = kFewestDrawnWaves; n <= kMostDrawnWaves; ++n) {
-      tables[static_cast<std::size_t>(n - kFewestDrawnWaves)] = tableOf(n);
+    for (int n = kMinDrawnWaves; n <= kMaxDrawnWaves; ++n) {
+      tables[static_cast<std::size_t>(n - kMinDrawnWaves)] = tableOf(n);
     }
     return tables;
   }();
-  return kTables[static_cast<std::size_t>(drawnWaves(waves) - kFewestDrawnWaves)];
+  return kTables[static_cast<std::size_t>(drawnWaves(waves) - kMinDrawnWaves)];
 }
 
 double secondOrder(double waves) {
@@ -66,7 +66,7 @@ double secondOrder(double waves) {
 }  // namespace
 
 int drawnWaves(int waves) noexcept {
-  return std::clamp(waves, kFewestDrawnWaves, kMostDrawnWaves);
+  return std::clamp(waves, kMinDrawnWaves, kMaxDrawnWaves);
 }
 
 double foldedPerimeter(int waves, double amplitude) noexcept {

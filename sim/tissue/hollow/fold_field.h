@@ -15,8 +15,8 @@ struct FoldWaves {
 
 /// Beyond so deep a fold its sides would touch.
 inline constexpr double kDeepestFold = 0.5;
-inline constexpr int kFewestDrawnWaves = 3;
-inline constexpr int kMostDrawnWaves = 9;
+inline constexpr int kMinDrawnWaves = 3;
+inline constexpr int kMaxDrawnWaves = 9;
 
 /// Returns how many waves are drawn for so many folds: two are drawn as three, because two reach the deepest
 /// fold before the tube is a tenth narrower.

@@ -13,7 +13,7 @@ namespace {
 constexpr int kHalvings = 60;
 constexpr double kUnpressurised = 2.643;  // Donnell's 0.736 E (1 - nu^2)^(-5/8) over G for nu = 0.5
 constexpr double kPressurised = 1.7;      // fit to the linear shell under pressure
-constexpr double kMostHelp = 0.2;  // P from which on it helps the folds no more: there strains are finite
+constexpr double kMaxHelp = 0.2;  // P from which on it helps the folds no more: there strains are finite
 constexpr double kWaves = 3.7;
 constexpr double kMoreWaves = 0.85;
 constexpr double kMoreWavesAt = 0.2;
@@ -27,7 +27,7 @@ double heldStress(const TubePlace& place) {
   const double thin = place.thinness;
   const double alone = kUnpressurised * thin * fourthRoot(thin) / std::sqrt(place.slenderness);
   const double sixteenth = fourthRoot(fourthRoot(thin));
-  const double pressed = kPressurised * thin / sixteenth * fourthRoot(std::min(place.pressure, kMostHelp));
+  const double pressed = kPressurised * thin / sixteenth * fourthRoot(std::min(place.pressure, kMaxHelp));
   const auto fourth = [](double x) { return x * x * x * x; };
   return fourthRoot(fourth(alone) + fourth(pressed));
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPacked = 1.02;     // of the packed radius: closed
 constexpr double kRateStep = 0.03;   // R dphi/dz of a step on the way
 constexpr double kFirstSteps = 6.0;  // on the way to the onset
-constexpr double kMostRate = 4.0;    // R dphi/dz at which a tube that has not closed is given up
+constexpr double kMaxRate = 4.0;     // R dphi/dz at which a tube that has not closed is given up
 constexpr double kLeastPressure = 0.0;
 constexpr double kJump = 0.8;  // of the packed radius, within one step
 constexpr int kJumpHalvings = 4;
@@ -159,7 +159,7 @@ struct WringTable::Path {
     const TubePlace place = placeOf(wall, pressure);
     goUntilClosed(kRateStep * place.slenderness,
                   std::min(kRateStep, foldOnset(place) / kFirstSteps) * place.slenderness,
-                  kMostRate * place.slenderness);
+                  kMaxRate * place.slenderness);
     if (steps.size() < 2) {  // let down from a high pressure a wall is thick and narrow
       refuseParameter(Text::verbatim("the wall leaves no tube before it is turned"), Text::verbatim("wall"),
                       Text::verbatim("Give less pressure, or a stiffer or a thinner wall."));

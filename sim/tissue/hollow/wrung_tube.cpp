@@ -21,8 +21,8 @@ constexpr double kTolerance = 1e-9;    // of the residual
 constexpr double kLoosest = 1e-5;      // residual at which a balance still counts
 constexpr double kLongestStep = 0.15;  // of the radius
 constexpr double kDifference = 1e-6;
-constexpr int kMostIterations = 400;
-constexpr int kMostShifts = 40;
+constexpr int kMaxIterations = 400;
+constexpr int kMaxShifts = 40;
 constexpr std::size_t kBand =
     6;  // three unknowns a node, neighbours coupled: the diagonal and five beside it
 constexpr std::size_t kEndElements = 2;  // beside a clamp, which count for no onset
@@ -298,11 +298,11 @@ void WrungTube::balance(double angle_rad, double pressure, WrungShape& shape) co
   double energy = work.energy(x, pressure);
   work.gradient(x, pressure);
   shape.iterations = 0;
-  while (work.residual() > kTolerance && shape.iterations < kMostIterations) {
+  while (work.residual() > kTolerance && shape.iterations < kMaxIterations) {
     ++shape.iterations;
     work.tangent(x, pressure);
     bool better = false;
-    for (int k = 0; k < kMostShifts && !better; ++k) {
+    for (int k = 0; k < kMaxShifts && !better; ++k) {
       if (!work.newtonStep(shift)) {
         shift = std::max(4.0 * shift, 1e-6 * work.scale);
         continue;

@@ -25,7 +25,7 @@ inline constexpr TissueColour kSerosaPale{0.80, 0.74, 0.69};    ///< artery shut
 inline constexpr TissueColour kSerosaBlack{0.10, 0.07, 0.09};   ///< dead
 inline constexpr double kSaturationSound = 0.78;                ///< of a sound testis (Hallacoglu 2009)
 inline constexpr double kSaturationDusky = 0.36;                ///< after 720 degrees (Hallacoglu 2009)
-inline constexpr double kMostPurple = 0.85;  ///< share of purple at full congestion: assumed
+inline constexpr double kMaxPurple = 0.85;  ///< share of purple at full congestion: assumed
 /// Dose below which tissue does not blacken, and from which it is black; assumed. Rat adnexa that are
 /// bluish-black since 4 h are sound at 24 h: a little dose must not darken the outside.
 inline constexpr double kDoseFirstBlack = 0.7;
@@ -36,7 +36,7 @@ inline constexpr double kDoseBlack = 1.2;
 /// shape is assumed.
 [[nodiscard]] inline double purpleShare(double congestion) noexcept {
   const double empty = 1.0 - std::clamp(congestion, 0.0, 1.0);
-  return kMostPurple * (1.0 - empty * empty);
+  return kMaxPurple * (1.0 - empty * empty);
 }
 
 /// Returns how much of the outside is black from loss, 0 .. 1: smoothstep between kDoseFirstBlack and

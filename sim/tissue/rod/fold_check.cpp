@@ -28,7 +28,7 @@ double determinantAt(const Vec3& p, const std::function<Vec3(const Vec3&)>& map)
 
 bool FoldReport::folded() const noexcept {
   return !(minDeterminant >= kLeastDeterminant) || crossings > 0 ||
-         !(std::abs(volumeRatio - 1.0) <= kMostVolumeChange);
+         !(std::abs(volumeRatio - 1.0) <= kMaxVolumeChange);
 }
 
 Text FoldReport::reason() const {
@@ -38,7 +38,7 @@ Text FoldReport::reason() const {
   if (crossings > 0) {
     return Text::tr("the surface crosses itself in %1 {pair|pairs} of triangles", std::to_string(crossings));
   }
-  if (!(std::abs(volumeRatio - 1.0) <= kMostVolumeChange)) {
+  if (!(std::abs(volumeRatio - 1.0) <= kMaxVolumeChange)) {
     return Text::tr("the volume becomes %1 of what it was", shortNumber(volumeRatio));
   }
   return {};

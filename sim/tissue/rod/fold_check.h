@@ -16,8 +16,8 @@
 namespace torsio {
 
 /// Limits of what tissue can do: beyond them a deformation is a picture, no organ.
-inline constexpr double kLeastDeterminant = 0.2;   ///< of det F
-inline constexpr double kMostVolumeChange = 0.02;  ///< of the organ, either way
+inline constexpr double kLeastDeterminant = 0.2;  ///< of det F
+inline constexpr double kMaxVolumeChange = 0.02;  ///< of the organ, either way
 
 /// What a deformation does to the organ as a body.
 struct FoldReport {

@@ -11,7 +11,7 @@ RodGrip gripAt(const Rod& rod, const RodPose& pose, int node, double halfWidth_m
   for (int i = 0; i < node; ++i) {
     arc_m += rod.elements()[static_cast<std::size_t>(i)].length_m;
   }
-  const NodeRange patch = nodesAround(rod.elements(), arc_m, halfWidth_m, kMostGripNodes);
+  const NodeRange patch = nodesAround(rod.elements(), arc_m, halfWidth_m, kMaxGripNodes);
   RodGrip grip;
   grip.stiffness = stiffness;
   for (int i = patch.first; i <= patch.last; ++i) {

@@ -9,7 +9,7 @@
 namespace torsio {
 
 /// Most nodes that a jaw may hold.
-inline constexpr int kMostGripNodes = 16;
+inline constexpr int kMaxGripNodes = 16;
 
 /// Stiffness of the virtual coupling between hand and rod.
 struct GripStiffness {
@@ -29,7 +29,7 @@ struct GripNode {
 ///   K/(2 n) |x + R arm - hand|^2 + Kr/(2 n) |4 sigma((hand handToNode)* q)|^2.
 struct RodGrip {
   int count = 0;
-  std::array<GripNode, kMostGripNodes> nodes{};
+  std::array<GripNode, kMaxGripNodes> nodes{};
   GripStiffness stiffness;
 };
 static_assert(std::is_trivially_copyable_v<RodGrip>);

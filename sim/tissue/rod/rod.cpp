@@ -60,7 +60,7 @@ Rod::Rod(std::vector<RodElement> elements, const RodPose& rest, std::vector<doub
          RodRestraints restraints, const RodSettings& settings)
     : elements_(std::move(elements)), rest_(rest), restraints_(std::move(restraints)), settings_(settings) {
   const int count = rest_.count;
-  TORSIO_EXPECTS(count >= 2 && count <= kMostRodNodes);
+  TORSIO_EXPECTS(count >= 2 && count <= kMaxRodNodes);
   TORSIO_EXPECTS(elements_.size() + 1 == static_cast<std::size_t>(count));
   TORSIO_EXPECTS(radii_m.size() == static_cast<std::size_t>(count));
   for (const RodElement& e : elements_) {

@@ -29,8 +29,8 @@ double segmentDistance_m(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3
 }  // namespace
 
 void findNearPairs(const Rod& rod, const RodPose& pose, double way_m, NearPairs& near) noexcept {
-  std::array<Vec3, kMostRodNodes> middles;
-  std::array<double, kMostRodNodes> reaches_m;
+  std::array<Vec3, kMaxRodNodes> middles;
+  std::array<double, kMaxRodNodes> reaches_m;
   const std::span<const double> radii_m = rod.capsuleRadii_m();
   for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(pose.count); ++i) {
     const Vec3& a = pose.nodes[i].position_m;

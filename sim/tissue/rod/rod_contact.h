@@ -10,12 +10,12 @@
 namespace torsio {
 
 /// Most pairs of elements that a rod can have.
-inline constexpr int kMostContactPairs = (kMostRodNodes - 1) * (kMostRodNodes - 2) / 2;
+inline constexpr int kMaxContactPairs = (kMaxRodNodes - 1) * (kMaxRodNodes - 2) / 2;
 
 /// Pairs of elements that may touch during a step, in the order of Rod::contactPairs().
 struct NearPairs {
   int count = 0;
-  std::array<RodContactPair, kMostContactPairs> pairs{};
+  std::array<RodContactPair, kMaxContactPairs> pairs{};
   [[nodiscard]] std::span<const RodContactPair> all() const noexcept {
     return {pairs.data(), static_cast<std::size_t>(count)};
   }

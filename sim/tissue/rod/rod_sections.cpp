@@ -18,8 +18,8 @@ namespace {
 constexpr double kShearFactor = 0.9;  // of a circle; 0.85 changes the torque of a bent tube by 0.2 %
 constexpr double kOvalRamp = 1.4;     // of R sqrt(R / t): so near to a held end a wall is kept round
 constexpr double kLeastRestFibre =
-    0.25;                              // j0: a section that reaches the centre of its bend is cut off there
-constexpr double kMostCoupling = 0.5;  // of the energy that shear and twist may exchange through a bend
+    0.25;                             // j0: a section that reaches the centre of its bend is cut off there
+constexpr double kMaxCoupling = 0.5;  // of the energy that shear and twist may exchange through a bend
 constexpr double kBendStiffness = 200.0;  // k_b of the bend limit, assumed
 constexpr double kLeastBendLimit = 0.40;  // z0
 constexpr double kAboveRest = 0.02;       // z0 over z at rest
@@ -123,9 +123,9 @@ void checkMaterial(const RodMaterial& material, int elements) {
         Text::tr("Poisson's ratio is %1, but must lie in 0..0.5", std::to_string(material.poisson)),
         Text::tr("material"), Text::tr("Give 0.5 for incompressible tissue."));
   }
-  if (elements < 2 || elements >= kMostRodNodes) {
+  if (elements < 2 || elements >= kMaxRodNodes) {
     refuseParameter(
-        Text::tr("%1 {element|elements} asked for; a rod takes 2 to %2", elements, kMostRodNodes - 1),
+        Text::tr("%1 {element|elements} asked for; a rod takes 2 to %2", elements, kMaxRodNodes - 1),
         Text::tr("rod"), Text::tr("Choose a number inside the range."));
   }
 }
@@ -268,7 +268,7 @@ class RodMaker {
     // What bending at rest alone shifts; of a straight bar the shear centre says it all.
     double shiftX = m.x_m3 - m.area_m2 * cx;
     double shiftY = m.y_m3 - m.area_m2 * cy;
-    const double most2 = kMostCoupling * kShearFactor * m.area_m2 * torsion_m4;
+    const double most2 = kMaxCoupling * kShearFactor * m.area_m2 * torsion_m4;
     const double size2 = shiftX * shiftX + shiftY * shiftY;
     if (size2 > most2) {
       const double scale = std::sqrt(most2 / size2);

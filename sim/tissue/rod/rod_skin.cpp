@@ -16,17 +16,17 @@ namespace torsio {
 namespace {
 
 constexpr int kSmoothings = 6;          // of (1, 2, 1) / 4: a standard deviation of 1.7 elements
-constexpr int kMostSmoothings = 96;     // of an axis that is bent too sharply at rest
+constexpr int kMaxSmoothings = 96;      // of an axis that is bent too sharply at rest
 constexpr double kSharpestRest = 0.67;  // of the way to the centre of the bend that a vertex may lie at
 constexpr double kLimitFrom = 0.455;    // z from which on a bend is let in less and less
 constexpr double kLimit = 0.495;        // z that no bend reaches; at 1/2 the inside of the bend has no length
-constexpr double kMostOfLimit = 0.9;    // of the way between them that a point at rest may lie
+constexpr double kMaxOfLimit = 0.9;     // of the way between them that a point at rest may lie
 constexpr double kStraight_per_m = 1e-9;  // a bend that does nothing
 constexpr double kLeastSkinStretch = 0.05;
 constexpr double kLeastSkinFibre = 0.2;  // of a step towards the section of a point
 constexpr int kWarpingRows = 256;        // places along the organ at which psi is known
 constexpr double kHeldFade = 0.5;        // of the radius
-constexpr int kMostFootSteps = 40;
+constexpr int kMaxFootSteps = 40;
 constexpr double kFootTolerance = 1e-15;  // of the length
 
 struct CurvePoint {
@@ -52,7 +52,7 @@ struct Hermite {
   double fromSlopeRate, toSlopeRate;
 };
 
-void smoothNodes(std::array<Pose, kMostRodNodes>& nodes, int count, int passes) noexcept {
+void smoothNodes(std::array<Pose, kMaxRodNodes>& nodes, int count, int passes) noexcept {
   const auto sum = [](const Pose& a, const Pose& b, const Pose& c) {
     // The three quaternions are taken on the same side: q and -q turn alike.
     const auto side = [&b](const Quat& q) {
@@ -157,7 +157,7 @@ std::array<double, 2> straightened(const std::array<double, 2>& u, const std::ar
   const double inside = std::min(1.0, u[0] * k[0] + u[1] * k[1]);  // k times the way towards the centre
   double z = inside - 0.5 * inside * inside;
   if (z > kLimitFrom) {
-    const double share = std::min(kMostOfLimit, (z - kLimitFrom) / (kLimit - kLimitFrom));
+    const double share = std::min(kMaxOfLimit, (z - kLimitFrom) / (kLimit - kLimitFrom));
     z = kLimitFrom + (kLimit - kLimitFrom) * share / (1.0 - share);
   }
   return moved(u, k, (z - (u[0] * k[0] + u[1] * k[1])) / k2);
@@ -183,7 +183,7 @@ double footOf(const RodCurve& c, const Vec3& point_m, double arc_m) noexcept {
   const double length = c.length_m();
   const double stride = length / (c.count - 1);
   double arc = std::clamp(arc_m, 0.0, length);
-  for (int step = 0; step < kMostFootSteps; ++step) {
+  for (int step = 0; step < kMaxFootSteps; ++step) {
     const CurvePoint p = pointAt(c, arc);
     const Vec3 local = rotate(conjugate(p.turn), point_m - p.place_m);
     const double way = local.z / std::max(kLeastSkinFibre, fibre(p, {local.x, local.y}));
@@ -247,7 +247,7 @@ RodSkin::RodSkin(const OrganRod& organ, const SectionLattice& lattice, const Sol
       sharpest = std::max(sharpest, insideOfBend(pointAt(rest_, arc), mesh.vertices_m[v]));
       vertices_.push_back(placeAt(mesh.vertices_m[v], arc));
     }
-    if (sharpest <= kSharpestRest || 2 * smoothings_ > kMostSmoothings) {
+    if (sharpest <= kSharpestRest || 2 * smoothings_ > kMaxSmoothings) {
       break;
     }
   }
@@ -284,8 +284,8 @@ RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
   c.arcs_m = rest_.arcs_m;
   c.nodes = pose.nodes;
   smoothNodes(c.nodes, c.count, smoothings_);
-  std::array<Vec3, kMostRodNodes> stretches{};
-  std::array<Vec3, kMostRodNodes> bends{};
+  std::array<Vec3, kMaxRodNodes> stretches{};
+  std::array<Vec3, kMaxRodNodes> bends{};
   const std::size_t elements = at(c.count - 1);
   for (std::size_t i = 0; i < elements; ++i) {
     const double h = c.arcs_m[i + 1] - c.arcs_m[i];

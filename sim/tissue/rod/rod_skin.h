@@ -19,12 +19,12 @@ namespace torsio {
 struct RodCurve {
   static constexpr int kSamples = 4;  ///< places an element that a search for the nearest one begins at
   int count = 0;                      ///< nodes in use
-  std::array<double, kMostRodNodes> arcs_m{};  ///< of the nodes along the curve at rest, from 0
-  std::array<Pose, kMostRodNodes> nodes{};
-  std::array<Vec3, kMostRodNodes> slopes{};       ///< d place / d arc
-  std::array<Vec3, kMostRodNodes> bends_per_m{};  ///< curvature in the axes of the node
-  std::array<Vec3, kMostRodNodes> turns{};        ///< 4 sigma from a node to the next
-  std::array<Vec3, kMostRodNodes> lastRates{};    ///< d (4 sigma) / d arc at the end of that element
+  std::array<double, kMaxRodNodes> arcs_m{};  ///< of the nodes along the curve at rest, from 0
+  std::array<Pose, kMaxRodNodes> nodes{};
+  std::array<Vec3, kMaxRodNodes> slopes{};       ///< d place / d arc
+  std::array<Vec3, kMaxRodNodes> bends_per_m{};  ///< curvature in the axes of the node
+  std::array<Vec3, kMaxRodNodes> turns{};        ///< 4 sigma from a node to the next
+  std::array<Vec3, kMaxRodNodes> lastRates{};    ///< d (4 sigma) / d arc at the end of that element
 
   /// Returns the length of the curve at rest.
   [[nodiscard]] double length_m() const noexcept {

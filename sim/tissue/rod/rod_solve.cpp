@@ -15,7 +15,7 @@
 namespace torsio {
 namespace {
 
-constexpr int kMostNewtonSteps = 400;
+constexpr int kMaxNewtonSteps = 400;
 constexpr double kBalanced = 1e-11;       ///< residual that ends the solve at once
 constexpr double kBalancedEnough = 1e-7;  ///< residual that rounding may leave
 constexpr double kLongestSolveTurn_rad = 0.5;
@@ -121,7 +121,7 @@ RodBalance balance(const RodTask& task, RodPose& pose, RodWorkspace& work) {
     }
     result.negativePivots = factorise(work.system);
     const bool stalled = worse > 3 && best < kBalancedEnough;
-    if (residual < kBalanced || stalled || result.newtonSteps >= kMostNewtonSteps) {
+    if (residual < kBalanced || stalled || result.newtonSteps >= kMaxNewtonSteps) {
       break;
     }
     solveNewton(work.system, 200, work.search, work.step);
@@ -148,7 +148,7 @@ std::vector<HeldNode> turnedNodes(const Rod& rod, const RodTurn& turn, int node)
   for (int i = 0; i < node; ++i) {
     arc_m += rod.elements()[static_cast<std::size_t>(i)].length_m;
   }
-  const NodeRange jaw = nodesAround(rod.elements(), arc_m, turn.halfWidth_m, kMostRodNodes);
+  const NodeRange jaw = nodesAround(rod.elements(), arc_m, turn.halfWidth_m, kMaxRodNodes);
   TORSIO_EXPECTS(jaw.first > 0);
   const bool place = turn.holdsPlace;
   std::vector<HeldNode> held;

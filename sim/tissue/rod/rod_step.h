@@ -45,7 +45,7 @@ struct RodStepResult {
 struct RodWorkspace {
   RodPose before;
   RodPose trial;
-  std::array<RodStrain, kMostRodNodes> strainsBefore{};
+  std::array<RodStrain, kMaxRodNodes> strainsBefore{};
   NearPairs near;
   RodSystem system;
   RodSearch search;

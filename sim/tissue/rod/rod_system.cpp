@@ -233,7 +233,7 @@ void addContacts(const RodTask& task, const RodPose& pose, RodSystem& system) no
     for (std::size_t n = 0; n < 4; ++n) {
       addVector(system.gradient[static_cast<std::size_t>(contact.nodes[n])], 0, contact.shares[n] * push);
     }
-    if (system.contactCount < kMostStiffContacts) {
+    if (system.contactCount < kMaxStiffContacts) {
       system.contacts[static_cast<std::size_t>(system.contactCount++)] = contact;
       addContactBound(contact, 2.0 * k, system);
     }

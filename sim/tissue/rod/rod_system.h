@@ -9,12 +9,12 @@ namespace torsio {
 
 /// Six numbers of a node: x, y, z of the world, turns about its own e1, e2, t.
 using Freedoms = std::array<double, 6>;
-using NodeVector = std::array<Freedoms, kMostRodNodes>;
+using NodeVector = std::array<Freedoms, kMaxRodNodes>;
 /// A 6 x 6 block, row after row.
 using Block6 = std::array<double, 36>;
 
 /// Most contacts whose stiffness enters a step; forces and energy count all of them.
-inline constexpr int kMostStiffContacts = 256;
+inline constexpr int kMaxStiffContacts = 256;
 
 /// The linear system of a Newton step: a block tridiagonal part P, whose row block i is coupling[i - 1]^T,
 /// diagonal[i], coupling[i], less k d d^T for each contact. A contact of depth rate c = c1 - c2 (point less
@@ -23,14 +23,14 @@ inline constexpr int kMostStiffContacts = 256;
 struct RodSystem {
   int count = 0;
   NodeVector gradient{};  ///< N, N m
-  std::array<Block6, kMostRodNodes> diagonal{};
-  std::array<Block6, kMostRodNodes> coupling{};
-  std::array<std::array<double, 2>, kMostRodNodes> floors{};  ///< least pivot of a node: places, turns
-  std::array<std::array<bool, 6>, kMostRodNodes> held{};
+  std::array<Block6, kMaxRodNodes> diagonal{};
+  std::array<Block6, kMaxRodNodes> coupling{};
+  std::array<std::array<double, 2>, kMaxRodNodes> floors{};  ///< least pivot of a node: places, turns
+  std::array<std::array<bool, 6>, kMaxRodNodes> held{};
   NodeVector reaction{};  ///< of held freedoms: what holds them there
   double contactStiffness_N_per_m = 0.0;
   int contactCount = 0;
-  std::array<RodContact, kMostStiffContacts> contacts{};
+  std::array<RodContact, kMaxStiffContacts> contacts{};
 };
 
 /// Fills gradient and stiffness (docs/model.md R.4) of `task` at `pose`. Rows of held freedoms become those

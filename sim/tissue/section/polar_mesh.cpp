@@ -13,7 +13,7 @@ namespace torsio {
 namespace {
 
 /// Rays of a ring stay at least this many, so that the fan round the centre has no blunt corners.
-constexpr std::size_t kFewestRays = 8;
+constexpr std::size_t kMinRays = 8;
 
 struct Ring {
   std::vector<int> rays;    // numbers of the outline points, ascending
@@ -108,7 +108,7 @@ class PolarMesher {
   Ring nextRing(const Ring& outer, double fraction) {
     // Mean way across a cell on this ring against the way along the ray.
     const double across = 2.0 * kPi * fraction / static_cast<double>(outer.rays.size());
-    if (across < outer.fraction - fraction && outer.rays.size() >= 2 * kFewestRays) {
+    if (across < outer.fraction - fraction && outer.rays.size() >= 2 * kMinRays) {
       // An odd number leaves out two in one place, so that no narrow gap is handed on to the next ring.
       std::vector<int> half;
       for (std::size_t i = 0; i + 1 < outer.rays.size(); i += 2) {

@@ -26,7 +26,7 @@ namespace {
 /// Rays of a polar mesh that graze the outline more flatly than this give needles; triangulate instead.
 constexpr double kLeastGrazingSine = 0.25;
 /// More rays than this would all be needles at the outline.
-constexpr std::size_t kMostRays = 1024;
+constexpr std::size_t kMaxRays = 1024;
 /// Part of the gap that the elements split in one round hold (Doerfler marking).
 constexpr double kMarkedShare = 0.7;
 
@@ -159,7 +159,7 @@ class SectionSolver::Impl {
  private:
   static std::optional<PlaneMesh> meshOf(const SectionShape& shape, int rings) {
     const BoundaryLoop& outline = shape.outline.boundary;
-    if (shape.holes.empty() && outline.points.size() <= kMostRays &&
+    if (shape.holes.empty() && outline.points.size() <= kMaxRays &&
         grazingSine(outline.points, Point2{}) >= kLeastGrazingSine) {
       return polarMesh(outline, Point2{}, rings);
     }

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMostOfRadius = 0.45;  // t / R beyond which the middle line says nothing
+constexpr double kMaxOfRadius = 0.45;   // t / R beyond which the middle line says nothing
 constexpr double kSharpestMitre = 0.3;  // 1 + cos of the turn at a corner of the inner outline
 
 // Edges and normals of a closed polygon, anticlockwise.
@@ -152,7 +152,7 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
   const double share = section.perimeterMid / outer;  // the middle line is so much shorter than the outline
   section.area = swept * share;
   // A wall with more in it than the outline holds lies on itself where the section is narrow.
-  if (!(section.areaMid > 0.0) || !(section.thickest <= kMostOfRadius * section.radius) ||
+  if (!(section.areaMid > 0.0) || !(section.thickest <= kMaxOfRadius * section.radius) ||
       !(section.area < area)) {
     refuseParameter(
         Text::verbatim("a wall %1 thick leaves no tube in a section of area %2 and perimeter %3",
@@ -160,7 +160,7 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
         Text::verbatim("wall"),
         Text::verbatim("Give a wall below 0.45 of the radius of its middle line (%1 here, where it is even) "
                        "and below half of the narrowest place, or leave it out: a filled organ.",
-                       shortNumber(kMostOfRadius / (1.0 + 0.5 * kMostOfRadius) * outer / (2.0 * kPi))));
+                       shortNumber(kMaxOfRadius / (1.0 + 0.5 * kMaxOfRadius) * outer / (2.0 * kPi))));
   }
   section.torsionConstant =
       4.0 * section.areaMid * section.areaMid / (perLength * share) + strip * share / 3.0;

@@ -17,10 +17,10 @@ namespace torsio {
 
 namespace {
 
-constexpr double kRestrainedShortening = 0.1;    // of the radius, per clamped non-circular end
-constexpr double kCircularTolerance = 0.005;     // 1 - J / Ip below which an end counts as circular
-constexpr int kFewestIntegrationIntervals = 96;  // along the whole organ
-constexpr int kFewestFineIntervals = 256;
+constexpr double kRestrainedShortening = 0.1;  // of the radius, per clamped non-circular end
+constexpr double kCircularTolerance = 0.005;   // 1 - J / Ip below which an end counts as circular
+constexpr int kMinIntegrationIntervals = 96;   // along the whole organ
+constexpr int kMinFineIntervals = 256;
 constexpr int kFineIntervalsPerSection = 4;
 constexpr double kSmallestRiseShare = 1e-12;  // of the whole compliance, between two nodes
 
@@ -120,7 +120,7 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int places
     refuseParameter(Text::verbatim("the organ's length is not above 0"), Text::verbatim("lattice"),
                     Text::verbatim("Check the organ's ends."));
   }
-  const int perPlace = (kFewestIntegrationIntervals + places - 2) / (places - 1);
+  const int perPlace = (kMinIntegrationIntervals + places - 2) / (places - 1);
   const double step = length_m / static_cast<double>((places - 1) * perPlace);
   const auto shortening = [&](double end) {
     const TorsionSection s = profile.at(end);
@@ -162,7 +162,7 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int places
 
 int fineNodes(int sections) noexcept {
   const int perSection =
-      std::max(kFineIntervalsPerSection, (kFewestFineIntervals + sections - 2) / (sections - 1));
+      std::max(kFineIntervalsPerSection, (kMinFineIntervals + sections - 2) / (sections - 1));
   return (sections - 1) * perSection + 1;
 }
 

@@ -60,8 +60,8 @@ void deformByComponents(const TwistModel::Tables& tables, const SectionLattice& 
   const TwistMap map(tables, lattice, state);
   const double grasp = tables.twist.graspAt(state.graspArc_m);
   const double torque = state.graspAngle_rad / tables.twist.compliance(grasp);
-  std::array<double, kMostSections> angle{};
-  std::array<double, kMostSections> lifted{};
+  std::array<double, kMaxSections> angle{};
+  std::array<double, kMaxSections> lifted{};
   for (int j = 0; j < m; ++j) {
     const double arc = lattice.length_m() * j / (m - 1);
     angle[static_cast<std::size_t>(j)] = map.angle(arc);

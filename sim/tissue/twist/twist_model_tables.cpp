@@ -45,7 +45,7 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
   checkNumber(o.stiffeningStrain, 0.0, 1e6, "stiffeningStrain");
   checkNumber(o.stiffnessCap_N_per_m, 1.0, 1e6, "stiffnessCap_N_per_m");
   checkNumber(o.sectionPoints, 16.0, 10000.0, "sectionPoints");
-  checkNumber(o.solvedSections, 2.0, kMostSections, "solvedSections");
+  checkNumber(o.solvedSections, 2.0, kMaxSections, "solvedSections");
   const bool paper = o.formulation == Formulation::kPaper;
   if (o.poynting && (paper || o.ends != EndCondition::kClampedFree)) {
     refuseParameter(Text::verbatim("the axial stretch needs a free end and the Saint-Venant formulation"),

@@ -22,7 +22,7 @@
 namespace torsio {
 namespace {
 
-constexpr int kUsualTables = 600;
+constexpr int kDefaultTables = 600;
 constexpr int kInternalError = 70;
 constexpr int kPatience_s = 30;  // of the processor, for one table
 
@@ -263,7 +263,7 @@ int numberFrom(const char* variable, int otherwise) {
 using TableFuzz = test::TableCommands;
 
 TEST_F(TableFuzz, EveryTableIsAnsweredWithNumbersAndReasonsOrRefusedInOneLine) {
-  const int tables = numberFrom("TORSIO_FUZZ_TABLES", kUsualTables);
+  const int tables = numberFrom("TORSIO_FUZZ_TABLES", kDefaultTables);
   const int first = numberFrom("TORSIO_FUZZ_FIRST", 1);
   const std::vector<Command> all = commands();
   int answered = 0;

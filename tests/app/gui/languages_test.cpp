@@ -64,7 +64,7 @@ bool staysAsItIs(const QString& text) {
 /// Sentences that stand for a moment while something is opened or done and are not said again, and the anchor
 /// under a row, which follows the row that is current. A problem that is open keeps the language it was told
 /// in.
-constexpr int kMostWaits = 40;
+constexpr int kMaxWaits = 40;
 constexpr int kWait_ms = 50;
 
 bool passes(const QString& text) {
@@ -277,7 +277,7 @@ class Walk {
     }
     // What goes on while a screen stands says its next word in the language chosen last.
     std::set<QString> left = othersThan(before, window);
-    for (int wait = 0; wait < kMostWaits && !left.empty(); ++wait) {
+    for (int wait = 0; wait < kMaxWaits && !left.empty(); ++wait) {
       QEventLoop loop;
       QTimer::singleShot(kWait_ms, &loop, &QEventLoop::quit);
       loop.exec();

@@ -34,7 +34,7 @@ namespace {
 using torsio::testing::TrainingCentre;
 
 constexpr int kFrame_ms = 16;
-constexpr int kMostFrames = 1200;
+constexpr int kMaxFrames = 1200;
 
 /// Places of the skin as they are drawn, mm.
 std::vector<QVector3D> skinOf(const QQuickItem& root) {
@@ -95,7 +95,7 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
   bool handSeen = false;
   bool arrowOfAir = false;
   float longestArrow_mm = 0.0F;
-  for (int frame = 0; frame < kMostFrames && closed_deg > open_deg / 2.0; ++frame) {
+  for (int frame = 0; frame < kMaxFrames && closed_deg > open_deg / 2.0; ++frame) {
     run.step(kFrame_ms);
     scene.frame(kFrame_ms * 1e-3);
     const LiveState state = scene.controller().state();

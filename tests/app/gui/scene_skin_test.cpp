@@ -31,7 +31,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kPixel_m = 0.0005;
-constexpr int kMostPixels = 4'000'000;
+constexpr int kMaxPixels = 4'000'000;
 constexpr double kPolygon_m = 5e-4;  // a bar of 72 flat sides is that much narrower than round
 
 double signedArea(const SkinCharts& charts, const TriangleMesh::Triangle& t) {
@@ -71,7 +71,7 @@ TEST(SurfaceWalk, AStraightWayRoundABarComesBack) {
 TEST(SkinCharts, EveryTriangleHasItsPlaceAndKeepsItsSide) {
   const Scene bar = barScene();
 
-  const SkinCharts charts = layFlat(bar.mesh, kPixel_m, kMostPixels);
+  const SkinCharts charts = layFlat(bar.mesh, kPixel_m, kMaxPixels);
 
   ASSERT_EQ(charts.triangles.size(), bar.mesh.triangles.size());
   for (std::size_t t = 0; t < charts.triangles.size(); ++t) {
@@ -91,7 +91,7 @@ TEST(SkinCharts, EveryTriangleHasItsPlaceAndKeepsItsSide) {
 
 TEST(SkinCharts, NoTwoTrianglesShareAPixel) {
   const Scene bar = barScene();
-  const SkinCharts charts = layFlat(bar.mesh, kPixel_m, kMostPixels);
+  const SkinCharts charts = layFlat(bar.mesh, kPixel_m, kMaxPixels);
   std::set<std::pair<int, int>> taken;
 
   for (const TriangleMesh::Triangle& t : charts.triangles) {

@@ -234,7 +234,7 @@ TEST_P(StraightBar, DividesAnOutlineAsPromised) {
     const auto angles = lattice.outlineAngles_rad(j);
     const AxisFrame frame = lattice.frameAt(lattice.sectionArc_m(j));
     ASSERT_EQ(outline.size(), angles.size());
-    EXPECT_GE(outline.size(), static_cast<std::size_t>(kFewestOutlinePoints));
+    EXPECT_GE(outline.size(), static_cast<std::size_t>(kMinOutlinePoints));
     EXPECT_EQ(angles.front(), 0.0);
     EXPECT_TRUE(std::is_sorted(angles.begin(), angles.end(), [](double a, double b) { return a <= b; }));
     EXPECT_LT(angles.back(), 2.0 * kPi);
@@ -357,8 +357,8 @@ TEST(SectionLattice, CountsSectionsFromTheClampToTheFreeEnd) {
 
 TEST(SectionLattice, TakesTheSmallestAndTheLargestCounts) {
   const TriangleMesh mesh = testing::prism(testing::ellipseOutline(0.04, 0.02, 48), kHeight_m, 20);
-  for (const int ridges : {kFewestRidges, kMostRidges}) {
-    for (const int sections : {kFewestSections, kMostSections}) {
+  for (const int ridges : {kMinRidges, kMaxRidges}) {
+    for (const int sections : {kMinSections, kMaxSections}) {
       LatticeOptions options;
       options.ridges = ridges;
       options.sections = sections;

@@ -21,7 +21,7 @@ namespace {
 constexpr double kTwoPi = 6.28318530717958647692;
 constexpr int kSteps = 50;  // a tick
 // What the issue of a safe force allows.
-constexpr double kMostGiven_J = 1e-3;
+constexpr double kMaxGiven_J = 1e-3;
 
 struct Hand {
   double mass_kg = 0.2;
@@ -133,7 +133,7 @@ TEST(ForceEnergy, OfAnyContactIsNoMoreThanTheHandHasPutIn) {
     worst_J = std::max(worst_J, led.given_J);
     felt += led.felt ? 1 : 0;
     grips += led.grips;
-    EXPECT_LE(led.given_J, kMostGiven_J)
+    EXPECT_LE(led.given_J, kMaxGiven_J)
         << hand.mass_kg << " kg, " << hand.damping_Ns_per_m << " N s/m, " << hand.stiffness_N_per_m
         << " N/m, " << hand.frequency_Hz << " Hz, jaw every " << hand.jawEvery_us << " us";
   }
@@ -147,7 +147,7 @@ TEST(ForceEnergy, WasGivenAwayByTheRulesBefore) {
   const Scene scene = barScene();
   int over = 0;
   for (const Hand& hand : hands(40)) {
-    over += lead(scene, hand, 1).given_J > kMostGiven_J ? 1 : 0;
+    over += lead(scene, hand, 1).given_J > kMaxGiven_J ? 1 : 0;
   }
   EXPECT_GT(over, 5);
 }

@@ -22,7 +22,7 @@ constexpr std::int64_t kTicks = kMinutes * 60 * 1000;
 // A trial replays from its first tick; so many seconds of it are tried.
 constexpr std::size_t kReplayed_s = 120;
 // What the recorder's description allows it to keep: 25 MB an hour.
-constexpr std::size_t kMostBytes = 25'000'000 * kMinutes / 60;
+constexpr std::size_t kMaxBytes = 25'000'000 * kMinutes / 60;
 
 /// What came, and the first part of it.
 class CountingSink final : public TrialSink {
@@ -101,7 +101,7 @@ TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
   EXPECT_TRUE(sink.inOrder());
   EXPECT_EQ(sink.chunks(), kTicks / 1000);
   EXPECT_EQ(sink.samples(), kTicks);
-  EXPECT_LE(sink.bytes(), kMostBytes);
+  EXPECT_LE(sink.bytes(), kMaxBytes);
   EXPECT_GT(grips, kMinutes);
   const ReplayReport replay = replayTrial(scene, sink.part());
   EXPECT_EQ(replay.samples, static_cast<std::int64_t>(1000 * kReplayed_s));

@@ -136,7 +136,7 @@ bool unschedule(Fake& f, hd::SchedulerHandle handle) {
 
 hd::SchedulerHandle schedule(Fake& f, hd::SchedulerCallback callback, void* userData, hd::UShort priority,
                              bool once) {
-  if (f.taskCount == kMostTasks) {
+  if (f.taskCount == kMaxTasks) {
     push(f, hd::kSchedulerFull, 0);
     return 0;
   }
@@ -159,7 +159,7 @@ void runTick(Fake& f) {
   if (f.dead) {
     return;
   }
-  std::array<Task, kMostTasks> tasks;
+  std::array<Task, kMaxTasks> tasks;
   int count = 0;
   FakePoseFunction move = nullptr;
   {

@@ -46,7 +46,7 @@ int loads() {
 }
 
 void push(Fake& f, hd::ErrorCode error, std::int32_t internal) {
-  if (f.errorCount < kMostErrors) {
+  if (f.errorCount < kMaxErrors) {
     f.errors[static_cast<std::size_t>(f.errorCount++)] = {error, internal, 0};
   }
 }
@@ -147,7 +147,7 @@ void misbehave(Fake& f, const char* function) {
 bool enter(Fake& f, const char* function, bool deviceCall) {
   misbehave(f, function);
   const bool servo = onServoThread(f);
-  if (f.logCount < kMostCalls) {
+  if (f.logCount < kMaxCalls) {
     f.log[static_cast<std::size_t>(f.logCount++)] = {function, f.tick.load(), servo ? 1 : 0};
   }
   const auto count = f.counts.find(std::string_view(function));

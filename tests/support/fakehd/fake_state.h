@@ -63,9 +63,9 @@ struct Latched {
 
 // Joint and gimbal angles of a Touch whose stylus rests in the inkwell, as published in a recording.
 constexpr FakePose kInkwellPose{{0.0, 0.26889, -0.370813}, {0.000108409, 0.797273, -1.94046}, 0, {}};
-constexpr int kMostErrors = 64;
-constexpr int kMostCalls = 1 << 16;
-constexpr int kMostTasks = 16;
+constexpr int kMaxErrors = 64;
+constexpr int kMaxCalls = 1 << 16;
+constexpr int kMaxTasks = 16;
 
 /// What a Touch answers.
 std::map<hd::Enum, std::vector<double>> usualNumbers();
@@ -114,7 +114,7 @@ struct Fake {
   std::int64_t pushTick = -1;
 
   // Library.
-  std::array<hd::ErrorInfo, kMostErrors> errors{};
+  std::array<hd::ErrorInfo, kMaxErrors> errors{};
   int errorCount = 0;
   bool initiated = false;
   bool forceEnabled = false;
@@ -126,11 +126,11 @@ struct Fake {
   Latched latched;
   std::array<double, 3> frameForce{};
   std::array<double, 3> commanded{};
-  std::array<Task, kMostTasks> tasks{};
+  std::array<Task, kMaxTasks> tasks{};
   int taskCount = 0;
   Task kept;
   hd::SchedulerHandle nextTask = 1;
-  std::array<FakeCall, kMostCalls> log{};
+  std::array<FakeCall, kMaxCalls> log{};
   int logCount = 0;
   std::map<std::string, int, std::less<>> counts;
   int offThread = 0;

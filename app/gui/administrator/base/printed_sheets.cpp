@@ -24,7 +24,7 @@ namespace {
 constexpr int kSheetDots = 150;
 constexpr double kSheetMargin_mm = 15.0;
 constexpr double kLetters_pt = 10.0;
-constexpr std::int64_t kMostBoxes = 25;
+constexpr std::int64_t kMaxBoxes = 25;
 
 struct PrintedSheets {
   Q_DECLARE_TR_FUNCTIONS(PrintedSheets)
@@ -51,7 +51,7 @@ QString pointsText(std::int64_t steps, const ScoreScale& scale) {
 /// The whole points of a scale as boxes to mark, and a line for what lies between.
 QString boxes(const ScoreScale& scale) {
   QString row;
-  const bool narrow = (scale.hi - scale.lo) / scale.stepsPerPoint < kMostBoxes;
+  const bool narrow = (scale.hi - scale.lo) / scale.stepsPerPoint < kMaxBoxes;
   for (std::int64_t steps = scale.lo; narrow && steps <= scale.hi; steps += scale.stepsPerPoint) {
     row += QStringLiteral("\u25A1\u00A0%1 &nbsp; ").arg(pointsText(steps, scale));
   }

@@ -85,7 +85,7 @@ void CompetenceDialog::build() {
   tolerance_->setRange(0.1, 180.0);
   tolerance_->setDecimals(1);
   tolerance_->setSuffix(QStringLiteral("\u00b0"));
-  attempts_->setRange(1, static_cast<int>(kMostCompetenceAttempts));
+  attempts_->setRange(1, static_cast<int>(kMaxCompetenceAttempts));
   auto* experts = new QHBoxLayout;
   experts->addWidget(cohort_, 1);
   experts->addWidget(take_);

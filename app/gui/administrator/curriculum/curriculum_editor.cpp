@@ -28,7 +28,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
+constexpr double kDefaultStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
 
 std::vector<PlannedOccasion>::iterator pointOf(CurriculumVersion& content, const std::string& code) {
   return std::find_if(content.plannedOccasions.begin(), content.plannedOccasions.end(),
@@ -49,7 +49,7 @@ std::vector<PlannedOccasion>::iterator placeOf(CurriculumVersion& content, const
 
 /// Gives how long the longest arm trains; without arms more than anybody does.
 double longestTraining_min(const CurriculumVersion& content) {
-  double longest_min = content.arms.empty() ? kMostMinutes : 0.0;
+  double longest_min = content.arms.empty() ? kMaxMinutes : 0.0;
   for (const StudyArm& arm : content.arms) {
     double arm_min = 0.0;
     for (const TrainingPhase& phase : arm.phases) {
@@ -104,7 +104,7 @@ QWidget* CurriculumEditor::pointsTab() {
 }
 
 void CurriculumEditor::addPointRow(std::size_t point) {
-  PointRow row{new QCheckBox, numberField(0.0, kMostMinutes, 1), sentence(nullptr, false)};
+  PointRow row{new QCheckBox, numberField(0.0, kMaxMinutes, 1), sentence(nullptr, false)};
   setLook(row.hint, "caution", true);
   row.after->setMinimumWidth(24 * kSpace);
   pointGrid_->addWidget(row.wanted, static_cast<int>(point), 0);
@@ -157,7 +157,7 @@ void CurriculumEditor::fillPoints() {
     points_[i].wanted->setChecked(wanted);
     points_[i].after->setEnabled(wanted);
     points_[i].after->setValue(wanted ? static_cast<double>(point->afterExposure_us) / kMicrosecondsOfMinute
-                                      : std::min(longest_min, kUsualStep_min * static_cast<double>(i)));
+                                      : std::min(longest_min, kDefaultStep_min * static_cast<double>(i)));
   }
   filling_ = false;
 }

@@ -34,8 +34,8 @@ namespace {
 
 constexpr double kFirstTarget_deg = 60.0;
 constexpr double kFirstTolerance_deg = 5.0;
-constexpr int kMostAttempts = 1'000'000;
-constexpr int kMostTwists = 1'000;
+constexpr int kMaxAttempts = 1'000'000;
+constexpr int kMaxTwists = 1'000;
 
 std::vector<std::string> codesOf(const CurriculumVersion& content) {
   std::vector<std::string> codes;
@@ -105,8 +105,8 @@ QWidget* ExerciseEditor::form() {
   force_->setSuffix(QStringLiteral(" N"));
   torque_->setSuffix(QStringLiteral(" N m"));
   twists_->setObjectName(QStringLiteral("leastTwists"));
-  twists_->setRange(1, kMostTwists);
-  attempts_->setRange(0, kMostAttempts);
+  twists_->setRange(1, kMaxTwists);
+  attempts_->setRange(0, kMaxAttempts);
   for (QSpinBox* count : {twists_, attempts_}) {
     count->setButtonSymbols(QAbstractSpinBox::NoButtons);
     count->setMinimumWidth(tolerance_->minimumWidth());
@@ -279,10 +279,10 @@ void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
       offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
     }
   }
-  constexpr int kMostRows = 3;  // in a low window; a high one shows more, but no empty lines
+  constexpr int kMaxRows = 3;  // in a low window; a high one shows more, but no empty lines
   const int high = std::max(after_->sizeHintForRow(0), 3 * kSpace);
   const int frames = 2 * after_->frameWidth();
-  after_->setMinimumHeight(std::clamp(after_->count(), 1, kMostRows) * high + frames);
+  after_->setMinimumHeight(std::clamp(after_->count(), 1, kMaxRows) * high + frames);
   after_->setMaximumHeight(std::max(after_->count(), 1) * high + frames);
 }
 

@@ -30,7 +30,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kUsualPhase_min = 20.0;
+constexpr double kDefaultPhase_min = 20.0;
 constexpr int kFewRows = 2;
 
 enum PhaseColumn { kWhere, kName, kMinutes, kExercise };
@@ -57,7 +57,7 @@ GroupEditor::GroupEditor(CurriculumVersion& content, QWidget* parent)
     : QWidget(parent),
       content_(content),
       label_(new QLineEdit),
-      rest_(numberField(0.0, kMostMinutes, 1)),
+      rest_(numberField(0.0, kMaxMinutes, 1)),
       splittable_(new QCheckBox),
       phases_(new QTableWidget(0, 4)),
       totals_(sentence(nullptr)),
@@ -200,7 +200,7 @@ void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
   }
   chooseOrAdd(where, std::string(storedText(phase.kind)));
   auto* name = new QLineEdit(toQString(Text(phase.label)));
-  QDoubleSpinBox* time = numberField(0.0, kMostMinutes, 1);
+  QDoubleSpinBox* time = numberField(0.0, kMaxMinutes, 1);
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
@@ -322,7 +322,7 @@ void GroupEditor::addPhase() {
   }
   TrainingPhase phase;
   phase.label = tr("New phase").toStdString();
-  phase.duration_us = std::llround(kUsualPhase_min * kMicrosecondsOfMinute);
+  phase.duration_us = std::llround(kDefaultPhase_min * kMicrosecondsOfMinute);
   arm->phases.push_back(phase);
   showPhases(*arm, static_cast<int>(arm->phases.size()) - 1);
   Q_EMIT edited();

@@ -23,7 +23,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kFewRules = 2;
-constexpr int kMostInARow = 1'000'000;
+constexpr int kMaxInARow = 1'000'000;
 
 enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 
@@ -115,7 +115,7 @@ void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   auto* threshold = new ThresholdBox(shown);
   threshold->setValue(shown.scale * rule.threshold);
   auto* inARow = new QSpinBox;
-  inARow->setRange(1, kMostInARow);
+  inARow->setRange(1, kMaxInARow);
   inARow->setValue(static_cast<int>(rule.consecutive));
   inARow->setButtonSymbols(QAbstractSpinBox::NoButtons);
   setCellWidget(row, kMetric, metric);

@@ -27,7 +27,7 @@ namespace {
 enum Method { kAngoff, kBorderline, kContrasting };
 
 constexpr int kStandardWidth = 620;
-constexpr int kFewestLines = 9;
+constexpr int kMinLines = 9;
 
 QString inHundredths(double value) {
   return QString::number(value, 'f', 2);
@@ -104,7 +104,7 @@ StandardDialog::StandardDialog(QWidget* parent)
   method_->addItem(tr("global ratings beside scores (borderline regression)"));
   method_->addItem(tr("novices and masters (contrasting groups)"));
   table_->setTabChangesFocus(true);
-  table_->setMinimumHeight(kFewestLines * table_->fontMetrics().lineSpacing());
+  table_->setMinimumHeight(kMinLines * table_->fontMetrics().lineSpacing());
   borderline_->setRange(-1000.0, 1000.0);
   borderline_->setDecimals(1);
   borderline_->setValue(3.0);

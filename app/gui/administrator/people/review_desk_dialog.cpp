@@ -35,7 +35,7 @@ namespace {
 constexpr QSize kReviewDeskSize(720, 560);
 constexpr int kLowestPort = 1024;  // those below belong to the system
 constexpr int kHighestPort = 65535;
-constexpr int kUsualPort = 8443;
+constexpr int kDefaultPort = 8443;
 
 enum Reach { kOtherMachines, kThisMachine };
 enum CertificateChoice { kOwnCertificate, kCertificateFiles };
@@ -110,7 +110,7 @@ void ReviewDeskDialog::build() {
   shown->addWidget(trust_);
   reach_->addItems({tr("Other computers of this network"), tr("This computer alone")});
   port_->setRange(kLowestPort, kHighestPort);
-  port_->setValue(kUsualPort);
+  port_->setValue(kDefaultPort);
   certificate_->addItems({tr("Made by Torsio"), tr("From files")});
   auto* form = new QFormLayout;
   form->addRow(tr("&Who can reach it"), reach_);

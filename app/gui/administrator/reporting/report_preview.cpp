@@ -31,10 +31,10 @@ namespace {
 constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
 constexpr char kRows[] = "rows:";
-constexpr std::size_t kRowsShown = 15;    // of a long table, until all are asked for
-constexpr std::size_t kUsualColumns = 9;  // more of them need smaller letters
-constexpr int kTableRoom = 1000;          // pixels that a wide table keeps
-constexpr int kSheet = 1120;              // the widest sheet; beside it is the desk
+constexpr std::size_t kRowsShown = 15;      // of a long table, until all are asked for
+constexpr std::size_t kDefaultColumns = 9;  // more of them need smaller letters
+constexpr int kTableRoom = 1000;            // pixels that a wide table keeps
+constexpr int kSheet = 1120;                // the widest sheet; beside it is the desk
 constexpr int kLine = 86;  // average signs, some 95 of running text: the eye finds its way back from there
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
@@ -93,7 +93,7 @@ ReportPreview::ReportPreview(QWidget* parent) : QTextBrowser(parent) {
 QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
                                  const Wording& wording) const {
   const auto html = [&wording](const Text& text) { return wording(text).toHtmlEscaped(); };
-  const bool crowded = table.columns.size() > kUsualColumns;
+  const bool crowded = table.columns.size() > kDefaultColumns;
   const auto inCell = [crowded](const QString& words) {
     return crowded ? QStringLiteral("<small>%1</small>").arg(words) : words;
   };

@@ -29,12 +29,12 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::array<int, 4> kUsualSteps{1, 2, 4, 10};  // a point
-constexpr double kMostPoints = 1000.0;
-constexpr double kMostWeight = 100.0;
+constexpr std::array<int, 4> kDefaultSteps{1, 2, 4, 10};  // a point
+constexpr double kMaxPoints = 1000.0;
+constexpr double kMaxWeight = 100.0;
 constexpr double kMilli = 1000.0;
 constexpr int kMarkWidth = 90;
-constexpr int kFewestAnchorLines = 130;
+constexpr int kMinAnchorLines_px = 130;
 
 QString shownPoints(std::int64_t steps, const ScoreScale& scale) {
   return QLocale().toString(pointsFromSteps(steps, scale), 'g', 6);
@@ -56,7 +56,7 @@ ScaleFields::ScaleFields(const QString& name, QWidget* parent)
   step_->setObjectName(name + QStringLiteral(".step"));
   step_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   for (QDoubleSpinBox* field : {from_, to_}) {
-    field->setRange(-kMostPoints, kMostPoints);
+    field->setRange(-kMaxPoints, kMaxPoints);
     field->setDecimals(1);
     connect(field, &QDoubleSpinBox::valueChanged, this, &ScaleFields::edited);
   }
@@ -73,7 +73,7 @@ void ScaleFields::retranslate() {
 void ScaleFields::setScale(const ScoreScale& scale) {
   const QSignalBlocker quiet(this);
   step_->clear();
-  std::vector<int> steps(kUsualSteps.begin(), kUsualSteps.end());
+  std::vector<int> steps(kDefaultSteps.begin(), kDefaultSteps.end());
   const auto own = static_cast<int>(scale.stepsPerPoint);
   if (std::find(steps.begin(), steps.end(), own) == steps.end()) {
     steps.push_back(own);
@@ -159,7 +159,7 @@ QWidget* RubricForm::rowForm() {
   column->addWidget(scale_);
   addHint(column, RubricField::kScale);
   weight_->setObjectName(QStringLiteral("weight"));
-  weight_->setRange(0.0, kMostWeight);
+  weight_->setRange(0.0, kMaxWeight);
   weight_->setDecimals(2);
   weight_->setSingleStep(0.5);
   weight_->setToolTip(tr(
@@ -175,7 +175,7 @@ QWidget* RubricForm::rowForm() {
   anchors_->horizontalHeader()->setStretchLastSection(true);
   anchors_->setColumnWidth(0, kMarkWidth);
   anchors_->verticalHeader()->hide();
-  anchors_->setMinimumHeight(kFewestAnchorLines);
+  anchors_->setMinimumHeight(kMinAnchorLines_px);
   anchors_->setSelectionBehavior(QAbstractItemView::SelectRows);
   anchors_->setWordWrap(true);
   nameField(addField(column, anchors_), tr("&Anchors"));

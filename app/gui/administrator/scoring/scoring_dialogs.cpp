@@ -30,7 +30,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kUsualDays = 14;
+constexpr int kDefaultDays = 14;
 
 QString translated(const char* text) {
   return QCoreApplication::translate("Scoring", text);
@@ -76,7 +76,7 @@ std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent, const std::vec
   }
   auto* limited = new QCheckBox(translated(QT_TRANSLATE_NOOP("Scoring", "Due by the end of")), &dialog);
   limited->setObjectName(QStringLiteral("limited"));
-  auto* due = new QDateEdit(QDate::currentDate().addDays(kUsualDays), &dialog);
+  auto* due = new QDateEdit(QDate::currentDate().addDays(kDefaultDays), &dialog);
   due->setObjectName(QStringLiteral("due"));
   due->setCalendarPopup(true);
   showAsDate(due);

@@ -34,7 +34,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kUsualSlot_min = 60;
+constexpr int kDefaultSlot_min = 60;
 constexpr int kLongestSlot_min = 600;
 constexpr int kLongestPause_min = 240;
 constexpr int kFirstHour = 9;
@@ -108,7 +108,7 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   print_->setObjectName(QStringLiteral("planPrint"));
   day_->setCalendarPopup(true);
   minutes_->setRange(1, kLongestSlot_min);
-  minutes_->setValue(kUsualSlot_min);
+  minutes_->setValue(kDefaultSlot_min);
   minutes_->setSuffix(tr(" min"));
   pause_->setRange(0, kLongestPause_min);
   pause_->setSuffix(tr(" min"));

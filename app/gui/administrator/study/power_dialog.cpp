@@ -22,7 +22,7 @@ namespace {
 enum Design { kTwoGroups, kBeforeAfter, kSeveralGroups, kAgreement };
 
 constexpr int kPowerDialogWidth = 560;
-constexpr int kMostRaters = 50;
+constexpr int kMaxRaters = 50;
 
 QDoubleSpinBox* spinOf(QWidget* parent, const char* name, double low, double high, double value) {
   auto* spin = new QDoubleSpinBox(parent);
@@ -60,7 +60,7 @@ PowerDialog::PowerDialog(QWidget* parent)
       groups_(new QSpinBox(this)),
       effect_(spinOf(this, "effect", 0.1, 5.0, 0.8)),
       power_(spinOf(this, "power", 0.5, 0.99, 0.8)),
-      alpha_(spinOf(this, "alpha", 0.01, 0.2, kUsualAlpha)),
+      alpha_(spinOf(this, "alpha", 0.01, 0.2, kDefaultAlpha)),
       correlation_(spinOf(this, "correlation", 0.0, 0.95, 0.5)),
       icc_(spinOf(this, "icc", 0.05, 0.95, 0.7)),
       width_(spinOf(this, "width", 0.05, 1.0, 0.3)),
@@ -79,7 +79,7 @@ PowerDialog::PowerDialog(QWidget* parent)
   design_->addItem(tr("several groups (analysis of variance, Cohen's f)"));
   design_->addItem(tr("agreement of raters (ICC, width of its 95 % interval)"));
   raters_->setObjectName(QStringLiteral("raters"));
-  raters_->setRange(2, kMostRaters);
+  raters_->setRange(2, kMaxRaters);
   raters_->setValue(4);
   groups_->setRange(3, 10);
   atHand_->setObjectName(QStringLiteral("atHand"));
@@ -160,7 +160,7 @@ void PowerDialog::showAgreement() {
                        .arg(QString::number(sizeFor(raters_->value()), 'f', 0))
                        .arg(raters_->value()));
   int raters = 2;
-  while (raters < kMostRaters && sizeFor(raters) > atHand_->value()) {
+  while (raters < kMaxRaters && sizeFor(raters) > atHand_->value()) {
     ++raters;
   }
   shown_->setText(sizeFor(raters) <= atHand_->value()

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kStationsFrame = 74;  // count of rows, headings, borders
 constexpr int kStationHeight = 32;
-constexpr std::size_t kMostStations = 4;
+constexpr std::size_t kMaxStations = 4;
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void TodaysSessionsPage::showStations() {
                              .arg(recording)
                              .arg(lost));
   stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
-                                                                  rows.size(), 1, kMostStations)));
+                                                                  rows.size(), 1, kMaxStations)));
   stations_->setRows(std::move(rows));
   stations_->setVisible(some && stationsLine_->isOpen());
   stationsLine_->setVisible(some);

@@ -44,7 +44,7 @@ TEST(RubricText, TheShippedSheetWeighsItsCriteriaAlike) {
 
   for (const RubricTemplate& shipped : rubricTemplates(centre.assets())) {
     for (const RubricLine& row : shipped.revision.rows) {
-      EXPECT_EQ(row.weight_milli, kUsualWeight_milli) << shipped.id << ", " << row.code;
+      EXPECT_EQ(row.weight_milli, kDefaultWeight_milli) << shipped.id << ", " << row.code;
     }
   }
 }

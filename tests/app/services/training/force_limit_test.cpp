@@ -37,7 +37,7 @@ constexpr std::uint64_t kSeed = 20261125;
 constexpr std::size_t kCutRecordings = 8;
 constexpr std::size_t kLongestPiece = 2'500;  // samples: long enough for a twist of a quick hand
 constexpr int kPieces = 10'000;
-constexpr int kUsualRuns = 15;  // three of them on the shipped organs, which take longest
+constexpr int kDefaultRuns = 15;  // three of them on the shipped organs, which take longest
 
 int wanted(const char* variable, int least, int usual) {
   const char* value = std::getenv(variable);
@@ -212,7 +212,7 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
   Tally all;
   std::map<std::string, Tally> kinds;
   const int first = wanted("TORSIO_FORCE_FROM", 0, 0);
-  const int end = first + wanted("TORSIO_FORCE_RUNS", 1, kUsualRuns);
+  const int end = first + wanted("TORSIO_FORCE_RUNS", 1, kDefaultRuns);
   for (int i = first; i < end; ++i) {
     SCOPED_TRACE("run " + std::to_string(i));
     const auto stream = static_cast<std::uint64_t>(i);

@@ -35,7 +35,7 @@ TEST(TissueColour, ATurnThatHardlyStarvesIsPurpleAllTheSame) {
 
   EXPECT_NEAR(purpleShare(0.25), 0.372, 1e-3);
   EXPECT_EQ(purpleShare(0.0), 0.0);
-  EXPECT_EQ(purpleShare(1.0), kMostPurple);
+  EXPECT_EQ(purpleShare(1.0), kMaxPurple);
   EXPECT_LT(dammed.green, 0.70 * kSerosaPink.green);
   EXPECT_GT(dammed.blue, 1.10 * dammed.green);
 }

@@ -149,7 +149,7 @@ TEST(RodOfOrgan, RefusesMaterialsAndDivisionsWithoutMeaning) {
   EXPECT_EQ(code({1e4, 0.51}, 31), ErrorCode::kBadParameter);
   EXPECT_EQ(code({1e4, -0.1}, 31), ErrorCode::kBadParameter);
   EXPECT_EQ(code({1e4, 0.5}, 1), ErrorCode::kBadParameter);
-  EXPECT_EQ(code({1e4, 0.5}, kMostRodNodes), ErrorCode::kBadParameter);
+  EXPECT_EQ(code({1e4, 0.5}, kMaxRodNodes), ErrorCode::kBadParameter);
 }
 
 }  // namespace
