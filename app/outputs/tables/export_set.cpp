@@ -27,7 +27,7 @@ ExportCell textOf(const std::string& text) {
 
 /// A row, each cell made where it stays.
 template <typename... Values>
-Cells cellsOf(Values&&... values) {
+Cells rowOf(Values&&... values) {
   Cells cells;
   cells.reserve(sizeof...(values));
   (cells.emplace_back(std::forward<Values>(values)), ...);
@@ -152,12 +152,12 @@ class Sorter {
       if (row.statistic == "score") {
         const auto person = people_.find(row.item);
         const CohortTrainee* known = person == people_.end() ? nullptr : person->second;
-        set.scores.rows.push_back(cellsOf(row.item, textOf(row.group), textOf(known ? known->sex : ""),
-                                          textOf(known ? known->level : ""), occasionOf(row),
-                                          textOf(row.occasion), numberOf(row.value), numberOf(row.n)));
+        set.scores.rows.push_back(rowOf(row.item, textOf(row.group), textOf(known ? known->sex : ""),
+                                        textOf(known ? known->level : ""), occasionOf(row),
+                                        textOf(row.occasion), numberOf(row.value), numberOf(row.n)));
       } else if (row.statistic == "rater_mark") {
-        set.marks.rows.push_back(cellsOf(row.item, textOf(row.group), textOf(row.index), occasionOf(row),
-                                         textOf(row.occasion), numberOf(row.value)));
+        set.marks.rows.push_back(rowOf(row.item, textOf(row.group), textOf(row.index), occasionOf(row),
+                                       textOf(row.occasion), numberOf(row.value)));
       }
     }
   }
@@ -226,8 +226,8 @@ class Sorter {
       } else if (row.statistic == "content_hash") {
         trial[8] = textOf(row.value);
       } else if (!row.index.empty()) {
-        set.twists.rows.push_back(cellsOf(row.item, textOf(row.group), counted[row.item],
-                                          textOf(row.occasion), numberOf(row.index), numberOf(row.value)));
+        set.twists.rows.push_back(rowOf(row.item, textOf(row.group), counted[row.item], textOf(row.occasion),
+                                        numberOf(row.index), numberOf(row.value)));
       } else {
         trial[head.size() + place.at(row.statistic)] = numberOf(row.value);
       }
@@ -298,9 +298,9 @@ class Sorter {
                       {}};
     for (const Row& row : rows_) {
       if (row.section == section) {
-        table.rows.push_back(cellsOf(
-            textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index), textOf(row.occasion),
-            row.statistic, numberOf(row.value), wordOf(row.value), numberOf(row.n), textOf(row.flags)));
+        table.rows.push_back(rowOf(textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index),
+                                   textOf(row.occasion), row.statistic, numberOf(row.value),
+                                   wordOf(row.value), numberOf(row.n), textOf(row.flags)));
       }
     }
     return table;
@@ -340,10 +340,10 @@ class Sorter {
                     {"flags", Text::tr("Flags")}},
                    {}};
     for (const Row& row : rows_) {
-      set.numbers.rows.push_back(cellsOf(textOf(row.section), textOf(row.item), textOf(row.group),
-                                         textOf(row.model), textOf(row.index), textOf(row.occasion),
-                                         row.statistic, numberOf(row.value), textOf(row.value),
-                                         numberOf(row.n), textOf(row.flags)));
+      set.numbers.rows.push_back(rowOf(textOf(row.section), textOf(row.item), textOf(row.group),
+                                       textOf(row.model), textOf(row.index), textOf(row.occasion),
+                                       row.statistic, numberOf(row.value), textOf(row.value), numberOf(row.n),
+                                       textOf(row.flags)));
     }
   }
 
