@@ -6,14 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "assessment/catalogue/quantity.h"
+
 namespace torsio {
-
-/// Version of all formulas by which a recording is measured: metrics, what a twist is, what is on target. It
-/// stands beside every stored value. Count it up whenever a number changes: values of an older version are
-/// not read, the recording is measured anew.
-inline constexpr std::int64_t kMetricsVersion = 6;
-
-enum class Direction { kLowerIsBetter, kHigherIsBetter, kNeither };
 
 /// What a measured quantity means; shown wherever its number is shown.
 struct MetricCard {

@@ -587,23 +587,6 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::TodaysSessionsPage</name>
-    <message numerus="yes">
-        <source>Written: %n trainee(s) to call</source>
-        <translation>
-            <numerusform>Written: %n trainee to call</numerusform>
-            <numerusform>Written: %n trainees to call</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Written: %n sheet(s), a page each</source>
-        <translation>
-            <numerusform>Written: %n sheet, a page each</numerusform>
-            <numerusform>Written: %n sheets, a page each</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::RunPage</name>
     <message numerus="yes">
         <source>Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</source>
@@ -641,6 +624,23 @@
         <translation>
             <numerusform>One sheet reassigned. Reassign can also return it.</numerusform>
             <numerusform>%n sheets reassigned. Reassign can also return them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TodaysSessionsPage</name>
+    <message numerus="yes">
+        <source>Written: %n trainee(s) to call</source>
+        <translation>
+            <numerusform>Written: %n trainee to call</numerusform>
+            <numerusform>Written: %n trainees to call</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n sheet(s), a page each</source>
+        <translation>
+            <numerusform>Written: %n sheet, a page each</numerusform>
+            <numerusform>Written: %n sheets, a page each</numerusform>
         </translation>
     </message>
 </context>

@@ -151,6 +151,129 @@
     </message>
 </context>
 <context>
+    <name>DayBoard</name>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>on the simulator</source>
+        <translation>在模拟器上</translation>
+    </message>
+    <message>
+        <source>on the real arm</source>
+        <translation>在实物手臂上</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>came late</source>
+        <translation>迟到</translation>
+    </message>
+    <message>
+        <source>did not come</source>
+        <translation>缺席</translation>
+    </message>
+    <message>
+        <source>device failed</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>swapped with somebody</source>
+        <translation>与他人互换</translation>
+    </message>
+    <message>
+        <source>phase cut short</source>
+        <translation>阶段提前结束</translation>
+    </message>
+    <message>
+        <source>phase too long</source>
+        <translation>阶段超时</translation>
+    </message>
+    <message>
+        <source>rest too long</source>
+        <translation>休息超时</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Log time</source>
+        <translation>登记时间</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>内容(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;How long</source>
+        <translation>时长(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Report a deviation</source>
+        <translation>报告方案偏离</translation>
+    </message>
+    <message>
+        <source>What happened, without names</source>
+        <translation>发生了什么（勿写姓名）</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>类型(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;What happened</source>
+        <translation>经过(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Swap turns</source>
+        <translation>互换顺序</translation>
+    </message>
+    <message>
+        <source>Why, without names</source>
+        <translation>原因（不写姓名）</translation>
+    </message>
+    <message>
+        <source>! The plan of %1 has no such time. It is logged all the same, and noted as a deviation.</source>
+        <translation>! %1 的训练计划中没有这类时间。仍会登记，并记为方案偏离。</translation>
+    </message>
+    <message>
+        <source>&amp;With</source>
+        <translation>与(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
+        <translation>双方分组不变；两人均记录方案偏离并列入报告。</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>互换</translation>
+    </message>
+    <message>
+        <source>trained before scoring</source>
+        <translation>评分前已训练</translation>
+    </message>
+    <message>
+        <source>trained outside the plan</source>
+        <translation>计划外训练</translation>
+    </message>
+</context>
+<context>
     <name>Desk</name>
     <message>
         <source>Training</source>
@@ -1066,129 +1189,6 @@
     <message>
         <source>%1.</source>
         <translation>%1。</translation>
-    </message>
-</context>
-<context>
-    <name>DayBoard</name>
-    <message>
-        <source>Trainee</source>
-        <translation>学员</translation>
-    </message>
-    <message>
-        <source>on the simulator</source>
-        <translation>在模拟器上</translation>
-    </message>
-    <message>
-        <source>on the real arm</source>
-        <translation>在实物手臂上</translation>
-    </message>
-    <message>
-        <source>rest</source>
-        <translation>休息</translation>
-    </message>
-    <message>
-        <source>came late</source>
-        <translation>迟到</translation>
-    </message>
-    <message>
-        <source>did not come</source>
-        <translation>缺席</translation>
-    </message>
-    <message>
-        <source>device failed</source>
-        <translation>设备故障</translation>
-    </message>
-    <message>
-        <source>swapped with somebody</source>
-        <translation>与他人互换</translation>
-    </message>
-    <message>
-        <source>phase cut short</source>
-        <translation>阶段提前结束</translation>
-    </message>
-    <message>
-        <source>phase too long</source>
-        <translation>阶段超时</translation>
-    </message>
-    <message>
-        <source>rest too long</source>
-        <translation>休息超时</translation>
-    </message>
-    <message>
-        <source>something else</source>
-        <translation>其他</translation>
-    </message>
-    <message>
-        <source>Log time</source>
-        <translation>登记时间</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> 分钟</translation>
-    </message>
-    <message>
-        <source>&amp;What</source>
-        <translation>内容(&amp;W)</translation>
-    </message>
-    <message>
-        <source>&amp;How long</source>
-        <translation>时长(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Report a deviation</source>
-        <translation>报告方案偏离</translation>
-    </message>
-    <message>
-        <source>What happened, without names</source>
-        <translation>发生了什么（勿写姓名）</translation>
-    </message>
-    <message>
-        <source>&amp;Kind</source>
-        <translation>类型(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;What happened</source>
-        <translation>经过(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>Swap turns</source>
-        <translation>互换顺序</translation>
-    </message>
-    <message>
-        <source>Why, without names</source>
-        <translation>原因（不写姓名）</translation>
-    </message>
-    <message>
-        <source>! The plan of %1 has no such time. It is logged all the same, and noted as a deviation.</source>
-        <translation>! %1 的训练计划中没有这类时间。仍会登记，并记为方案偏离。</translation>
-    </message>
-    <message>
-        <source>&amp;With</source>
-        <translation>与(&amp;W)</translation>
-    </message>
-    <message>
-        <source>&amp;Reason</source>
-        <translation>原因(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
-        <translation>双方分组不变；两人均记录方案偏离并列入报告。</translation>
-    </message>
-    <message>
-        <source>Swap</source>
-        <translation>互换</translation>
-    </message>
-    <message>
-        <source>trained before scoring</source>
-        <translation>评分前已训练</translation>
-    </message>
-    <message>
-        <source>trained outside the plan</source>
-        <translation>计划外训练</translation>
     </message>
 </context>
 <context>
@@ -8668,10 +8668,6 @@
     <message>
         <source>Deformation time (Fig. 10), powers of ten</source>
         <translation>形变时间（图 10），以 10 的幂表示</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>模型</translation>
     </message>
     <message>
         <source>model</source>
@@ -18083,6 +18079,554 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Close it in a mesh editor where that is seen</source>
         <translation>若可见，请在网格编辑器中封闭</translation>
     </message>
+    <message>
+        <source>task start to task end</source>
+        <translation>任务开始至任务结束</translation>
+    </message>
+    <message>
+        <source>while the organ is held</source>
+        <translation>夹持器官期间</translation>
+    </message>
+    <message>
+        <source>from the first contact to the last</source>
+        <translation>从首次接触到最后一次接触</translation>
+    </message>
+    <message>
+        <source>Share of the twists that were let go within the tolerance of the target.</source>
+        <translation>在目标容差内松开的扭转所占的比例。</translation>
+    </message>
+    <message>
+        <source>twists on target / completed twists</source>
+        <translation>达标扭转数 / 已完成扭转数</translation>
+    </message>
+    <message>
+        <source>whole run</source>
+        <translation>整次操作</translation>
+    </message>
+    <message>
+        <source>Number of the twists that were let go within the tolerance of the target.</source>
+        <translation>在目标容差内松开的扭转次数。</translation>
+    </message>
+    <message>
+        <source>count of completed twists with |angle at letting go - target| &lt;= tolerance</source>
+        <translation>满足 |松开时角度 - 目标| &lt;= 容差 的已完成扭转数</translation>
+    </message>
+    <message>
+        <source>How long a twist took, from the grip to the end of its return; of an untwisting the whole run.</source>
+        <translation>一次扭转从夹持到回弹结束所用的时间；复位操作则为整次操作的时间。</translation>
+    </message>
+    <message>
+        <source>How far the tip of the instrument travelled.</source>
+        <translation>器械尖端移动的路程。</translation>
+    </message>
+    <message>
+        <source>sum of |p(i+1) - p(i)|, pose filtered at 10 Hz</source>
+        <translation>|p(i+1) - p(i)| 之和，位姿以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>How many degrees the instrument turned in all, back and forth.</source>
+        <translation>器械来回转动的总角度。</translation>
+    </message>
+    <message>
+        <source>sum of |angle(i+1) - angle(i)|, filtered at 10 Hz</source>
+        <translation>|角度(i+1) - 角度(i)| 之和，以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>Share of the turning that the task needed.</source>
+        <translation>任务所需转动占全部转动的比例。</translation>
+    </message>
+    <message>
+        <source>|target angle| / angular path up to the end of the hold</source>
+        <translation>|目标角度| / 至保持结束的角路径</translation>
+    </message>
+    <message>
+        <source>Idle time</source>
+        <translation>静止时间</translation>
+    </message>
+    <message>
+        <source>Time in which the tip hardly moved.</source>
+        <translation>尖端几乎不动的时间。</translation>
+    </message>
+    <message>
+        <source>time with speed below 5 mm/s for at least 0.2 s</source>
+        <translation>速度低于 5 mm/s 且至少持续 0.2 s 的时间</translation>
+    </message>
+    <message>
+        <source>Smoothness (SPARC)</source>
+        <translation>平滑度（SPARC）</translation>
+    </message>
+    <message>
+        <source>Evenness of the turning; nearer 0 is smoother, about -1.4 is one clean turn.</source>
+        <translation>转动的均匀程度；越接近 0 越平滑，约 -1.4 为一次干净的转动。</translation>
+    </message>
+    <message>
+        <source>spectral arc length of the angular speed up to 10 Hz, threshold 0.05, padding level 4</source>
+        <translation>角速度至 10 Hz 的频谱弧长，阈值 0.05，补零级别 4</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ)</source>
+        <translation>平滑度（LDLJ）</translation>
+    </message>
+    <message>
+        <source>Jerkiness of the turning; compare only values with the same filter.</source>
+        <translation>转动的顿挫程度；只能比较同一滤波下的数值。</translation>
+    </message>
+    <message>
+        <source>-ln(T^3 / peak^2 x integral of jerk^2) of the signed angular speed, filtered at 10 Hz</source>
+        <translation>带符号角速度的 -ln(T^3 / 峰值^2 x 加加速度^2 的积分)，以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ, unsigned)</source>
+        <translation>平滑度（LDLJ，无符号）</translation>
+    </message>
+    <message>
+        <source>The same of the speed without its direction, which has a kink at each reversal; to compare with programs that compute it so.</source>
+        <translation>同上，但用不带方向的速度，每次反向处有折点；用于与这样计算的程序比较。</translation>
+    </message>
+    <message>
+        <source>-ln(T^3 / peak^2 x integral of jerk^2) of |angular speed|, filtered at 10 Hz</source>
+        <translation>|角速度| 的 -ln(T^3 / 峰值^2 x 加加速度^2 的积分)，以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>Number of separate pushes in the turning.</source>
+        <translation>转动中分开的发力次数。</translation>
+    </message>
+    <message>
+        <source>peaks of angular speed, prominence 5 % of the maximum, 0.1 s apart</source>
+        <translation>角速度的峰，显著度为最大值的 5 %，间隔 0.1 s</translation>
+    </message>
+    <message>
+        <source>How far the turn went beyond the target.</source>
+        <translation>转动超过目标的角度。</translation>
+    </message>
+    <message>
+        <source>max of sign(target) x (angle - target) after first reaching it, at least 0</source>
+        <translation>首次到达目标后 sign(目标) x (角度 - 目标) 的最大值，不小于 0</translation>
+    </message>
+    <message>
+        <source>How often the turn left the target zone on the far side.</source>
+        <translation>转动从远侧离开目标区的次数。</translation>
+    </message>
+    <message>
+        <source>crossings of target + tolerance after first reaching the target</source>
+        <translation>首次到达目标后越过 目标 + 容差 的次数</translation>
+    </message>
+    <message>
+        <source>When the target zone was first entered.</source>
+        <translation>首次进入目标区的时刻。</translation>
+    </message>
+    <message>
+        <source>first time inside target +- tolerance</source>
+        <translation>首次处于 目标 +- 容差 之内的时刻</translation>
+    </message>
+    <message>
+        <source>When the target zone was entered for good.</source>
+        <translation>最终进入目标区的时刻。</translation>
+    </message>
+    <message>
+        <source>start of the last stay inside target +- tolerance</source>
+        <translation>最后一次停留在 目标 +- 容差 之内的开始时刻</translation>
+    </message>
+    <message>
+        <source>Tracking error (RMS)</source>
+        <translation>跟踪误差（均方根）</translation>
+    </message>
+    <message>
+        <source>Typical distance from the prescribed course.</source>
+        <translation>与规定轨迹的典型偏差。</translation>
+    </message>
+    <message>
+        <source>root of the mean of (angle - target course)^2</source>
+        <translation>(角度 - 目标轨迹)^2 的均值的平方根</translation>
+    </message>
+    <message>
+        <source>Tracking error (mean)</source>
+        <translation>跟踪误差（平均）</translation>
+    </message>
+    <message>
+        <source>Mean distance from the prescribed course.</source>
+        <translation>与规定轨迹的平均偏差。</translation>
+    </message>
+    <message>
+        <source>mean of |angle - target course|</source>
+        <translation>|角度 - 目标轨迹| 的均值</translation>
+    </message>
+    <message>
+        <source>Tracking bias</source>
+        <translation>跟踪偏向</translation>
+    </message>
+    <message>
+        <source>Whether the turn was ahead of or behind the course on average.</source>
+        <translation>转动平均超前还是落后于轨迹。</translation>
+    </message>
+    <message>
+        <source>mean of angle - target course</source>
+        <translation>角度 - 目标轨迹 的均值</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>滞后</translation>
+    </message>
+    <message>
+        <source>How long the hand followed behind the course.</source>
+        <translation>手落后于轨迹的时间。</translation>
+    </message>
+    <message>
+        <source>shift of at most 0.5 s that maximises the correlation</source>
+        <translation>使相关最大的时移，不超过 0.5 s</translation>
+    </message>
+    <message>
+        <source>Tracking error without lag</source>
+        <translation>去除滞后的跟踪误差</translation>
+    </message>
+    <message>
+        <source>What remains when the lag is taken out.</source>
+        <translation>去除滞后之后余下的误差。</translation>
+    </message>
+    <message>
+        <source>RMS error after shifting by the lag</source>
+        <translation>按滞后平移之后的均方根误差</translation>
+    </message>
+    <message>
+        <source>How still the angle was kept.</source>
+        <translation>角度保持得有多稳。</translation>
+    </message>
+    <message>
+        <source>standard deviation of the angle while holding, the hold filtered by itself at 10 Hz</source>
+        <translation>保持期间角度的标准差，保持段单独以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>保持期间</translation>
+    </message>
+    <message>
+        <source>Wander about the axis</source>
+        <translation>绕轴偏移</translation>
+    </message>
+    <message>
+        <source>How well the tip kept its distance from the axis of the twist.</source>
+        <translation>尖端与扭转轴的距离保持得有多好。</translation>
+    </message>
+    <message>
+        <source>root mean square of radius - mean radius</source>
+        <translation>半径 - 平均半径 的均方根</translation>
+    </message>
+    <message>
+        <source>Mean force on the tissue.</source>
+        <translation>作用于组织的平均力。</translation>
+    </message>
+    <message>
+        <source>impulse / time, filtered at 20 Hz</source>
+        <translation>冲量 / 时间，以 20 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>Largest force on the tissue, whatever the device could give of it.</source>
+        <translation>作用于组织的最大力，不论设备能输出多少。</translation>
+    </message>
+    <message>
+        <source>maximum of all samples, not filtered</source>
+        <translation>全部样本的最大值，不滤波</translation>
+    </message>
+    <message>
+        <source>Largest force that the device was told to give.</source>
+        <translation>要求设备输出的最大力。</translation>
+    </message>
+    <message>
+        <source>High force</source>
+        <translation>高力</translation>
+    </message>
+    <message>
+        <source>Force that was exceeded 5 % of the time.</source>
+        <translation>有 5 % 的时间被超过的力。</translation>
+    </message>
+    <message>
+        <source>0.95 quantile of type 7</source>
+        <translation>第 7 类 0.95 分位数</translation>
+    </message>
+    <message>
+        <source>Force-time integral</source>
+        <translation>力-时间积分</translation>
+    </message>
+    <message>
+        <source>Force added up over time.</source>
+        <translation>力随时间的累积。</translation>
+    </message>
+    <message>
+        <source>integral of |F| dt</source>
+        <translation>|F| dt 的积分</translation>
+    </message>
+    <message>
+        <source>Largest force rate</source>
+        <translation>最大力变化率</translation>
+    </message>
+    <message>
+        <source>Most abrupt change of force.</source>
+        <translation>最突然的力变化。</translation>
+    </message>
+    <message>
+        <source>max |dF/dt|, filtered at 20 Hz</source>
+        <translation>|dF/dt| 的最大值，以 20 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>How often the allowed force was exceeded.</source>
+        <translation>超过允许力的次数。</translation>
+    </message>
+    <message>
+        <source>excursions above the limit, merged below 50 ms, ignored below 10 ms</source>
+        <translation>超过限值的次数，间隔小于 50 ms 的合并，短于 10 ms 的忽略</translation>
+    </message>
+    <message>
+        <source>Time above the force limit</source>
+        <translation>超过力限值的时间</translation>
+    </message>
+    <message>
+        <source>How long the allowed force was exceeded.</source>
+        <translation>超过允许力的时间。</translation>
+    </message>
+    <message>
+        <source>samples above the limit / rate</source>
+        <translation>超过限值的样本数 / 采样率</translation>
+    </message>
+    <message>
+        <source>Excess impulse</source>
+        <translation>超限冲量</translation>
+    </message>
+    <message>
+        <source>Force above the limit added up over time.</source>
+        <translation>超过限值的力随时间的累积。</translation>
+    </message>
+    <message>
+        <source>integral of max(0, F - limit) dt</source>
+        <translation>max(0, F - 限值) dt 的积分</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>平均扭矩</translation>
+    </message>
+    <message>
+        <source>Mean torque on the tissue.</source>
+        <translation>作用于组织的平均扭矩。</translation>
+    </message>
+    <message>
+        <source>Largest torque on the tissue.</source>
+        <translation>作用于组织的最大扭矩。</translation>
+    </message>
+    <message>
+        <source>Torque violations</source>
+        <translation>超扭矩次数</translation>
+    </message>
+    <message>
+        <source>How often the allowed torque was exceeded.</source>
+        <translation>超过允许扭矩的次数。</translation>
+    </message>
+    <message>
+        <source>How suddenly the torque was let go.</source>
+        <translation>扭矩释放得有多突然。</translation>
+    </message>
+    <message>
+        <source>largest fall of |torque| per second, filtered at 20 Hz with the hold before it</source>
+        <translation>|扭矩| 每秒的最大下降，连同之前的保持段以 20 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>松开时</translation>
+    </message>
+    <message>
+        <source>Work done on the tissue</source>
+        <translation>对组织所做的功</translation>
+    </message>
+    <message>
+        <source>Energy put into the organ by twisting.</source>
+        <translation>扭转输入器官的能量。</translation>
+    </message>
+    <message>
+        <source>integral of torque x d angle where positive; of the grip alone, torque filtered at 20 Hz, angle at 10 Hz</source>
+        <translation>扭矩 x d 角度 为正处的积分；仅限夹持段，扭矩以 20 Hz、角度以 10 Hz 滤波</translation>
+    </message>
+    <message>
+        <source>Torque-angle loop</source>
+        <translation>扭矩-角度回线</translation>
+    </message>
+    <message>
+        <source>Energy that the organ did not give back.</source>
+        <translation>器官没有返还的能量。</translation>
+    </message>
+    <message>
+        <source>work delivered - work returned</source>
+        <translation>输入的功 - 返还的功</translation>
+    </message>
+    <message>
+        <source>Time of excessive shear</source>
+        <translation>剪切超限时间</translation>
+    </message>
+    <message>
+        <source>How long the grasped patch was sheared beyond its limit.</source>
+        <translation>被夹持处剪切超过限值的时间。</translation>
+    </message>
+    <message>
+        <source>samples with patch shear stress above the limit / rate</source>
+        <translation>夹持处剪应力超过限值的样本数 / 采样率</translation>
+    </message>
+    <message>
+        <source>Whether the organ lay untwisted, open, supplied and whole with nobody holding it.</source>
+        <translation>无人夹持时，器官是否已复位、通畅、有血供且完好。</translation>
+    </message>
+    <message>
+        <source>|phi| &lt;= limit and patency &gt;= least and flow &gt;= least for d without hand and clip; jaw and force never at what tears the wall</source>
+        <translation>无手无夹子持续 d 期间 |phi| &lt;= 限值、通畅度 &gt;= 下限、血流 &gt;= 下限；钳口和力从未达到撕裂壁的程度</translation>
+    </message>
+    <message>
+        <source>When blood came back; undefined (censored at the end) where it did not.</source>
+        <translation>血流恢复的时刻；未恢复时无定义（在结束处删失）。</translation>
+    </message>
+    <message>
+        <source>first time from which flow &gt;= q_c for 5 s; seconds of the hand</source>
+        <translation>血流 &gt;= q_c 并持续 5 s 的首个时刻；以手的秒计</translation>
+    </message>
+    <message>
+        <source>blood did not come back</source>
+        <translation>血流未恢复</translation>
+    </message>
+    <message>
+        <source>How much the organ has suffered for want of blood at most; from 1 on it is lost.</source>
+        <translation>器官因缺血所受的最大损害；达到 1 即丧失。</translation>
+    </message>
+    <message>
+        <source>largest D</source>
+        <translation>D 的最大值</translation>
+    </message>
+    <message>
+        <source>How much the organ had suffered when blood came back.</source>
+        <translation>血流恢复时器官已受的损害。</translation>
+    </message>
+    <message>
+        <source>D at the time until blood flows</source>
+        <translation>血流恢复时刻的 D</translation>
+    </message>
+    <message>
+        <source>How far the organ still was turned hands off.</source>
+        <translation>放手后器官仍扭转的角度。</translation>
+    </message>
+    <message>
+        <source>|phi| d after hand and clip let go for the last time</source>
+        <translation>手和夹子最后一次松开 d 之后的 |phi|</translation>
+    </message>
+    <message>
+        <source>after the last release</source>
+        <translation>最后一次松开之后</translation>
+    </message>
+    <message>
+        <source>Whether the organ turned back after it was undone.</source>
+        <translation>器官复位之后是否又扭回。</translation>
+    </message>
+    <message>
+        <source>|phi| &gt; relapse angle after it was undone</source>
+        <translation>复位之后 |phi| &gt; 复发角度</translation>
+    </message>
+    <message>
+        <source>after it was undone</source>
+        <translation>复位之后</translation>
+    </message>
+    <message>
+        <source>Whether the first real turn went the right way.</source>
+        <translation>首次真正的转动方向是否正确。</translation>
+    </message>
+    <message>
+        <source>sign of the first net turn of 15 degrees while held = -sign(phi_0)</source>
+        <translation>夹持时首次净转动 15 度的符号 = -sign(phi_0)</translation>
+    </message>
+    <message>
+        <source>How far the organ was turned beyond how it came.</source>
+        <translation>器官被扭转超过初始角度的程度。</translation>
+    </message>
+    <message>
+        <source>How often the hand let go of an organ that was still twisted.</source>
+        <translation>器官仍扭转时手松开的次数。</translation>
+    </message>
+    <message>
+        <source>releases with |phi| &gt; 30 degrees</source>
+        <translation>|phi| &gt; 30 度时的松开次数</translation>
+    </message>
+    <message>
+        <source>How often a hand that turns 155 degrees must let go at least; to read the re-grips against.</source>
+        <translation>每次可转 155 度的手至少必须松开的次数；用于对照重新夹持次数。</translation>
+    </message>
+    <message>
+        <source>ceil(|phi_0| / 155 degrees) - 1</source>
+        <translation>ceil(|phi_0| / 155 度) - 1</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>开始时</translation>
+    </message>
+    <message>
+        <source>How far the organ turned back while the hand took a new grip.</source>
+        <translation>手重新夹持时器官扭回的角度。</translation>
+    </message>
+    <message>
+        <source>sum of the rise of |phi| between a release and the next grip</source>
+        <translation>松开与下一次夹持之间 |phi| 的增加之和</translation>
+    </message>
+    <message>
+        <source>between two grips</source>
+        <translation>两次夹持之间</translation>
+    </message>
+    <message>
+        <source>Largest pressure of the jaw on the wall.</source>
+        <translation>钳口对壁的最大压强。</translation>
+    </message>
+    <message>
+        <source>max of jaw force / jaw area</source>
+        <translation>钳口力 / 钳口面积 的最大值</translation>
+    </message>
+    <message>
+        <source>Largest shear stress of the wall; needs the scene.</source>
+        <translation>壁的最大剪应力；需要场景。</translation>
+    </message>
+    <message>
+        <source>maximum over the wall and over time</source>
+        <translation>在壁上和时间上的最大值</translation>
+    </message>
+    <message>
+        <source>How long jaw or pull hurt the wall as it then was.</source>
+        <translation>钳口或牵拉对当时的壁造成损伤的时间。</translation>
+    </message>
+    <message>
+        <source>time with jaw pressure or force above limit x (1 - 0.5 min(D, 1))</source>
+        <translation>钳口压强或力超过 限值 x (1 - 0.5 min(D, 1)) 的时间</translation>
+    </message>
+    <message>
+        <source>Narrowest that the lumen was: 100 % open, 0 % closed.</source>
+        <translation>管腔最窄时的程度：100 % 通畅，0 % 闭合。</translation>
+    </message>
+    <message>
+        <source>min of the free cross-section at the waist</source>
+        <translation>腰部自由截面的最小值</translation>
+    </message>
+    <message>
+        <source>Whether the content was let out before the organ was turned.</source>
+        <translation>转动器官之前是否已先排出内容物。</translation>
+    </message>
+    <message>
+        <source>way out open for 3 s in all before the first net turn of 15 degrees while held</source>
+        <translation>夹持时首次净转动 15 度之前，出口累计开放 3 s</translation>
+    </message>
+    <message>
+        <source>How far the organ was turned back at most between two rests; where the scene asks for stages.</source>
+        <translation>两次停歇之间器官复位的最大转角；仅限场景要求分阶段时。</translation>
+    </message>
+    <message>
+        <source>max of |phi| where the stage began - |phi|; a stage begins where |phi| stayed within 5 degrees for the rest that is asked for</source>
+        <translation>阶段开始处的 |phi| - |phi| 的最大值；|phi| 在要求的停歇时间内保持在 5 度以内处为阶段的开始</translation>
+    </message>
+    <message>
+        <source>Whether no turn without a rest was longer than the scene asks for.</source>
+        <translation>是否没有任何未停歇的转动超过场景的要求。</translation>
+    </message>
+    <message>
+        <source>longest turn without a rest &lt;= stage + 15 degrees</source>
+        <translation>未停歇的最大复位转角 &lt;= 阶段 + 15 度</translation>
+    </message>
 </context>
 <context>
     <name>UserDialogs</name>
@@ -27462,297 +28006,6 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
-    <name>torsio::gui::TodaysSessionsPage</name>
-    <message>
-        <source>Sheets due and missing: of the occasions that have been reached. Scoring counts those of all occasions, also of those still to come.</source>
-        <translation>应交未交的评分表：只计已到的评分时点。“评分”页计入所有评分时点，包括尚未到的。</translation>
-    </message>
-    <message>
-        <source>withdrew</source>
-        <translation>已退出</translation>
-    </message>
-    <message>
-        <source>all phases done</source>
-        <translation>全部阶段已完成</translation>
-    </message>
-    <message>
-        <source>no curriculum</source>
-        <translation>无课程</translation>
-    </message>
-    <message>
-        <source>no set times</source>
-        <translation>未设阶段时间</translation>
-    </message>
-    <message>
-        <source>records at %1</source>
-        <translation>在 %1 录制</translation>
-    </message>
-    <message>
-        <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
-        <translation>今天尚无可进行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
-    </message>
-    <message>
-        <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
-        <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
-    </message>
-    <message>
-        <source>! does not answer</source>
-        <translation>! 无响应</translation>
-    </message>
-    <message>
-        <source>● records</source>
-        <translation>● 记录中</translation>
-    </message>
-    <message>
-        <source>○ free</source>
-        <translation>○ 空闲</translation>
-    </message>
-    <message>
-        <source>Swapped; both deviations are noted.</source>
-        <translation>已互换；双方的方案偏离均已记录。</translation>
-    </message>
-    <message>
-        <source>&amp;Back in…</source>
-        <translation>恢复(&amp;B)…</translation>
-    </message>
-    <message>
-        <source>&amp;Withdraw…</source>
-        <translation>退出(&amp;W)…</translation>
-    </message>
-    <message>
-        <source>the whole cohort</source>
-        <translation>整个批次</translation>
-    </message>
-    <message>
-        <source>Return to the study</source>
-        <translation>重新加入研究</translation>
-    </message>
-    <message>
-        <source>%1 takes part again.</source>
-        <translation>%1 重新参加。</translation>
-    </message>
-    <message>
-        <source>Withdraw from the study</source>
-        <translation>退出研究</translation>
-    </message>
-    <message>
-        <source>%1 stops training; existing records are kept.</source>
-        <translation>%1 不再训练；已有记录保留。</translation>
-    </message>
-    <message>
-        <source>&amp;Cohort</source>
-        <translation>批次(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Log time…</source>
-        <translation>登记时间(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>Station</source>
-        <translation>工作站</translation>
-    </message>
-    <message>
-        <source>Now</source>
-        <translation>现在</translation>
-    </message>
-    <message>
-        <source>Trainee</source>
-        <translation>学员</translation>
-    </message>
-    <message>
-        <source>Phase</source>
-        <translation>阶段</translation>
-    </message>
-    <message>
-        <source>For</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>Version</source>
-        <translation>版本</translation>
-    </message>
-    <message>
-        <source>&amp;Deviation…</source>
-        <translation>方案偏离(&amp;D)…</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>组别</translation>
-    </message>
-    <message>
-        <source>Now at</source>
-        <translation>当前阶段</translation>
-    </message>
-    <message>
-        <source>Time left</source>
-        <translation>剩余时间</translation>
-    </message>
-    <message>
-        <source>Rest left</source>
-        <translation>剩余休息</translation>
-    </message>
-    <message>
-        <source>Scoring due</source>
-        <translation>待评分时点</translation>
-    </message>
-    <message>
-        <source>Sheets missing</source>
-        <translation>缺评分表</translation>
-    </message>
-    <message>
-        <source>Deviations</source>
-        <translation>方案偏离</translation>
-    </message>
-    <message>
-        <source>○ not checked yet</source>
-        <translation>○ 尚未检查</translation>
-    </message>
-    <message>
-        <source>○ not checked today, last on %1</source>
-        <translation>○ 今天尚未检查，上次为 %1</translation>
-    </message>
-    <message>
-        <source>✓ fit at %1</source>
-        <translation>✓ %1 检查：可用</translation>
-    </message>
-    <message>
-        <source>! practice only at %1: %2</source>
-        <translation>! %1 检查：仅供练习，%2</translation>
-    </message>
-    <message>
-        <source>✗ not fit at %1: %2</source>
-        <translation>✗ %1 检查：不可用，%2</translation>
-    </message>
-    <message>
-        <source>Who is doing what, what is left, which sheets are missing, and whether the devices are fit.</source>
-        <translation>谁在做什么、还剩多少、缺哪些评分表、设备是否可用。</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>设备</translation>
-    </message>
-    <message>
-        <source>Device check</source>
-        <translation>设备检查</translation>
-    </message>
-    <message>
-        <source>&amp;Noted…</source>
-        <translation>已记录(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>All deviations of this cohort</source>
-        <translation>本批次的全部方案偏离</translation>
-    </message>
-    <message>
-        <source>Call to the arm</source>
-        <translation>呼叫到实物手臂</translation>
-    </message>
-    <message>
-        <source>On &amp;paper</source>
-        <translation>纸质(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Print the call list…</source>
-        <translation>打印呼叫名单…</translation>
-    </message>
-    <message>
-        <source>Print sheets for the raters…</source>
-        <translation>打印评分者用表…</translation>
-    </message>
-    <message>
-        <source>Of the chosen trainee; without one, of everybody whose scoring is due</source>
-        <translation>所选学员的；未选时为所有待评分学员的</translation>
-    </message>
-    <message>
-        <source>Type sheets in…</source>
-        <translation>录入纸质评分表…</translation>
-    </message>
-    <message>
-        <source>Copy the outstanding sheets</source>
-        <translation>复制欠交名单</translation>
-    </message>
-    <message>
-        <source>Print the call list</source>
-        <translation>打印呼叫名单</translation>
-    </message>
-    <message>
-        <source>Call list %1.pdf</source>
-        <translation>呼叫名单 %1.pdf</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message numerus="yes">
-        <source>Written: %n trainee(s) to call</source>
-        <translation>
-            <numerusform>已写入：待呼叫学员 %n 名</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No live sheet is missing for what is chosen.</source>
-        <translation>所选范围内没有缺少的现场评分表。</translation>
-    </message>
-    <message>
-        <source>Print sheets on paper</source>
-        <translation>打印纸质评分表</translation>
-    </message>
-    <message>
-        <source>Sheets %1.pdf</source>
-        <translation>评分表 %1.pdf</translation>
-    </message>
-    <message numerus="yes">
-        <source>Written: %n sheet(s), a page each</source>
-        <translation>
-            <numerusform>已写入：%n 份评分表，每份一页</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Called for %1, sheets missing: %2</source>
-        <translation>已为“%1”呼叫，缺评分表 %2 份</translation>
-    </message>
-    <message>
-        <source>%1 recording now · %2 of %3 done · sheets due and missing: %4</source>
-        <translation>正在录制 %1 · 已完成 %2 / %3 · 应交未交评分表 %4</translation>
-    </message>
-    <message>
-        <source>Today&apos;s sessions</source>
-        <translation>今日训练</translation>
-    </message>
-    <message>
-        <source>Last seen</source>
-        <translation>最近在线</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>Plan the da&amp;y…</source>
-        <translation>安排当日日程(&amp;Y)…</translation>
-    </message>
-    <message>
-        <source>Planned</source>
-        <translation>已安排</translation>
-    </message>
-    <message>
-        <source>no group yet</source>
-        <translation>尚未分组</translation>
-    </message>
-    <message>
-        <source>! %1, overdue</source>
-        <translation>! %1，已逾期</translation>
-    </message>
-    <message>
-        <source>Swap t&amp;urns…</source>
-        <translation>互换顺序(&amp;U)…</translation>
-    </message>
-    <message>
-        <source>Stations: %1 · recording: %2 · not answering: %3</source>
-        <translation>工作站：%1 · 正在录制：%2 · 无应答：%3</translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::RunPage</name>
     <message>
         <source>The haptic device was disconnected</source>
@@ -29499,6 +29752,297 @@ T-02,master,17</translation>
     <message>
         <source>Dark blue is %1, yellow is %2 and more</source>
         <translation>深蓝为 %1，黄色为 %2 及以上</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TodaysSessionsPage</name>
+    <message>
+        <source>Sheets due and missing: of the occasions that have been reached. Scoring counts those of all occasions, also of those still to come.</source>
+        <translation>应交未交的评分表：只计已到的评分时点。“评分”页计入所有评分时点，包括尚未到的。</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>all phases done</source>
+        <translation>全部阶段已完成</translation>
+    </message>
+    <message>
+        <source>no curriculum</source>
+        <translation>无课程</translation>
+    </message>
+    <message>
+        <source>no set times</source>
+        <translation>未设阶段时间</translation>
+    </message>
+    <message>
+        <source>records at %1</source>
+        <translation>在 %1 录制</translation>
+    </message>
+    <message>
+        <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
+        <translation>今天尚无可进行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
+        <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
+    </message>
+    <message>
+        <source>! does not answer</source>
+        <translation>! 无响应</translation>
+    </message>
+    <message>
+        <source>● records</source>
+        <translation>● 记录中</translation>
+    </message>
+    <message>
+        <source>○ free</source>
+        <translation>○ 空闲</translation>
+    </message>
+    <message>
+        <source>Swapped; both deviations are noted.</source>
+        <translation>已互换；双方的方案偏离均已记录。</translation>
+    </message>
+    <message>
+        <source>&amp;Back in…</source>
+        <translation>恢复(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw…</source>
+        <translation>退出(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>the whole cohort</source>
+        <translation>整个批次</translation>
+    </message>
+    <message>
+        <source>Return to the study</source>
+        <translation>重新加入研究</translation>
+    </message>
+    <message>
+        <source>%1 takes part again.</source>
+        <translation>%1 重新参加。</translation>
+    </message>
+    <message>
+        <source>Withdraw from the study</source>
+        <translation>退出研究</translation>
+    </message>
+    <message>
+        <source>%1 stops training; existing records are kept.</source>
+        <translation>%1 不再训练；已有记录保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Log time…</source>
+        <translation>登记时间(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation…</source>
+        <translation>方案偏离(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Now at</source>
+        <translation>当前阶段</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>剩余时间</translation>
+    </message>
+    <message>
+        <source>Rest left</source>
+        <translation>剩余休息</translation>
+    </message>
+    <message>
+        <source>Scoring due</source>
+        <translation>待评分时点</translation>
+    </message>
+    <message>
+        <source>Sheets missing</source>
+        <translation>缺评分表</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>方案偏离</translation>
+    </message>
+    <message>
+        <source>○ not checked yet</source>
+        <translation>○ 尚未检查</translation>
+    </message>
+    <message>
+        <source>○ not checked today, last on %1</source>
+        <translation>○ 今天尚未检查，上次为 %1</translation>
+    </message>
+    <message>
+        <source>✓ fit at %1</source>
+        <translation>✓ %1 检查：可用</translation>
+    </message>
+    <message>
+        <source>! practice only at %1: %2</source>
+        <translation>! %1 检查：仅供练习，%2</translation>
+    </message>
+    <message>
+        <source>✗ not fit at %1: %2</source>
+        <translation>✗ %1 检查：不可用，%2</translation>
+    </message>
+    <message>
+        <source>Who is doing what, what is left, which sheets are missing, and whether the devices are fit.</source>
+        <translation>谁在做什么、还剩多少、缺哪些评分表、设备是否可用。</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>设备检查</translation>
+    </message>
+    <message>
+        <source>&amp;Noted…</source>
+        <translation>已记录(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>All deviations of this cohort</source>
+        <translation>本批次的全部方案偏离</translation>
+    </message>
+    <message>
+        <source>Call to the arm</source>
+        <translation>呼叫到实物手臂</translation>
+    </message>
+    <message>
+        <source>On &amp;paper</source>
+        <translation>纸质(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Print the call list…</source>
+        <translation>打印呼叫名单…</translation>
+    </message>
+    <message>
+        <source>Print sheets for the raters…</source>
+        <translation>打印评分者用表…</translation>
+    </message>
+    <message>
+        <source>Of the chosen trainee; without one, of everybody whose scoring is due</source>
+        <translation>所选学员的；未选时为所有待评分学员的</translation>
+    </message>
+    <message>
+        <source>Type sheets in…</source>
+        <translation>录入纸质评分表…</translation>
+    </message>
+    <message>
+        <source>Copy the outstanding sheets</source>
+        <translation>复制欠交名单</translation>
+    </message>
+    <message>
+        <source>Print the call list</source>
+        <translation>打印呼叫名单</translation>
+    </message>
+    <message>
+        <source>Call list %1.pdf</source>
+        <translation>呼叫名单 %1.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n trainee(s) to call</source>
+        <translation>
+            <numerusform>已写入：待呼叫学员 %n 名</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No live sheet is missing for what is chosen.</source>
+        <translation>所选范围内没有缺少的现场评分表。</translation>
+    </message>
+    <message>
+        <source>Print sheets on paper</source>
+        <translation>打印纸质评分表</translation>
+    </message>
+    <message>
+        <source>Sheets %1.pdf</source>
+        <translation>评分表 %1.pdf</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %n sheet(s), a page each</source>
+        <translation>
+            <numerusform>已写入：%n 份评分表，每份一页</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Called for %1, sheets missing: %2</source>
+        <translation>已为“%1”呼叫，缺评分表 %2 份</translation>
+    </message>
+    <message>
+        <source>%1 recording now · %2 of %3 done · sheets due and missing: %4</source>
+        <translation>正在录制 %1 · 已完成 %2 / %3 · 应交未交评分表 %4</translation>
+    </message>
+    <message>
+        <source>Today&apos;s sessions</source>
+        <translation>今日训练</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>最近在线</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Plan the da&amp;y…</source>
+        <translation>安排当日日程(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>已安排</translation>
+    </message>
+    <message>
+        <source>no group yet</source>
+        <translation>尚未分组</translation>
+    </message>
+    <message>
+        <source>! %1, overdue</source>
+        <translation>! %1，已逾期</translation>
+    </message>
+    <message>
+        <source>Swap t&amp;urns…</source>
+        <translation>互换顺序(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Stations: %1 · recording: %2 · not answering: %3</source>
+        <translation>工作站：%1 · 正在录制：%2 · 无应答：%3</translation>
     </message>
 </context>
 <context>
