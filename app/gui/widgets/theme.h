@@ -11,7 +11,7 @@ namespace torsio::gui {
 enum class ThemeKind { kLight, kDark };
 
 /// The colours of the window. Every pair of text and ground below keeps a contrast of 4.5 : 1, every mark one
-/// of 3 : 1 (tests/app/gui/theme_test.cpp).
+/// of 3 : 1 (tests/app/gui/widgets/theme_test.cpp).
 struct Theme {
   ThemeKind kind = ThemeKind::kLight;
   QColor window;   ///< ground of the window, bars

@@ -31,7 +31,7 @@ Digest::Value keyedHash(const std::string& key, std::string_view kind, std::stri
 
 using Cell = std::tuple<std::size_t, std::string, std::string>;
 
-std::map<Cell, std::int64_t> cellsOf(const std::vector<CohortTrainee>& trainees) {
+std::map<Cell, std::int64_t> peopleOfCells(const std::vector<CohortTrainee>& trainees) {
   std::map<Cell, std::int64_t> count;
   for (const CohortTrainee& one : trainees) {
     ++count[{one.group, one.sex, one.level}];
@@ -41,7 +41,7 @@ std::map<Cell, std::int64_t> cellsOf(const std::vector<CohortTrainee>& trainees)
 
 std::int64_t smallestOf(const std::vector<CohortTrainee>& trainees) {
   std::int64_t smallest = 0;
-  for (const auto& [cell, people] : cellsOf(trainees)) {
+  for (const auto& [cell, people] : peopleOfCells(trainees)) {
     smallest = smallest == 0 ? people : std::min(smallest, people);
   }
   return smallest;
@@ -51,7 +51,7 @@ std::int64_t smallestOf(const std::vector<CohortTrainee>& trainees) {
 /// that group once somebody's is left out, so that nobody is told by what is missing.
 std::int64_t hide(std::vector<CohortTrainee>& trainees, std::string CohortTrainee::*property) {
   std::vector<std::size_t> groups;
-  for (const auto& [cell, people] : cellsOf(trainees)) {
+  for (const auto& [cell, people] : peopleOfCells(trainees)) {
     if (people < kSmallestCell) {
       groups.push_back(std::get<0>(cell));
     }

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Single pages of administrators, and the figures of reports.
+#include "app/gui/administrator/administrator_pages.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <QAbstractTextDocumentLayout>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QTextTable>
+#include <QTimer>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/users_page.h"
+#include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/administrator/station/audit_page.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/base/figure_canvas.h"
+#include "app/gui/base/figure_card.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/outputs/wording/wording.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/results/cohort_report.h"
+#include "db/repository/base/audit_repository.h"
+#include "sim/core/file_io.h"
+#include "tests/app/gui/support/administrator_desk.h"
+#include "tests/support/demonstration_cohort.h"
+
+namespace torsio::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AdministratorDesk;
+using testing::answer;
+using testing::press;
+
+TEST(AdministratorPages, EveryPageOpensOnAnEmptyRecordInBothThemes) {
+  AdministratorDesk office;
+  for (const PageEntry& entry : administratorPages()) {
+    office.centre.as("administrator");
+    if (!office.centre.session().may(factsOf(entry.id).needs)) {
+      office.centre.as("allocator");
+    }
+    const std::unique_ptr<Page> page(entry.make(office.shell()));
+
+    page->enter({});
+    office.shell().waitForJobs();
+    page->applyTheme(theme(ThemeKind::kDark));
+    page->retranslate();
+
+    EXPECT_FALSE(pageTitle(entry.id).isEmpty());
+    EXPECT_TRUE(page->leave()) << pageText(entry.id).toStdString();
+  }
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(FigureCard, SpeaksTheLanguageOfTheWindowAndFollowsIt) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  const auto figures = [&report](const std::string& id) {
+    for (const ReportSection& section : report.sections) {
+      for (const ReportFigure& figure : section.figures) {
+        if (figure.id == id) {
+          return figure;
+        }
+      }
+    }
+    return ReportFigure{};
+  };
+  LanguageSwitch language;
+  FigureCard card;
+  card.resize(700, 450);
+  card.setFigure(figures("figure-training-means"));
+  const auto* title = card.findChild<QLabel*>(QStringLiteral("cardTitle"));
+  const QString english = title->text();
+  const QString values = child<DataTable>(card, "table").asText();
+  ASSERT_TRUE(values.contains(QStringLiteral("Group 1"))) << values.toStdString();
+
+  language.choose(Language::kSimplifiedChinese);
+  QCoreApplication::processEvents();
+
+  EXPECT_EQ(title->text(), QStringLiteral("\u7814\u7a76\u671f\u95f4\u5404\u7ec4\u5e73\u5747\u5f97\u5206"));
+  EXPECT_TRUE(child<DataTable>(card, "table").asText().contains(QStringLiteral("\u7b2c 1 \u7ec4")));
+  EXPECT_FALSE(child<DataTable>(card, "table").asText().contains(QStringLiteral("Group")));
+  EXPECT_TRUE(child<FigureCanvas>(card, "canvas")
+                  .accessibleDescription()
+                  .contains(QStringLiteral("\u7b2c 1 \u7ec4")));
+
+  language.choose(Language::kEnglish);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(title->text(), english);
+  EXPECT_EQ(child<DataTable>(card, "table").asText(), values);
+}
+
+TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+
+  preview.setReport(report, wordingIn("zh_CN"));
+  const QString chinese = preview.toPlainText();
+  preview.setReport(report, wordingIn("en"));
+  const QString english = preview.toPlainText();
+
+  EXPECT_TRUE(chinese.contains(QStringLiteral("\u65b9\u6cd5\u4e0e\u5c40\u9650")));  // methods and limits
+  EXPECT_FALSE(chinese.contains(QStringLiteral("Methods and limits")));
+  EXPECT_TRUE(english.contains(QStringLiteral("Methods and limits")));
+}
+
+/// A page as wide as a window of 4K: tables use it, running text keeps lines that the eye finds its way back
+/// from.
+TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePageIs) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+  preview.show();
+  preview.setReport(report, wordingIn("en"));
+  const int longest = 90 * preview.fontMetrics().averageCharWidth();
+  for (const int width : {900, 3000, 1400}) {
+    preview.resize(width, 800);
+    QApplication::processEvents();
+
+    int lines = 0;
+    for (QTextBlock block = preview.document()->begin(); block.isValid(); block = block.next()) {
+      if (QTextCursor(block).currentTable() != nullptr || block.text().size() < 200) {
+        continue;
+      }
+      for (int line = 0; line < block.layout()->lineCount(); ++line) {
+        ++lines;
+        EXPECT_LE(block.layout()->lineAt(line).naturalTextWidth(), longest) << block.text().toStdString();
+      }
+    }
+    EXPECT_GT(lines, 10);
+  }
+}
+
+/// The first cells of tables that reach beyond the sheet.
+std::string tooWide(const ReportPreview& preview) {
+  std::string names;
+  const double edge = preview.viewport()->width();
+  for (QTextFrame* frame : preview.document()->rootFrame()->childFrames()) {
+    const auto* table = qobject_cast<const QTextTable*>(frame);
+    const QRectF area = preview.document()->documentLayout()->frameBoundingRect(frame);
+    if (table == nullptr || area.right() <= edge) {
+      continue;
+    }
+    names += std::to_string(static_cast<int>(area.width())) + " px: ";
+    for (int c = 0; c < table->columns(); ++c) {
+      names += table->cellAt(0, c).firstCursorPosition().block().text().toStdString() + " | ";
+    }
+    names += "\n";
+  }
+  return names;
+}
+
+TEST(ReportPreview, IsASheetOfReadableWidthAndNeverNeedsTheBarBelow) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+  preview.show();
+  for (const char* language : {"en", "zh_CN"}) {
+    preview.setReport(report, wordingIn(language));
+    for (const int width : {1128, 3600, 1000}) {  // in windows of 1366, 3840 and 1280 pixels
+      preview.resize(width, 800);
+      QApplication::processEvents();
+
+      EXPECT_FALSE(preview.horizontalScrollBar()->isVisible()) << language << ", " << width;
+      EXPECT_EQ(tooWide(preview), "") << language << ", " << width;
+      EXPECT_LE(preview.viewport()->width(), 1121);
+      const int beside = preview.width() - preview.viewport()->width();
+      EXPECT_NEAR(preview.viewport()->x(), beside / 2, 20) << width;
+    }
+  }
+}
+
+/// Longest stretch of one colour within the hatched bar in the middle of a canvas `width` wide, px.
+int widestStripe(int width) {
+  ReportFigure figure;
+  figure.categories = {Text::verbatim("a")};
+  for (const char* name : {"1", "2", "3"}) {
+    FigureSeries series;
+    series.name = Text::verbatim("%1", std::string(name));
+    series.y = {10.0};
+    figure.series.push_back(series);
+  }
+  FigureCanvas canvas;
+  canvas.resize(width, width / 2);
+  canvas.setFigure(figure);
+  canvas.show();
+  QApplication::processEvents();
+
+  const QImage seen = canvas.grab().toImage();
+  const int y = seen.height() / 2;
+  int widest = 0;
+  int run = 0;
+  for (int x = seen.width() * 48 / 100; x < seen.width() * 52 / 100; ++x) {
+    run = seen.pixelColor(x, y) == seen.pixelColor(x - 1, y) ? run + 1 : 1;
+    widest = std::max(widest, run);
+  }
+  return widest;
+}
+
+TEST(FigureCanvas, HatchesOfAChartAcrossA4kScreenAreTwiceAsWide) {
+  const int usual = widestStripe(900);
+  const int wide = widestStripe(3600);
+
+  EXPECT_GE(usual, 2);
+  EXPECT_GE(wide, 2 * usual);
+  EXPECT_LE(wide, 40) << "the bar is not hatched";
+}
+
+TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
+  ReportFigure figure;
+  figure.title = Text::verbatim("Scores");
+  figure.categories = {Text::verbatim("a"), Text::verbatim("b")};
+  FigureSeries series;
+  series.name = Text::verbatim("Group 1");
+  series.y = {1.25, std::nullopt};
+  figure.series = {series};
+  FigureCanvas canvas;
+  canvas.resize(500, 300);
+  canvas.setFigure(figure);
+
+  QKeyEvent copy(QEvent::KeyPress, Qt::Key_C, Qt::ControlModifier);
+  QApplication::sendEvent(&canvas, &copy);
+
+  const QMimeData* got = QApplication::clipboard()->mimeData();
+  ASSERT_NE(got, nullptr);
+  EXPECT_TRUE(got->hasImage());
+  EXPECT_EQ(got->text(), QStringLiteral("Category\tGroup 1\na\t1.25\nb\t"));
+  EXPECT_EQ(canvas.accessibleName(), QStringLiteral("Scores"));
+  EXPECT_TRUE(canvas.accessibleDescription().contains(QStringLiteral("Group 1 1.25")));
+}
+
+TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
+  AdministratorDesk office;
+  office.centre.addTrainees(3);
+  auto page = office.open<MaintenancePage>("administrator");
+
+  const fs::path backup = office.centre.folder() / "backup.sqlite";
+  page->backUp(backup);
+  office.shell().waitForJobs();
+  EXPECT_TRUE(fs::exists(backup));
+  page->testBackup(backup);
+  office.shell().waitForJobs();
+  EXPECT_TRUE(child<QLabel>(*page, "backupText").text().contains(QStringLiteral("can be restored")));
+  page->checkRecord();
+  office.shell().waitForJobs();
+
+  EXPECT_TRUE(child<QLabel>(*page, "recordText").text().contains(QStringLiteral("sound")));
+  EXPECT_TRUE(child<QLabel>(*page, "diskText").text().startsWith(QStringLiteral("Disk in use: ")));
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
+  AdministratorDesk office;
+  office.centre.addTrainees(3);
+  auto page = office.open<UsersPage>("administrator");
+  const fs::path cards = office.centre.folder() / "cards.pdf";
+  QString copied;
+  QTimer waiting;
+  QObject::connect(&waiting, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<AccountsDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) {
+      return;
+    }
+    waiting.stop();
+    QTimer::singleShot(0, [] {  // closing at once is asked about
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(question, nullptr);
+      question->button(QMessageBox::No)->click();
+    });
+    dialog->reject();
+    EXPECT_TRUE(dialog->isVisible());
+    dialog->copy();
+    copied = QApplication::clipboard()->text();
+    dialog->saveCards(cards);
+    dialog->reject();
+  });
+
+  answer([](QDialog& dialog) { dialog.accept(); });
+  waiting.start(1);
+  press(*page, QStringLiteral("Accounts for the roster"));
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(office.centre.audited("user.add"), 3);
+  EXPECT_TRUE(readFile(cards).starts_with("%PDF"));
+  const QStringList lines = copied.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 4);  // headings and three people
+  const QStringList first = lines[1].split(QLatin1Char('\t'));
+  ASSERT_EQ(first.size(), 3);
+  EXPECT_EQ(first[1], QStringLiteral("t-01"));
+  EXPECT_EQ(signIn(office.centre.session(), "t-01", first[2].toStdString()).outcome, SignIn::kMustChange);
+}
+
+TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
+  AdministratorDesk office;
+  const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
+                          .actor = "u",
+                          .station = "s",
+                          .action = AuditAction::kPersonChange,
+                          .objectKind = AuditObject::kPerson};
+  const std::vector<NewAuditEntry> entries(2'500, one);
+  AuditRepository trail(office.centre.connection());
+  trail.append(entries);
+  const std::int64_t all = trail.count(0);
+
+  const auto page = office.open<AuditPage>("administrator");
+  page->findChild<QComboBox*>()->setCurrentIndex(3);  // everything
+  const auto& table = *page->findChild<DataTable*>();
+  auto& more = *page->findChild<QToolButton*>(QStringLiteral("more"));
+  EXPECT_EQ(table.visibleRows(), 1'000);
+  EXPECT_FALSE(more.isHidden());
+  more.click();
+  EXPECT_EQ(table.visibleRows(), 2'000);
+  more.click();
+
+  EXPECT_EQ(table.visibleRows(), all);
+  EXPECT_TRUE(more.isHidden());
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The office through its real widgets: a whole study from the roster file to the report that leaves the
+// house.
+#include <filesystem>
+#include <map>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QTableWidget>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QUrl>
+#include <gtest/gtest.h>
+
+#include "app/gui/administrator/curriculum/curricula_page.h"
+#include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/reporting/export_dialog.h"
+#include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/administrator/reporting/reports_page.h"
+#include "app/gui/administrator/reporting/results_page.h"
+#include "app/gui/administrator/scoring/scoring_page.h"
+#include "app/gui/administrator/study/allocation_page.h"
+#include "app/gui/administrator/study/cohorts_page.h"
+#include "app/gui/administrator/study/todays_sessions_page.h"
+#include "app/gui/base/figure_card.h"
+#include "app/gui/base/job_panel.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/outputs/report/report_export.h"
+#include "app/services/people/people_service.h"
+#include "app/services/study/curriculum_service.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/study/cohort.h"
+#include "assessment/scoring/demonstration_marks.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "sim/core/file_io.h"
+#include "tests/app/gui/support/administrator_desk.h"
+
+namespace torsio::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AdministratorDesk;
+using testing::answer;
+using testing::press;
+using testing::StudyCentre;
+using testing::type;
+
+/// 30 made-up trainees as a hospital's spreadsheet has them.
+fs::path rosterFile(const fs::path& folder, bool raters) {
+  std::string text = raters ? "staff no;name;class\r\n" : "staff no;name;sex;level\r\n";
+  for (int i = 1; i <= (raters ? 10 : 30); ++i) {
+    text += (raters ? std::string("C-") : std::string("S-")).append(std::to_string(100 + i));
+    text += raters ? ";Chief " : ";Intern ";
+    text += std::to_string(i);
+    text += raters ? ";chief" : (i % 2 == 0 ? ";female;graduate" : ";male;doctoral student");
+    text += "\r\n";
+  }
+  const fs::path file = folder / (raters ? "raters.csv" : "interns.csv");
+  writeFileAtomically(file, text);
+  return file;
+}
+
+/// Through the three steps of the wizard, the columns chosen by hand where the headers do not tell.
+std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKind kind) {
+  office.centre.as("administrator");
+  RosterImport import;
+  import.kind = kind;
+  import.file = readRoster(file);
+  import.columns = suggestColumns(*import.file, kind);
+  import.columns[static_cast<std::size_t>(RosterField::kExternalId)] = 0;
+  import.columns[static_cast<std::size_t>(RosterField::kFullName)] = 1;
+  if (kind == RosterKind::kRaters) {
+    import.columns[static_cast<std::size_t>(RosterField::kRaterClass)] = 2;
+  }
+  RosterPreviewPage preview(import, office.shell(), nullptr);
+  preview.initializePage();
+  office.shell().waitForJobs();
+  EXPECT_TRUE(preview.isComplete());
+  return importRoster(office.centre.session(), *import.file, kind, import.columns,
+                      import.preview->fingerprint, RosterMode::kCommit)
+      .added;
+}
+
+/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
+void submitSimulatedMarks(StudyCentre& centre, const CohortId& cohortId) {
+  SheetRepository sheets(centre.connection());
+  DemonstrationPeople people;
+  people.groups.resize(3);
+  std::map<std::string, std::string> codeOf;
+  for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+    people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
+        .push_back(enrolment.traineeCode);
+    codeOf[enrolment.id] = enrolment.traineeCode;
+  }
+  std::map<std::string, std::string> raterCode;
+  for (const PersonRow& person : torsio::people(centre.as("administrator"))) {
+    if (person.rater) {
+      people.raters.push_back(person.person.code);
+      raterCode[person.person.id] = person.person.code;
+    }
+  }
+  people.raterClasses.resize(3);
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, people, 5)) {
+    marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
+  }
+  const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
+  for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+    const Assignment& one = status.assignment;
+    Sheet sheet;
+    sheet.overall_steps =
+        marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.occasionCode)});
+    const RubricRevision rubric =
+        RubricRepository(centre.connection()).revision(one.rubricRevisionId).value();
+    for (const RubricLine& row : rubric.rows) {
+      sheet.rows.push_back({row.code, row.scale.lo, ""});
+    }
+    sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
+  }
+}
+
+void setUpCurriculum(AdministratorDesk& office) {
+  auto page = office.open<CurriculaPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
+  press(*page, QStringLiteral("New curriculum"));
+  ASSERT_EQ(child<DataTable>(*page, "curricula").visibleRows(), 1);
+  EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
+  EXPECT_EQ(child<CurriculumEditor>(*page, "editor").content().arms.size(), 3U);
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("first")); });
+  press(*page, QStringLiteral("Publish"));
+  press(*page, QStringLiteral("Begin"));
+}
+
+std::string setUpCohort(AdministratorDesk& office) {
+  auto page = office.open<CohortsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
+  press(*page, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
+  press(*page, QStringLiteral("Enrol trainees"));
+  EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), 30);
+  return child<DataTable>(*page, "cohorts").currentId().toStdString();
+}
+
+void allocateEverybody(AdministratorDesk& office, const CohortId& cohortId, int people) {
+  auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
+  press(*page, QStringLiteral("Preview balance"));
+  EXPECT_GT(child<DataTable>(*page, "balance").visibleRows(), 0);
+  QTimer::singleShot(0, [] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    box->button(QMessageBox::Yes)->click();
+  });
+  press(*page, QStringLiteral("Lock design"));
+  press(*page, QStringLiteral("Allocate everybody"));
+  EXPECT_EQ(child<DataTable>(*page, "records").visibleRows(), people);
+}
+
+void askAllRaters(AdministratorDesk& office, const CohortId& cohortId) {
+  auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
+  answer([](QDialog& dialog) {
+    auto& raters = *dialog.findChild<DataTable*>();
+    EXPECT_TRUE(raters.selectedIds().isEmpty());  // nothing is open yet
+    EXPECT_FALSE(testing::button(dialog, QStringLiteral("Ask"))->isEnabled());
+    raters.view().selectAll();
+    EXPECT_TRUE(testing::button(dialog, QStringLiteral("Ask"))->isEnabled());
+    dialog.accept();
+  });
+  press(*page, QStringLiteral("Invite raters"));
+  answer([](QDialog& dialog) {
+    auto& raters = *dialog.findChild<DataTable*>();
+    EXPECT_EQ(raters.selectedIds().size(), raters.visibleRows());  // all have open sheets by now
+    dialog.reject();
+  });
+  press(*page, QStringLiteral("Invite raters"));
+  EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);
+}
+
+/// What is listed and shown follows the language of the window; what was chosen stays chosen.
+void expectResultsFollowTheLanguage(ResultsPage& results) {
+  const QString english = child<QListWidget>(results, "contents").currentItem()->text();
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  QCoreApplication::processEvents();
+
+  EXPECT_EQ(child<QListWidget>(results, "contents").currentItem()->text().trimmed(),
+            QStringLiteral("40 \u5206\u949f\u540e\u5404\u5b66\u5458\u7684\u5f97\u5206"));
+  EXPECT_EQ(child<DataTable>(child<FigureCard>(results, "card"), "table").visibleRows(), 10);
+  language.choose(Language::kEnglish);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(child<QListWidget>(results, "contents").currentItem()->text(), english);
+}
+
+/// The report in the language chosen beside it, whatever that of the window.
+/// Shows what will leave, and writes a workbook, pseudonymised tables and a gradebook.
+void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& folder) {
+  answer([&](QDialog& dialog) {
+    auto& exported = dynamic_cast<ExportDialog&>(dialog);
+    shell.waitForJobs();
+    EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("T-"));
+    EXPECT_TRUE(
+        child<QLabel>(dialog, "as-in-file").text().contains(QStringLiteral("exactly as the file will hold")));
+    type(dialog, QStringLiteral("for the board"));
+    exported.writeTo(folder / "cohort.xlsx");
+    shell.waitForJobs();
+    child<QComboBox>(dialog, "format").setCurrentIndex(1);
+    child<QCheckBox>(dialog, "pseudonymised").setChecked(true);
+    shell.waitForJobs();
+    EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("P-"));
+    EXPECT_TRUE(child<QLabel>(dialog, "what").text().contains(QStringLiteral("shared by at least")));
+    exported.writeTo(folder / "tables");
+    shell.waitForJobs();
+    child<QComboBox>(dialog, "format").setCurrentIndex(4);
+    EXPECT_TRUE(
+        child<QLabel>(dialog, "what").text().contains(QStringLiteral("Paths tell how somebody moves")));
+    child<QLineEdit>(dialog, "title").setText(QStringLiteral("Twists"));
+    exported.writeTo(folder / "set");
+    shell.waitForJobs();
+    EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("set")));
+    child<QComboBox>(dialog, "format").setCurrentIndex(7);
+    exported.writeTo(folder / "grades.csv");
+    shell.waitForJobs();
+    EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
+    child<QCheckBox>(dialog, "pseudonymised").setChecked(false);  // all is read anew
+    EXPECT_TRUE(child<JobPanel>(dialog, "job").isVisibleTo(&dialog));
+    dialog.setResult(QDialog::Accepted);
+    dialog.reject();  // the reading is given up first
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    shell.waitForJobs();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(dialog.result(), QDialog::Rejected);
+    EXPECT_FALSE(child<JobPanel>(dialog, "job").isVisibleTo(&dialog));
+  });
+  press(reports, QStringLiteral("Export"));
+  EXPECT_EQ(readFile(folder / "cohort.xlsx").substr(0, 2), "PK");
+  EXPECT_TRUE(fs::exists(folder / "tables" / "scores.sav"));
+  EXPECT_EQ(readFile(folder / "grades.csv").substr(0, 23), "ID number,Email address");
+  EXPECT_TRUE(fs::exists(folder / "set" / "datapackage.json"));
+}
+
+void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
+  EXPECT_TRUE(
+      child<ReportPreview>(reports, "preview").toPlainText().contains(QStringLiteral("Methods and limits")));
+  child<QComboBox>(reports, "language")
+      .setCurrentIndex(child<QComboBox>(reports, "language").findData(QStringLiteral("zh_CN")));
+
+  EXPECT_FALSE(
+      child<ReportPreview>(reports, "preview").toPlainText().contains(QStringLiteral("Methods and limits")));
+  EXPECT_TRUE(child<ReportPreview>(reports, "preview")
+                  .toPlainText()
+                  .contains(QStringLiteral("\u65b9\u6cd5\u4e0e\u5c40\u9650")));
+  EXPECT_TRUE(reports.exportTo(ReportFormat::kPdf, file));
+  EXPECT_NE(readFile(file).find("NotoSansCJK"), std::string::npos);
+}
+
+/// How deep a step of this kind stands below; 0: it is none.
+int depthOf(const QTreeWidgetItem& item, const QString& kind) {
+  for (int i = 0; i < item.childCount(); ++i) {
+    if (item.child(i)->text(0).startsWith(kind)) {
+      return 1;
+    }
+    if (const int below = depthOf(*item.child(i), kind); below > 0) {
+      return below + 1;
+    }
+  }
+  return 0;
+}
+
+/// Presses a group's mean in the preview and goes back to marks and program, then finds a person's numbers.
+void expectNumbersLeadBack(ReportsPage& reports, ShellContext& shell) {
+  auto& preview = child<ReportPreview>(reports, "preview");
+  const QString page = preview.toHtml();
+  const qsizetype at = page.indexOf(QStringLiteral("number:training%2Call%2CGroup%201"));
+  ASSERT_GE(at, 0);
+  const QUrl link(page.mid(at, page.indexOf(QLatin1Char('"'), at) - at));
+  answer([&](QDialog& dialog) {
+    shell.waitForJobs();
+    auto& steps = child<QTreeWidget>(dialog, "steps");
+    ASSERT_EQ(steps.topLevelItemCount(), 1);
+    const QTreeWidgetItem& mean = *steps.topLevelItem(0);
+    EXPECT_TRUE(mean.text(0).startsWith(QStringLiteral("mean of Group 1"))) << mean.text(0).toStdString();
+    EXPECT_EQ(mean.childCount(), 11) << "ten scores and the program";
+    EXPECT_EQ(depthOf(mean, QStringLiteral("score of T-")), 1);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("rater_mark of T-")), 2);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("submitted")), 3);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("scoring sheet")), 3);
+    EXPECT_EQ(depthOf(mean, QStringLiteral("program file")), 1);
+    auto& numbers = child<DataTable>(dialog, "numbers");
+    EXPECT_EQ(dialog.focusWidget(), &numbers.filter()) << "a code is typed there";
+    numbers.filter().setText(QStringLiteral("T-07"));
+    EXPECT_EQ(numbers.visibleRows(), 3 * (1 + 10 + 3 + 30) + 3)
+        << "at three occasions the score, ten marks, and as much for each of three criteria; the residual";
+    dialog.reject();
+  });
+  Q_EMIT preview.anchorClicked(link);
+}
+
+TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
+  AdministratorDesk office;
+
+  EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), false), RosterKind::kTrainees), 30U);
+  EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), true), RosterKind::kRaters), 10U);
+  setUpCurriculum(office);
+  const CohortId cohortId = setUpCohort(office);
+  allocateEverybody(office, cohortId, 30);
+  askAllRaters(office, cohortId);
+  submitSimulatedMarks(office.centre, cohortId);
+
+  auto board = office.open<TodaysSessionsPage>("administrator");
+  EXPECT_EQ(child<DataTable>(*board, "table").visibleRows(), 30);
+  EXPECT_TRUE(board->leave());
+  auto results = office.open<ResultsPage>("administrator");
+  results->showItem(QStringLiteral("figure-22"));
+  EXPECT_EQ(child<DataTable>(child<FigureCard>(*results, "card"), "table").visibleRows(), 10);
+  expectResultsFollowTheLanguage(*results);
+
+  auto reports = office.open<ReportsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
+  press(*reports, QStringLiteral("Freeze"));
+  office.shell().waitForJobs();
+  ASSERT_NE(reports->inputs(), nullptr);
+  ASSERT_TRUE(reports->inputs()->freeze.has_value());
+  EXPECT_TRUE(reports->inputs()->freeze->unchanged);
+  EXPECT_EQ(reports->inputs()->scores.size(), 90U);
+  expectNumbersLeadBack(*reports, office.shell());
+  const fs::path pdf = office.centre.folder() / "report.pdf";
+  const fs::path csv = office.centre.folder() / "report.csv";
+  EXPECT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
+  EXPECT_TRUE(reports->exportTo(ReportFormat::kCsv, csv));
+
+  EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
+  EXPECT_NE(readFile(csv).find("icc_2_k"), std::string::npos);
+  expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
+  expectExports(*reports, office.shell(), office.centre.folder());
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 6);
+  EXPECT_EQ(office.centre.audited("report.export_named"), 1);
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(AdministratorPages, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
+  AdministratorDesk office;
+  office.centre.addTrainees(6);
+  office.centre.runPaperCurriculum();
+  auto cohorts = office.open<CohortsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Six")); });
+  press(*cohorts, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { dialog.accept(); });
+  press(*cohorts, QStringLiteral("Enrol trainees"));
+  allocateEverybody(office, child<DataTable>(*cohorts, "cohorts").currentId().toStdString(), 6);
+
+  auto statistician = office.open<ReportsPage>("statistician");
+  EXPECT_EQ(child<QComboBox>(*statistician, "identity").count(), 2);  // coded and aggregated
+  auto administrator = office.open<ReportsPage>("administrator");
+  ASSERT_EQ(child<QComboBox>(*administrator, "identity").count(), 3);
+  child<QComboBox>(*administrator, "identity").setCurrentIndex(2);
+  office.shell().waitForJobs();
+  const fs::path file = office.centre.folder() / "named.csv";
+  EXPECT_TRUE(administrator->exportTo(ReportFormat::kCsv, file));
+
+  EXPECT_EQ(office.centre.audited("report.export_named"), 1);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 0);
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a form stands beside the field that is meant, and not before somebody was there.
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+
+#include "app/gui/administrator/people/consent_texts_dialog.h"
+#include "app/gui/administrator/people/person_dialog.h"
+#include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/people/user_dialogs.h"
+#include "app/gui/administrator/scoring/campaign_dialog.h"
+#include "app/gui/administrator/scoring/rubric_dialog.h"
+#include "app/gui/administrator/station/station_settings_card.h"
+#include "app/gui/administrator/study/allocation_page.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/field_checks.h"
+#include "app/services/study/cohort_service.h"
+#include "sim/core/file_io.h"
+#include "tests/app/gui/support/administrator_desk.h"
+#include "tests/app/gui/support/hands.h"
+
+namespace torsio::gui {
+namespace {
+
+using testing::AdministratorDesk;
+using testing::answer;
+using testing::button;
+using testing::hintBelow;
+using testing::leave;
+using testing::retype;
+
+TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) {
+  QDialog window;
+  auto* form = new QFormLayout(&window);
+  auto* name = new QLineEdit(&window);
+  auto* other = new QLineEdit(&window);
+  QPushButton accept;
+  FieldChecks checks(&window);
+  form->addRow(QStringLiteral("Name"), name);
+  checks.addNeeded(form, name, QStringLiteral("Enter a name."));
+  form->addRow(QStringLiteral("Other"), other);
+  checks.addNeeded(form, other, QStringLiteral("Enter the other."));
+  checks.decide(&accept);
+  window.show();
+
+  EXPECT_FALSE(accept.isEnabled());
+  EXPECT_EQ(accept.toolTip(), QStringLiteral("Enter a name."));  // a button that waits says for what
+  EXPECT_EQ(hintBelow(window, *name), QString());
+
+  leave(*name);
+  EXPECT_EQ(hintBelow(window, *name), QStringLiteral("Enter a name."));
+  EXPECT_EQ(hintBelow(window, *other), QString());
+
+  retype(*name, QStringLiteral("a"));
+  EXPECT_EQ(hintBelow(window, *name), QString());
+  EXPECT_FALSE(accept.isEnabled());
+  retype(*other, QStringLiteral("b"));
+  EXPECT_TRUE(accept.isEnabled());
+  EXPECT_EQ(accept.toolTip(), QString());
+
+  retype(*other, QString());
+  EXPECT_EQ(hintBelow(window, *other), QStringLiteral("Enter the other."));
+}
+
+TEST(FieldChecks, AskNothingOfAFormThatIsBeingDestroyed) {
+  int asked = 0;
+  {
+    QDialog window;
+    auto* form = new QFormLayout(&window);
+    auto* name = new QLineEdit(&window);
+    auto* checks = new FieldChecks(&window);
+    form->addRow(QStringLiteral("Name"), name);
+    checks->add(form, name, [&asked] {
+      ++asked;
+      return QString();
+    });
+    window.show();
+    window.activateWindow();
+    name->setFocus();
+    QApplication::processEvents();
+    ASSERT_TRUE(name->hasFocus());
+    asked = 0;
+  }
+  EXPECT_EQ(asked, 0);
+}
+
+TEST(NewUser, IsToldAtTheFieldWhatIsMissing) {
+  std::vector<QString> said;
+  answer([&said](QDialog& dialog) {
+    auto& login = child<QLineEdit>(dialog, "login");
+    auto* person = dialog.findChild<QComboBox*>();
+    leave(login);
+    said.push_back(hintBelow(dialog, login));
+    retype(login, QStringLiteral("mei"));
+    said.push_back(hintBelow(dialog, login));
+    child<QCheckBox>(dialog, "trainee").click();
+    leave(*person);
+    said.push_back(hintBelow(dialog, *person));
+    EXPECT_FALSE(button(dialog, QStringLiteral("Add user"))->isEnabled());
+    person->setCurrentIndex(1);
+    said.push_back(hintBelow(dialog, *person));
+    EXPECT_TRUE(button(dialog, QStringLiteral("Add user"))->isEnabled());
+    dialog.accept();
+  });
+
+  const std::optional<NewUser> user = askNewUser(nullptr, {{"person-1", QStringLiteral("T-01")}});
+
+  ASSERT_TRUE(user.has_value());
+  ASSERT_EQ(said.size(), 4U);
+  EXPECT_FALSE(said[0].isEmpty());
+  EXPECT_EQ(said[1], QString());
+  EXPECT_TRUE(said[2].contains(QStringLiteral("person"))) << said[2].toStdString();
+  EXPECT_EQ(said[3], QString());
+}
+
+TEST(NewPerson, IsToldAtTheFieldWhatIsMissing) {
+  answer([](QDialog& dialog) {
+    auto& name = child<QLineEdit>(dialog, "name");
+    leave(name);
+    EXPECT_FALSE(hintBelow(dialog, name).isEmpty());
+    retype(name, QStringLiteral("Li Na"));
+    EXPECT_TRUE(hintBelow(dialog, name).isEmpty());
+    dialog.findChild<QCheckBox*>()->setChecked(false);
+    QComboBox* scores = dialog.findChildren<QComboBox*>().back();
+    leave(*scores);
+    EXPECT_FALSE(hintBelow(dialog, *scores).isEmpty());
+    EXPECT_FALSE(button(dialog, QStringLiteral("Add person"))->isEnabled());
+    dialog.reject();
+  });
+
+  EXPECT_FALSE(askPerson(nullptr, std::nullopt, {}).has_value());
+}
+
+TEST(RubricHints, StandAtTheFieldAndNameACriterionThatIsNotShown) {
+  AdministratorDesk office;
+  office.centre.addPaperRubric();
+  office.centre.as("administrator");
+  RubricDialog dialog(office.shell());
+  dialog.show();
+  auto& label = child<QLineEdit>(dialog, "label");
+  auto& problem = child<QLabel>(dialog, "problem");
+  auto& to = child<QDoubleSpinBox>(dialog, "row.to");
+
+  const QString name = label.text();
+  retype(label, QString());
+  EXPECT_FALSE(hintBelow(dialog, label).isEmpty());
+  EXPECT_TRUE(problem.isHidden());
+  retype(label, name);
+  EXPECT_TRUE(hintBelow(dialog, label).isEmpty());
+
+  to.setValue(-3.0);
+  EXPECT_FALSE(hintBelow(dialog, to).isEmpty());
+  EXPECT_FALSE(child<QPushButton>(dialog, "publish").isEnabled());
+
+  dialog.findChild<QListWidget*>()->setCurrentRow(1);
+  EXPECT_TRUE(hintBelow(dialog, to).isEmpty());
+  EXPECT_TRUE(problem.text().startsWith(name)) << problem.text().toStdString();
+}
+
+TEST(AllocationHints, NameABlockThatTheGroupsDoNotFill) {
+  AdministratorDesk office;
+  const std::vector<TraineeId> trainees = office.centre.addTrainees(6);
+  const std::string version = office.centre.runPaperCurriculum();
+  SessionContext& session = office.centre.as("administrator");
+  const CohortId cohort = addCohort(session, {.name = "Study", .curriculumVersionId = version});
+  enrolTrainees(session, cohort, trainees);
+  auto page = office.open<AllocationPage>("allocator", toQString(cohort));
+  page->show();
+  auto& method = child<QComboBox>(*page, "method");
+  method.setCurrentIndex(method.findData(static_cast<int>(AllocationMethod::kPermutedBlocks)));
+  auto& blocks = child<QLineEdit>(*page, "blocks");
+  EXPECT_TRUE(hintBelow(*page, blocks).isEmpty());
+
+  for (const char* wrong : {"4", "3, x", ""}) {
+    retype(blocks, QLatin1String(wrong));
+    EXPECT_FALSE(hintBelow(*page, blocks).isEmpty()) << wrong;
+    EXPECT_FALSE(child<QPushButton>(*page, "lockButton").isEnabled()) << wrong;
+  }
+  retype(blocks, QStringLiteral("3, 6"));
+  EXPECT_TRUE(hintBelow(*page, blocks).isEmpty());
+  EXPECT_TRUE(child<QPushButton>(*page, "lockButton").isEnabled());
+}
+
+TEST(ConsentHints, StandAtTheFieldAndNameALanguageThatIsNotShown) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  ConsentTextsDialog dialog(office.shell());
+  dialog.show();
+  auto& title = child<QLineEdit>(dialog, "title");
+  retype(title, QString());
+  EXPECT_FALSE(hintBelow(dialog, title).isEmpty());
+  EXPECT_FALSE(child<QPushButton>(dialog, "publish").isEnabled());
+  retype(title, QStringLiteral("Record"));
+  EXPECT_TRUE(hintBelow(dialog, title).isEmpty());
+  EXPECT_TRUE(child<QPushButton>(dialog, "publish").isEnabled());
+
+  child<QPushButton>(dialog, "addPurpose").click();  // empty in every language
+  auto& language = child<QComboBox>(dialog, "language");
+  EXPECT_FALSE(hintBelow(dialog, language).isEmpty());
+}
+
+TEST(StationSettings, AreNotSavedWithoutANameWhichIsSaidBelowIt) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  StationSettingsCard card(office.shell());
+  card.read();
+  card.resize(1200, 400);
+  card.show();
+  auto& name = child<QLineEdit>(card, "centreName");
+  retype(name, QStringLiteral("  "));
+  EXPECT_FALSE(hintBelow(card, name).isEmpty());
+  EXPECT_FALSE(child<QPushButton>(card, "keepSettings").isEnabled());
+  retype(name, QStringLiteral("Hospital"));
+  EXPECT_TRUE(hintBelow(card, name).isEmpty());
+  EXPECT_TRUE(child<QPushButton>(card, "keepSettings").isEnabled());
+}
+
+TEST(RosterHints, StandBelowThePathAndBelowAColumnThatTheHeadingsDoNotTell) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  const std::filesystem::path file = office.centre.folder() / "roster.csv";
+  writeFileAtomically(file, "Kennung;Wer\nS-1;Ann Smith\n");
+  RosterWizard wizard(office.shell());
+  wizard.restart();
+  wizard.show();
+  auto& path = child<QLineEdit>(wizard, "path");
+  QAbstractButton& next = *wizard.button(QWizard::NextButton);
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  leave(path);
+  EXPECT_FALSE(hintBelow(wizard, path).isEmpty());
+
+  retype(path, QStringLiteral("/no/such/roster.csv"));
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  next.click();
+  EXPECT_TRUE(hintBelow(wizard, path).contains(QStringLiteral("/no/such/roster.csv")))
+      << hintBelow(wizard, path).toStdString();
+  EXPECT_TRUE(next.isEnabled()) << "the file may be there now";
+  retype(path, toQString(file));
+  EXPECT_EQ(hintBelow(wizard, path), QString());
+  next.click();
+
+  auto& number = child<QComboBox>(*wizard.currentPage(), rosterFieldCode(RosterField::kExternalId).data());
+  EXPECT_FALSE(hintBelow(wizard, number).isEmpty()) << "Next waits for it";
+  number.setCurrentIndex(1);
+  EXPECT_EQ(hintBelow(wizard, number), QString());
+}
+
+TEST(CampaignHints, StandAtModelsWeightsAndRatersThatDoNotDo) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  PersonRow chief;
+  chief.person.id = "chief-1";
+  chief.person.code = "R-01";
+  chief.raterClass = "chief";
+  CampaignDialog dialog({chief}, {}, office.centre.assets(), nullptr);
+  dialog.resize(900, 900);
+  dialog.show();
+  auto& name = child<QLineEdit>(dialog, "name");
+  auto& models = child<QPlainTextEdit>(dialog, "models");
+  auto& raters = child<DataTable>(dialog, "raters");
+  const QList<QDoubleSpinBox*> weights = dialog.findChildren<QDoubleSpinBox*>();
+  ASSERT_EQ(weights.size(), 12);
+  QPushButton& create = *button(dialog, QStringLiteral("Create"));
+
+  EXPECT_EQ(hintBelow(dialog, name), QString());
+  leave(name);
+  EXPECT_FALSE(hintBelow(dialog, name).isEmpty());
+  retype(name, QStringLiteral("Three models"));
+  EXPECT_TRUE(hintBelow(dialog, raters).contains(QStringLiteral("Missing"))) << "two classes have nobody";
+
+  weights[9]->setValue(0.0);
+  weights[10]->setValue(0.0);
+  EXPECT_TRUE(hintBelow(dialog, *weights.back()).contains(QStringLiteral("sum to 1")));
+  weights[11]->setValue(1.0);
+  EXPECT_EQ(hintBelow(dialog, *weights.back()), QString());
+  EXPECT_EQ(hintBelow(dialog, raters), QString());
+  EXPECT_TRUE(create.isEnabled()) << create.toolTip().toStdString();
+  weights[0]->setValue(0.9);
+  EXPECT_TRUE(hintBelow(dialog, *weights[8]).contains(QStringLiteral("sum to 1")));
+  EXPECT_FALSE(create.isEnabled());
+
+  models.setPlainText(QStringLiteral("PM = one\nPM = two"));
+  EXPECT_TRUE(hintBelow(dialog, models).contains(QStringLiteral("PM"))) << "which code stands twice";
+  models.setPlainText(QStringLiteral("PM = one\n= two"));
+  EXPECT_FALSE(hintBelow(dialog, models).isEmpty()) << "a line without a code is not left out in silence";
+  raters.view().clearSelection();
+  EXPECT_FALSE(hintBelow(dialog, raters).isEmpty());
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case at the review desk: its recording, its sheet, and the keys of both.
+#include "app/gui/physician/case_page.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <QAccessible>
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTest>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/physician/trace_view.h"
+#include "app/gui/widgets/child.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/gui/physician/desk_of.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::ReviewCentre;
+
+TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const QString id = inputOf(centre.cases(0).front());
+  {
+    DeskOf desk(centre, 0);
+    desk.open<CasePage>(id);
+    desk.press(Qt::Key_8);
+    desk.press(Qt::Key_Down);
+    desk.press(Qt::Key_6);
+    desk.press(Qt::Key_Right);  // 6.5
+    auto& page = static_cast<CasePage&>(desk.page());
+    child<QPlainTextEdit>(page, "comment").setFocus();
+    desk.type(QStringLiteral("calm"));
+
+    desk.drop();
+  }
+
+  DeskOf again(centre, 0);
+  const auto& page = again.open<CasePage>(id);
+
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 65);
+  EXPECT_EQ(editorOf(page)->sheet().comment, "calm");
+}
+
+TEST(CasePage, ShowsAllTenScoresOnASmallScreen) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<CasePage>(inputOf(centre.caseAbout(0, 0)));
+  QApplication::processEvents();
+
+  const QList<QWidget*> scales = page.findChildren<QWidget*>(QStringLiteral("scale"));
+  ASSERT_FALSE(scales.isEmpty());
+  for (const QWidget* scale : scales) {
+    const int right = scale->mapTo(&page, QPoint(scale->width(), 0)).x();
+    EXPECT_LE(right, page.width());
+    const QRect seen = scale->visibleRegion().boundingRect();
+    EXPECT_TRUE(seen.isEmpty() || seen.width() == scale->width()) << seen.width() << " of " << scale->width();
+  }
+}
+
+TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_8);
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_0);  // ten
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
+  desk.press(Qt::Key_Backspace);
+
+  desk.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
+  for (int i = 0; i < 5; ++i) {
+    desk.press(Qt::Key_Z, Qt::ControlModifier);
+  }
+
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  EXPECT_FALSE(editorOf(page)->canUndo());
+  desk.press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
+  // What was undone is undone on the disk too.
+  const OpenedSheet stored = openSheet(desk.session(), centre.cases(0).front());
+  EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
+}
+
+TEST(CasePage, TellsTheMomentOfTheReplayAsABookmarkThereTellsIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  const auto& time = child<QLabel>(replay, "time");
+
+  replay.seek_us(1'960'000);
+  EXPECT_TRUE(time.text().startsWith(QStringLiteral("0:02.0 of 0:0"))) << time.text().toStdString();
+  replay.seek_us(std::numeric_limits<std::int64_t>::max());
+  const QStringList end = time.text().split(QStringLiteral(" of "));
+  ASSERT_EQ(end.size(), 2);
+  EXPECT_EQ(end[0], end[1]);
+}
+
+TEST(CasePage, KeysAreSilentWhileTyping) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  child<ReplayPanel>(page, "replay").setRealTime(false);
+  child<QPlainTextEdit>(page, "comment").setFocus();
+
+  desk.type(QStringLiteral("b 7 jkl, n."));
+
+  EXPECT_EQ(editorOf(page)->sheet().comment, "b 7 jkl, n.");
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  EXPECT_FALSE(child<ReplayPanel>(page, "replay").playing());
+  EXPECT_TRUE(caseRemarks(desk.session(), centre.cases(0).front()).empty());
+}
+
+TEST(CasePage, NotAssessableTakesAReason) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("hand in 5 the way"));
+  desk.press(Qt::Key_Return);
+  EXPECT_EQ(editorOf(page)->answer("time").notAssessableReason, "hand in 5 the way");
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_4);
+
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
+}
+
+TEST(CasePage, EscAfterNKeepsTheScore) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_7);
+  desk.press(Qt::Key_N);
+  desk.press(Qt::Key_Escape);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("slip of the hand"));
+  EXPECT_FALSE(editorOf(page)->answer("time").score_steps);
+  desk.press(Qt::Key_Escape);
+
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+  EXPECT_TRUE(editorOf(page)->answer("time").notAssessableReason.empty());
+}
+
+TEST(CasePage, TabStaysInTheSheetAndFiguresGoOnScoring) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  for (int i = 0; i < 4; ++i) {  // time, accuracy, overall, comment, and round
+    desk.press(Qt::Key_Tab);
+  }
+  desk.press(Qt::Key_5);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 50);
+
+  desk.press(Qt::Key_Backtab, Qt::ShiftModifier);  // the comment
+  desk.press(Qt::Key_Backtab, Qt::ShiftModifier);
+  desk.press(Qt::Key_6);
+  EXPECT_EQ(editorOf(page)->answer(kOverallRow).score_steps, 60);
+}
+
+TEST(CasePage, TellsWhatTheExerciseAsksForAndNothingOfWhoseItIs) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+
+  const QString task = child<QLabel>(page, "task").text();
+
+  EXPECT_TRUE(task.contains(QStringLiteral("Twist to 90°"))) << task.toStdString();
+  EXPECT_TRUE(task.contains(QStringLiteral("±2°"))) << task.toStdString();
+  for (const std::string& secret : centre.secrets()) {
+    EXPECT_FALSE(task.contains(QString::fromStdString(secret))) << secret;
+  }
+}
+
+TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  child<ReplayPanel>(page, "replay").setRealTime(false);
+  const auto state = [&] { return openSheet(desk.session(), centre.cases(0).front()).state; };
+  desk.press(Qt::Key_7);
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  EXPECT_EQ(state(), SheetState::kDraft);
+  EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // the first open row
+  desk.press(Qt::Key_7);
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_7);
+  child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // a jump is not watching
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  EXPECT_EQ(state(), SheetState::kDraft);
+
+  child<ReplayPanel>(page, "replay").seek_us(0);
+  desk.press(Qt::Key_L);
+  EXPECT_TRUE(child<ReplayPanel>(page, "replay").playing());
+  desk.press(Qt::Key_L);  // locked: no faster
+  EXPECT_DOUBLE_EQ(child<ReplayPanel>(page, "replay").recording()->playback.speed(), 1.0);
+  watchAll(child<ReplayPanel>(page, "replay"));
+  for (int i = 0; i < 2; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+
+  EXPECT_EQ(state(), SheetState::kSubmitted);
+}
+
+TEST(CasePage, ClearsTheSheetInOneStepThatUndoTakesBack) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_7);
+  ASSERT_EQ(editorOf(page)->answer("time").score_steps, 70);
+
+  page.findChild<QToolButton*>(QStringLiteral("clearSheet"))->click();
+
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  desk.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+}
+
+TEST(CasePage, GoesOnAfterAFigureWhereThatIsWanted) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& sheet = child<SheetEditorPanel>(page, "sheetPanel");
+  const std::vector<std::string> rows = editorOf(page)->order();
+  ASSERT_GE(rows.size(), 3U);
+  desk.press(Qt::Key_7);
+  EXPECT_EQ(sheet.currentRow(), rows[0]);  // unless it is asked for, nothing moves
+  child<QToolButton>(page, "advance").click();
+
+  desk.press(Qt::Key_6);
+  EXPECT_EQ(sheet.currentRow(), rows[1]);
+  desk.press(Qt::Key_1);
+  EXPECT_EQ(sheet.currentRow(), rows[1]);  // it may become a ten
+  desk.press(Qt::Key_0);
+  EXPECT_EQ(sheet.currentRow(), rows[2]);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_Up);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_4);
+
+  const SheetEditor& editor = *editorOf(page);
+  const auto points = [&](std::size_t row) {
+    const std::int64_t steps = editor.answer(rows[row]).score_steps.value_or(0);
+    return steps / editor.scale(rows[row]).stepsPerPoint;
+  };
+  EXPECT_EQ(points(0), 6);
+  EXPECT_EQ(points(1), 1);
+  EXPECT_EQ(points(2), 4);  // the four was the next row's, not a fourteen
+  child<QToolButton>(page, "advance").click();
+  EXPECT_FALSE(sheet.advancing());
+}
+
+TEST(CasePage, BookmarksRemarksAndSteps) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  child<ReplayPanel>(page, "replay").setRealTime(false);
+  desk.press(Qt::Key_Period);
+  desk.press(Qt::Key_Period);
+  desk.press(Qt::Key_B);
+  desk.press(Qt::Key_Comma);
+  desk.press(Qt::Key_R);
+  desk.type(QStringLiteral("second grip slips"));
+  desk.press(Qt::Key_Return);
+
+  const std::vector<CaseRemark> remarks = caseRemarks(desk.session(), centre.cases(0).front());
+
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0].time_us, 40'000);
+  EXPECT_EQ(remarks[0].text, "second grip slips");
+  EXPECT_EQ(remarks[1].time_us, 80'000);
+
+  desk.press(Qt::Key_R, Qt::ShiftModifier);
+  auto& field = child<QLineEdit>(page, "remarkField");
+  EXPECT_EQ(field.text(), QStringLiteral("second grip slips"));
+  field.setText(QStringLiteral("the <b>second</b> grip"));
+  desk.press(Qt::Key_Return);
+
+  const CaseRemark edited = caseRemarks(desk.session(), centre.cases(0).front()).front();
+  EXPECT_EQ(edited.text, "the <b>second</b> grip");
+  EXPECT_EQ(edited.time_us, 40'000);
+  ASSERT_EQ(edited.earlier.size(), 1U);
+  auto& listed = child<QLabel>(page, "remarks");
+  EXPECT_TRUE(listed.text().contains(QStringLiteral("the &lt;b&gt;second&lt;/b&gt; grip (edited)")));
+  EXPECT_TRUE(listed.toolTip().contains(QStringLiteral("second grip slips")));
+  Q_EMIT listed.linkActivated(QString::fromStdString(edited.id));
+  EXPECT_EQ(field.text(), QStringLiteral("the <b>second</b> grip"));
+  desk.press(Qt::Key_Escape);
+  EXPECT_EQ(caseRemarks(desk.session(), centre.cases(0).front()).front().earlier.size(), 1U);
+}
+
+TEST(CasePage, TheOverallMarkIsSeenWithoutScrollingAndRowsAreSliders) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.resize(1146, 420);  // less than a screen of 768 lines leaves it
+  QApplication::processEvents();
+
+  const ScoreRow* overall = nullptr;
+  for (ScoreRow* row : page.findChildren<ScoreRow*>()) {
+    QAccessibleInterface* told = QAccessible::queryAccessibleInterface(row);
+    ASSERT_NE(told, nullptr);
+    EXPECT_EQ(told->role(), QAccessible::Slider);
+    EXPECT_TRUE(told->text(QAccessible::Value).contains(QStringLiteral("1 to 10")))
+        << told->text(QAccessible::Value).toStdString();
+    if (row->code() == kOverallRow) {
+      overall = row;
+    }
+  }
+  ASSERT_NE(overall, nullptr);
+  for (const QScrollArea* area : page.findChildren<QScrollArea*>()) {
+    EXPECT_FALSE(area->isAncestorOf(overall));
+  }
+  const QRect shown(overall->mapTo(&page, QPoint(0, 0)), overall->size());
+  EXPECT_TRUE(page.rect().contains(shown)) << shown.bottom() << " of " << page.height();
+}
+
+TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.resize(3600, 2000);
+  page.show();
+  const auto gap_px = [&page] {
+    int end = 0;
+    int overall = 0;
+    for (const ScoreRow* row : page.findChildren<ScoreRow*>()) {
+      const int top = row->mapTo(&page, QPoint(0, 0)).y();
+      (row->code() == kOverallRow ? overall : end) =
+          row->code() == kOverallRow ? top : std::max(end, top + row->height());
+    }
+    return overall - end;
+  };
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
+}
+
+TEST(CasePage, TheCurvesTakePartInTheHeightOfATallScreenAlone) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.show();
+  auto& replay = *page.findChild<ReplayPanel*>();
+  auto& curves = *page.findChild<TraceView*>();
+  for (const QSize& size : {QSize(3600, 2000), QSize(1160, 700)}) {
+    page.resize(size);
+    QApplication::processEvents();
+
+    EXPECT_GE(curves.height(), std::min(replay.height() / 4, curves.sizeHint().height())) << size.height();
+    EXPECT_GE(4 * curves.height() + 4, size.height() > 1000 ? replay.height() : 0) << size.height();
+    EXPECT_LT(2 * curves.height(), replay.height()) << size.height();
+  }
+}
+
+TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const AssignmentId second = centre.cases(0)[1];
+  {  // the next case is a draft with nothing left to do
+    OpenedSheet ready = openSheet(desk.session(), second);
+    ready.watched.played(0, ready.watched.length_us(), 1.0);
+    static_cast<void>(
+        saveSheet(desk.session(), second, torsio::testing::reviewSheet(5, 6, 5), ready.watched));
+  }
+  desk.open<CasePage>(inputOf(centre.cases(0)[0]));
+  scoreCase(desk, 4, 6, 5);
+  ASSERT_TRUE(desk.follow());
+
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  const auto& sheet = child<SheetEditorPanel>(desk.page(), "sheetPanel");
+  EXPECT_FALSE(sheet.asking());
+  EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next case")));
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kDraft);
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(sheet.asking());
+  QKeyEvent held(QEvent::KeyPress, Qt::Key_Return, Qt::ControlModifier, QString(), true);
+  QApplication::sendEvent(desk.page().focusWidget(), &held);
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kDraft) << "one press, held down";
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kSubmitted);
+}
+
+TEST(CasePage, PlayThatIsAskedForWhileTheRecordingIsBeingOpenedBeginsWithIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0)[0]));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  replay.setRealTime(false);
+  page.enter(inputOf(centre.cases(0)[1]));
+  ASSERT_FALSE(replay.ready());
+
+  desk.press(Qt::Key_Space);
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.playing());
+
+  page.enter(inputOf(centre.cases(0)[0]));
+  desk.press(Qt::Key_Space);
+  desk.press(Qt::Key_K);  // thought better of
+  desk.shell().waitForJobs();
+  EXPECT_TRUE(replay.ready());
+  EXPECT_FALSE(replay.playing());
+}
+
+TEST(CasePage, WhatIsWatchedWhileTheQuestionStandsCounts) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  auto& replay = child<ReplayPanel>(page, "replay");
+  replay.setRealTime(false);
+  for (const Qt::Key key : {Qt::Key_7, Qt::Key_Down, Qt::Key_6, Qt::Key_Down, Qt::Key_5}) {
+    desk.press(key);
+  }
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  auto& submit = child<QPushButton>(page, "stripGo");
+  EXPECT_FALSE(submit.isEnabled());
+
+  desk.press(Qt::Key_Space);
+  watchAll(replay);
+
+  EXPECT_TRUE(submit.isEnabled());
+}
+
+TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const std::string id = centre.cases(0).front();
+  desk.open<CasePage>(inputOf(id));
+  scoreCase(desk, 7, 6, 6);
+  auto& page = desk.open<CasePage>(inputOf(id));
+  desk.press(Qt::Key_9);  // sealed: nothing happens
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+  for (QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) {
+      button->click();
+    }
+  }
+  desk.press(Qt::Key_9);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(desk.failures().size(), 1);  // no reason yet
+  EXPECT_EQ(sheetVersions(desk.session(), id).size(), 1U);
+
+  desk.type(QStringLiteral("looked again"));
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  const std::vector<SheetVersion> versions = sheetVersions(desk.session(), id);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(versions[1].amendReason, "looked again");
+  auto& again = desk.open<CasePage>(inputOf(id));
+  bool told = false;
+  for (const QLabel* label : again.findChildren<QLabel*>()) {
+    told = told || (label->text().contains(QStringLiteral("version 2")) &&
+                    label->toolTip().contains(QStringLiteral("looked again")));
+  }
+  EXPECT_TRUE(told);
+  const OpenedSheet sealed = openSheet(desk.session(), id);
+  EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps, 90);
+}
+
+TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const std::string id = centre.caseAbout(0, 0);
+  auto& page = desk.open<CasePage>(inputOf(id));
+  const Trial original = TrialRepository(centre.connection()).load(centre.trialIds()[0]);
+
+  ASSERT_NE(child<ReplayPanel>(page, "replay").recording(), nullptr);
+  const std::vector<TrialChunk>& played = child<ReplayPanel>(page, "replay").recording()->playback.chunks();
+  ASSERT_EQ(played.size(), original.chunks.size());
+  for (std::size_t i = 0; i < played.size(); ++i) {
+    EXPECT_EQ(played[i].bytes, original.chunks[i].bytes);
+    EXPECT_EQ(played[i].outputDigest, original.chunks[i].outputDigest);
+  }
+  // And what the window shows at any instant is the sample of that instant.
+  const std::vector<Sample> samples = decodeTrial(original);
+  for (std::size_t at = 0; at < samples.size(); at += 97) {
+    child<ReplayPanel>(page, "replay").seek_us(samples[at].device.time_us - samples.front().device.time_us);
+    const LiveState shown = child<ReplayPanel>(page, "replay").recording()->playback.state();
+    EXPECT_EQ(shown.tick, samples[at].tick);
+    EXPECT_EQ(shown.response, samples[at].response);
+  }
+
+  const QString digest = toQString(blindedDigest(original.summary.contentHash, id));
+  bool shown = false;
+  for (const QLabel* label : page.findChildren<QLabel*>()) {
+    shown = shown || label->text().contains(digest);
+  }
+  EXPECT_TRUE(shown);
+}
+
+TEST(CasePage, FitsASmallScreenInEveryState) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  const auto height = [&page] {
+    QApplication::processEvents();
+    return page.minimumSizeHint().height();
+  };
+  // What 768 lines leave beside the frame of the window, the header, a bar of the desktop and the panel that
+  // tells of work in progress.
+  constexpr int kLeft_px = 560;
+  EXPECT_LE(height(), kLeft_px);
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("hand in the way"));
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_R);
+  EXPECT_LE(height(), kLeft_px) << "while a remark is written";
+  desk.type(QStringLiteral("second grip slips"));
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_LE(height(), kLeft_px) << "while it asks whether to submit";
+  EXPECT_LE(page.minimumSizeHint().width(), 1146);
+}
+
+}  // namespace
+}  // namespace torsio::gui

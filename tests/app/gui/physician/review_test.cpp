@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The physician's other pages, and ten physicians one after the other.
+#include <algorithm>
+#include <memory>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/language.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/case_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
+#include "app/gui/physician/evaluation_page.h"
+#include "app/gui/physician/live_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
+#include "app/gui/physician/review_pages.h"
+#include "app/gui/physician/severity_page.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/services/review/discrepancy_review.h"
+#include "app/services/review/evaluation_form.h"
+#include "app/services/review/rater_calibration.h"
+#include "tests/app/gui/physician/desk_of.h"
+#include "tests/app/gui/support/visible_texts.h"
+#include "tests/app/support/review_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::ReviewCentre;
+
+/// Alignment and severity, as physician `index` sees them: no mark of anybody else.
+void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
+  DeskOf desk(centre, index);
+  EXPECT_TRUE(discrepancyCases(desk.session()).empty());
+  auto& discrepancies = desk.open<DiscrepancyReviewPage>();
+  EXPECT_TRUE(paintedWordsOf(discrepancies)
+                  .join(u' ')
+                  .contains(QStringLiteral("No disagreements are waiting for you")));
+  for (const DataTable* table : discrepancies.findChildren<DataTable*>()) {
+    EXPECT_EQ(table->visibleRows(), 0);
+  }
+  auto& severity = desk.open<SeverityPage>();
+  EXPECT_TRUE(paintedWordsOf(severity).join(u' ').contains(QStringLiteral("Nothing to compare yet")));
+  for (const DataTable* table : severity.findChildren<DataTable*>()) {
+    EXPECT_EQ(table->visibleRows(), 0);
+  }
+}
+
+TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
+  ReviewCentre::Setup setup;
+  setup.raters = 10;
+  setup.trainees = 3;
+  ReviewCentre centre(setup);
+  for (std::size_t rater = 0; rater < 10; ++rater) {
+    DeskOf desk(centre, rater);
+    if (rater > 0) {
+      expectNothingOfOthers(centre, 0);
+    }
+    if (rater > 0) {
+      expectNothingOfOthers(centre, rater);
+    }
+    desk.open<CasePage>(inputOf(centre.cases(rater).front()));
+    int done = 0;
+    do {
+      scoreCase(desk, 2 + static_cast<int>(rater) % 8, 5, 3 + done);
+      ++done;
+    } while (desk.follow());
+    EXPECT_EQ(done, 3);
+    EXPECT_TRUE(desk.failures().isEmpty()) << desk.failures().join(u' ').toStdString();
+  }
+  for (std::size_t rater = 0; rater < 10; ++rater) {
+    const auto desk = centre.physician(rater);
+    const std::vector<AssignmentId> ids = centre.cases(rater);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const OpenedSheet sealed = openSheet(*desk, ids[i]);
+      EXPECT_EQ(sealed.state, SheetState::kSubmitted);
+      EXPECT_EQ(sealed.sheet.overall_steps, 10 * static_cast<std::int64_t>(3 + i));
+      EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps,
+                10 * static_cast<std::int64_t>(2 + rater % 8));
+    }
+  }
+  EXPECT_FALSE(discrepancyCases(*centre.physician(0)).empty());
+}
+
+TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
+  ReviewCentre::Setup setup;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  DeskOf desk(centre, 0);
+  for (const PageEntry& entry : reviewPages()) {
+    const std::unique_ptr<Page> page(entry.make(desk.shell()));
+    page->retranslate();
+    page->resize(1146, 700);
+    page->show();
+    page->enter(entry.id == PageId::kCase ? inputOf(centre.cases(0)[0]) : QVariant());
+    desk.shell().waitForJobs();
+    EXPECT_LE(page->minimumSizeHint().width(), 1146) << pageText(entry.id).toStdString();
+    EXPECT_LE(page->minimumSizeHint().height(), 580) << pageText(entry.id).toStdString();
+    for (QWidget* widget : page->findChildren<QWidget*>()) {
+      const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
+      if (!reachable) {
+        continue;
+      }
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      const bool named =
+          !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
+      EXPECT_TRUE(named) << pageText(entry.id).toStdString() << ": " << widget->metaObject()->className();
+    }
+  }
+}
+
+TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 10;
+  setup.live = true;
+  setup.trial_s = 0.5;
+  ReviewCentre centre(setup);
+  DeskOf desk(centre, 0);
+  applyTheme(*qApp, theme(ThemeKind::kLight));  // the style sheet has a say in sizes
+  auto& page = desk.open<LivePage>();
+  QApplication::processEvents();
+  int targets = 0;
+  for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
+    if (!button->isVisibleTo(&page)) {
+      continue;
+    }
+    EXPECT_GE(button->height(), 44) << button->text().toStdString();
+    if (button->isCheckable()) {
+      ++targets;
+    }
+  }
+  EXPECT_EQ(targets, 10);
+
+  for (int i = 0; i < 2; ++i) {
+    desk.press(Qt::Key_6);
+    desk.press(Qt::Key_Down);
+    desk.press(Qt::Key_7);
+    desk.press(Qt::Key_Down);
+    desk.press(digit(5 + i));
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+
+  const std::vector<AssignmentId> live = centre.cases(0, true);
+  EXPECT_EQ(openSheet(desk.session(), live[0]).sheet.overall_steps, 50);
+  EXPECT_EQ(openSheet(desk.session(), live[1]).sheet.overall_steps, 60);
+  EXPECT_EQ(openSheet(desk.session(), live[1]).state, SheetState::kSubmitted);
+  EXPECT_EQ(openSheet(desk.session(), live[2]).state, SheetState::kOpen);
+}
+
+TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<RaterCalibrationPage>();
+  EXPECT_FALSE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
+
+  desk.press(Qt::Key_8);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
+  EXPECT_DOUBLE_EQ(*raterCalibration(desk.session()).runs[0].offset_points, 2.0);
+}
+
+TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
+  constexpr int kLeast_px = 32;
+  constexpr int kButtons = 10;  // the paper's scale from 1 to 10
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+
+  auto& page = desk.open<RaterCalibrationPage>();
+  QApplication::processEvents();
+
+  const auto& scale = child<QWidget>(page, "scale");
+  EXPECT_GE(scale.width(), kButtons * kLeast_px);
+  EXPECT_GE(scale.height(), kLeast_px);
+  EXPECT_EQ(scale.visibleRegion().boundingRect(), scale.rect());
+  const auto& sheet = *page.findChild<SheetPanel*>();
+  EXPECT_LT(sheet.height(), 3 * scale.height()) << "one row leaves the room to the rubric";
+}
+
+TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 1;
+  ReviewCentre centre(setup);
+  for (std::size_t rater = 0; rater < 2; ++rater) {
+    DeskOf scorer(centre, rater);
+    scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));
+    scoreCase(scorer, 3 + 5 * static_cast<int>(rater), 3 + 5 * static_cast<int>(rater),
+              3 + 5 * static_cast<int>(rater));
+  }
+  DeskOf desk(centre, 0);
+  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);
+  auto& page = desk.open<DiscrepancyReviewPage>();
+  const auto button = [&page](const char* part) {
+    for (QPushButton* one : page.findChildren<QPushButton*>()) {
+      if (one->text().contains(QLatin1String(part)) && one->isVisibleTo(&page)) {
+        return one;
+      }
+    }
+    return static_cast<QPushButton*>(nullptr);
+  };
+  ASSERT_NE(button("with a reason"), nullptr);
+  button("with a reason")->click();
+  desk.press(Qt::Key_8);
+  ASSERT_NE(button("Seal"), nullptr);
+  button("Seal")->click();
+  const auto saidAtTheField = [&page] {
+    const QList<QLabel*> labels = page.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&page](const QLabel* label) {
+      return label->isVisibleTo(&page) && label->text().startsWith(QLatin1String("A reason is needed"));
+    });
+  };
+  EXPECT_TRUE(saidAtTheField());
+  EXPECT_TRUE(desk.failures().isEmpty());  // not far from it
+
+  for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
+    if (line->accessibleName() == QStringLiteral("Reason")) {
+      line->setFocus();
+    }
+  }
+  desk.type(QStringLiteral("missed the second grip"));
+  EXPECT_FALSE(saidAtTheField());
+  button("Seal")->click();
+
+  EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
+  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);  // two rows still lie apart
+  EXPECT_EQ(discrepancyCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
+}
+
+TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false);
+  DeskOf desk(centre, 0);
+  const auto follows = [&](Page& page, const char* sentence) {
+    const QString english = QString::fromLatin1(sentence);
+    EXPECT_TRUE(wordsOf(page).contains(english)) << sentence;
+    LanguageSwitch language;
+    language.choose(Language::kSimplifiedChinese);
+    page.retranslate();
+    EXPECT_FALSE(wordsOf(page).contains(english)) << sentence;
+    language.choose(Language::kEnglish);
+    page.retranslate();
+    EXPECT_TRUE(wordsOf(page).contains(english)) << sentence;
+  };
+  auto& scored = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_8);
+  follows(scored, "Saved");
+  follows(desk.open<CasePage>(inputOf(centre.cases(0).front())), "Draft found and opened");
+
+  auto& evaluated = desk.open<EvaluationPage>();
+  desk.press(Qt::Key_8);
+  follows(evaluated, "Saved");
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  follows(evaluated, "Still open: 8 of 9");
+}
+
+TEST(EvaluationPage, FitsASmallScreenBesideARecording) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(true);
+  DeskOf desk(centre, 0);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  auto& page = desk.open<EvaluationPage>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return child<QLabel>(page, "task").isVisible(); }, 20'000));
+
+  EXPECT_LE(page.minimumSizeHint().width(), 1146);
+  EXPECT_LE(page.minimumSizeHint().height(), 650);
+}
+
+TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false);
+  {
+    DeskOf desk(centre, 0);
+    auto& page = desk.open<EvaluationPage>();
+    const QString all = wordsOf(page).join(u' ');
+    for (const char* hidden : {"FEM", "PM", "finite", "proposed"}) {
+      EXPECT_FALSE(all.contains(QLatin1String(hidden))) << hidden;
+    }
+    const auto& definition = child<QLabel>(page, "definition");
+    EXPECT_TRUE(definition.text().contains(QStringLiteral("prepares for twisting")));
+    EXPECT_TRUE(all.contains(QStringLiteral("10: prepares as well as the real thing")));
+    EXPECT_TRUE(all.contains(QStringLiteral("There is no recording of this model here")));
+    for (int i = 0; i < 5; ++i) {
+      desk.press(digit(i + 4));
+      desk.press(Qt::Key_Down);
+    }
+    EXPECT_TRUE(definition.text().contains(QStringLiteral("twisted shape"))) << "of fidelity";
+    desk.press(Qt::Key_1);
+    desk.press(Qt::Key_0);
+    desk.press(Qt::Key_Left, Qt::ShiftModifier);  // 9.9
+    desk.drop();
+  }
+  DeskOf desk(centre, 0);
+  desk.open<EvaluationPage>();
+  EXPECT_EQ(evaluationForms(desk.session())[0].models[0].scores[5], 99);
+  for (int i = 0; i < 6; ++i) {
+    desk.press(Qt::Key_Down);
+  }
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_7);
+    desk.press(Qt::Key_Down);
+  }
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  const EvaluationForm form = evaluationForms(desk.session())[0];
+  EXPECT_TRUE(form.models[0].submitted);
+  EXPECT_EQ(form.models[0].hiddenLabel, "M");
+  EXPECT_FALSE(form.models[1].submitted);
+}
+
+TEST(EvaluationPage, AHastyCtrlEnterDoesNotReachTheNextModel) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(false);
+  DeskOf desk(centre, 0);
+  const EvaluationForm empty = evaluationForms(desk.session())[0];
+  for (const EvaluationFormModel& model : empty.models) {  // nothing is left to do but to seal
+    for (std::size_t i = 0; i < model.scores.size(); ++i) {
+      saveEvaluationScore(desk.session(), empty.campaignId, model.hiddenLabel, i, 70);
+    }
+  }
+  desk.open<EvaluationPage>();
+  const auto sealed = [&] {
+    const EvaluationForm form = evaluationForms(desk.session())[0];
+    return std::count_if(form.models.begin(), form.models.end(),
+                         [](const EvaluationFormModel& model) { return model.submitted; });
+  };
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_EQ(sealed(), 1);
+
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+  EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next model")));
+  EXPECT_EQ(sealed(), 1);
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(sealed(), 2);
+}
+
+}  // namespace
+}  // namespace torsio::gui

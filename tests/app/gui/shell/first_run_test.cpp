@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first run says that nothing is written before its last step: no file, no row, no setting.
+#include "app/services/access/first_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/translated_text.h"
+#include "app/gui/shell/first_run_panel.h"
+#include "app/gui/shell/main_window.h"
+#include "app/gui/shell/preferences.h"
+#include "assessment/domain/people/account.h"
+#include "sim/core/digest.h"
+#include "sim/core/file_io.h"
+#include "tests/app/gui/support/shown_screen.h"
+
+namespace torsio::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::named;
+using testing::press;
+using testing::says;
+
+/// A station that remembers, with folders of its own for everything.
+class UnwrittenFirstRun : public ::testing::Test {
+ protected:
+  UnwrittenFirstRun() {
+    for (const char* variable : kFolders) {
+      before_[variable] = qgetenv(variable);
+      qputenv(variable, QByteArray::fromStdString(folder_.path().toStdString()));
+    }
+    setSettingsPath(folder_.path() + QStringLiteral("/settings"));
+  }
+  ~UnwrittenFirstRun() override {
+    window_.reset();
+    for (const auto& [variable, value] : before_) {
+      value.isNull() ? qunsetenv(variable) : qputenv(variable, value);
+    }
+    setSettingsPath(QDir::homePath() + QStringLiteral("/.config"));
+  }
+
+  [[nodiscard]] QString file() const { return folder_.filePath(QStringLiteral("torsio.sqlite")); }
+  void open() {
+    ShellSetup setup;
+    setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+    setup.station = "test";
+    setup.locator = file();
+    setup.groups = [] { return std::vector<PageGroup>{}; };
+    setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
+    setup.passwordCost = PasswordCost::kTest;
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->QWidget::show();
+    window_->start();
+    testing::waitFor(window_->background());
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
+  }
+  /// Every file of the folder with the hash of what is in it.
+  [[nodiscard]] std::map<std::string, std::string> written() const {
+    QSettings().sync();
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path().toStdString())) {
+      if (entry.is_regular_file()) {
+        Digest digest;
+        digest.update(std::string_view(readFile(entry.path())));
+        files[entry.path().filename().string()] = digest.hex();
+      }
+    }
+    return files;
+  }
+  void chooseChinese() {
+    auto* language = window_->findChild<FirstRunPanel*>()->findChild<QComboBox*>();
+    language->setCurrentIndex(1);
+    Q_EMIT language->activated(1);
+    window_->findChild<FirstRunPanel*>()->setLanguage(Language::kEnglish);
+    Q_EMIT language->activated(0);
+  }
+  /// To the step of that number, from the first; `look` is called on each page.
+  void goTo(int step, const std::function<void()>& look) {
+    look();
+    chooseChinese();
+    look();
+    if (step > 0) {
+      named<QLineEdit>(*window_, QStringLiteral("Name of the centre"))
+          ->setText(QStringLiteral("City hospital"));
+      press(*window_, QStringLiteral("Next"));
+      look();
+    }
+    if (step > 1) {
+      named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(QStringLiteral("admin"));
+      for (const char* field : {"Password", "Repeat password"}) {
+        named<QLineEdit>(*window_, QLatin1String(field))
+            ->setText(QStringLiteral("a short sentence for the lab"));
+      }
+      press(*window_, QStringLiteral("Next"));
+      look();
+    }
+    if (step > 2) {
+      press(*window_, QStringLiteral("&Test the database"));
+      ASSERT_TRUE(QTest::qWaitFor([this] { return says(*window_, QStringLiteral("can be used")); }, 20'000));
+      look();
+      press(*window_, QStringLiteral("Next"));
+      look();
+    }
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+
+ private:
+  static void setSettingsPath(const QString& path) {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, path);
+  }
+
+  static constexpr const char* kFolders[] = {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME",
+                                             "XDG_STATE_HOME"};
+  std::map<const char*, QByteArray> before_;
+};
+
+TEST_F(UnwrittenFirstRun, LeavesNoFileAndNoSettingOnAnyPageNorWhenItsWindowIsClosed) {
+  for (int step = 0; step < 4; ++step) {
+    open();
+    goTo(step, [this] { EXPECT_TRUE(written().empty()) << written().begin()->first; });
+
+    EXPECT_TRUE(window_->close());
+    window_.reset();
+
+    EXPECT_TRUE(written().empty()) << step << ": " << written().begin()->first;
+  }
+}
+
+TEST_F(UnwrittenFirstRun, GoesBackToItsFirstPageWithoutATrace) {
+  open();
+  goTo(3, [] {});
+  for (int step = 3; step > 0; --step) {
+    press(*window_, QStringLiteral("Back"));
+    EXPECT_TRUE(written().empty()) << written().begin()->first;
+  }
+}
+
+TEST_F(UnwrittenFirstRun, LooksAtARecordThatIsThereWithoutChangingIt) {
+  {
+    SessionContext office(SessionKey{file().toStdString(), "test", {}});
+    office.setPasswordCost(PasswordCost::kTest);
+  }
+  // Whoever reads a record lays SQLite's files of the moment beside it, with nothing in them to be kept.
+  const auto kept = [this] {
+    std::map<std::string, std::string> files = written();
+    files.erase("torsio.sqlite-shm");
+    if (!fs::exists(file().toStdString() + "-wal") || fs::file_size(file().toStdString() + "-wal") == 0) {
+      files.erase("torsio.sqlite-wal");
+    }
+    return files;
+  };
+  const std::map<std::string, std::string> before = kept();
+  ASSERT_EQ(before.size(), 1U);
+  open();
+  goTo(3, [&] { EXPECT_EQ(kept(), before); });
+
+  EXPECT_TRUE(window_->close());
+  window_.reset();
+
+  EXPECT_EQ(kept(), before);
+}
+
+TEST_F(UnwrittenFirstRun, RemembersAtItsEndWhatWasChosenOnTheWay) {
+  open();
+  goTo(3, [] {});
+  press(*window_, QStringLiteral("Set up"));
+  testing::waitFor(window_->background());
+
+  EXPECT_EQ(Preferences(true).database(), file());
+  EXPECT_EQ(Preferences(true).language({}), Language::kEnglish);
+  EXPECT_EQ(lookAtRecord(file().toStdString()), RecordPlace::kCentre);
+  const std::map<std::string, std::string> files = written();
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](const auto& one) {
+    return one.first.ends_with(".conf");
+  })) << "where this test looks for settings there are none";
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/database_answered.h"
+#include "app/gui/base/page.h"
+#include "app/gui/shell/main_window.h"
+#include "assessment/domain/people/account.h"
+#include "tests/app/gui/support/founded_centre.h"
+#include "tests/app/gui/support/shown_screen.h"
+
+namespace torsio::gui {
+
+inline constexpr const char* kStartPassword = "start with these words";
+inline constexpr const char* kOwnPassword = "only I know this sentence";
+
+/// What a role's folder gives to the shell, without any content.
+class BarePage : public Page {
+ public:
+  BarePage(ShellContext& context, QString name) : Page(context), name_(std::move(name)) {
+    setAccessibleName(name_);
+  }
+  void enter(const QVariant& argument) override {
+    ++entered;
+    argument_ = argument;
+  }
+  bool leave() override { return mayLeave; }
+  bool busy() const override { return isBusy; }
+  void retranslate() override {}
+  ShellContext& context() { return shell(); }
+
+  int entered = 0;
+  int answered = 0;
+  bool mayLeave = true;
+  bool isBusy = false;
+  QVariant argument_;
+
+ protected:
+  void customEvent(QEvent* event) override { answered += event->type() == databaseAnsweredEvent() ? 1 : 0; }
+
+ private:
+  QString name_;
+};
+
+inline PageEntry bareEntry(PageId id) {
+  return {id, [id](ShellContext& context) -> Page* { return new BarePage(context, pageTitle(id)); }};
+}
+
+inline std::vector<PageGroup> bareGroups() {
+  return {{[] { return QStringLiteral("Training"); },
+           {bareEntry(PageId::kNextStep), bareEntry(PageId::kPractice)}},
+          {[] { return QStringLiteral("Review"); }, {bareEntry(PageId::kQueue)}},
+          {[] { return QStringLiteral("Administration"); },
+           {bareEntry(PageId::kUsers), bareEntry(PageId::kAudit)}}};
+}
+
+/// The program's window with pages that hold nothing, on a record of its own.
+class Shell : public ::testing::Test {
+ protected:
+  QTemporaryDir folder_;
+  ManualClock clock_;
+  std::unique_ptr<MainWindow> window_;
+
+  ShellSetup setup() {
+    ShellSetup setup;
+    setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    setup.station = "test";
+    setup.locator = folder_.filePath(QStringLiteral("torsio.sqlite"));
+    setup.groups = bareGroups;
+    setup.remember = false;
+    setup.clock = &clock_;
+    setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
+    setup.passwordCost = PasswordCost::kTest;
+    return setup;
+  }
+
+  void open(const ShellSetup& with) {
+    window_ = std::make_unique<MainWindow>(with);
+    window_->QWidget::show();
+    window_->start();
+    testing::waitFor(window_->background());  // recordings that wait in files are stored first
+  }
+
+  /// A centre with an administrator and a trainee who has a start password, nobody signed in.
+  void openFoundedCentre(ShellSetup with) {
+    {
+      const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());
+      addUser(*office, {.login = "chen", .roles = {"trainee"}, .startPassword = kStartPassword});
+      torsio::signOut(*office);
+    }
+    open(with);
+  }
+
+  void enter(const QString& login, const QString& password) {
+    testing::named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(login);
+    testing::named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(password);
+    testing::press(*window_, QStringLiteral("Sign in"));
+    testing::waitFor(window_->background());
+  }
+
+  BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
+};
+
+}  // namespace torsio::gui

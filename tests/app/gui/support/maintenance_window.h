@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/administrator/administrator_pages.h"
+#include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/shell/main_window.h"
+#include "app/services/access/settings_service.h"
+#include "app/services/people/people_service.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/study/station_state.h"
+#include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/trial/station_repository.h"
+#include "tests/app/gui/support/founded_centre.h"
+#include "tests/app/gui/support/shown_screen.h"
+
+namespace torsio::gui {
+
+namespace fs = std::filesystem;
+
+/// The program's window with the pages of administrators, an administrator at work, and a record of two
+/// people.
+class MaintenancePages : public ::testing::Test {
+ protected:
+  QTemporaryDir folder_;
+  ManualClock clock_;
+  std::unique_ptr<MainWindow> window_;
+  QStringList failures_;
+
+  [[nodiscard]] fs::path in(const char* name) const { return toPath(folder_.path()) / name; }
+  [[nodiscard]] std::string record() const { return in("torsio.sqlite").string(); }
+
+  void SetUp() override {
+    {
+      const std::unique_ptr<SessionContext> office = foundCentre(record());
+      office->beginCall();
+      setCentreSetting(*office, "two_people", "no");  // there is one administrator only
+      addPerson(*office, person());
+      addPerson(*office, person());
+    }
+    ShellSetup setup;
+    setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+    setup.station = "test";
+    setup.locator = toQString(record());
+    setup.groups = [] {
+      return std::vector<PageGroup>{{[] { return QStringLiteral("Administration"); }, administratorPages()}};
+    };
+    setup.remember = false;
+    setup.clock = &clock_;
+    setup.unstored = in("unstored");
+    setup.passwordCost = PasswordCost::kTest;
+    setup.lessonsAgain = std::chrono::hours(24);
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->QWidget::show();
+    window_->start();
+    testing::waitFor(window_->background());
+    signIn();
+  }
+
+  static PersonEntry person() {
+    PersonEntry entry;
+    entry.fullName = "Li Na";
+    return entry;
+  }
+
+  void signIn() {
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
+    const auto named = [this](const char* name) -> QLineEdit* {
+      for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
+        if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
+          return field;
+        }
+      }
+      return nullptr;
+    };
+    named("Sign-in name")->setText(QStringLiteral("admin"));
+    named("Password")->setText(QString::fromLatin1(kAdminPassword));
+    QTest::keyClick(named("Password"), Qt::Key_Return);
+    testing::waitFor(window_->background());
+    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+    QObject::connect(&context(), &ShellContext::failed, window_.get(),
+                     [this](const QString& happened) { failures_ << happened; });
+  }
+
+  ShellContext& context() { return window_->desk()->context(); }
+
+  /// Goes there by the button of the maintenance page.
+  template <typename Made>
+  Made& openBy(const char* button) {
+    window_->desk()->open(PageId::kMaintenance);
+    press(*window_->desk()->page(), button);
+    return dynamic_cast<Made&>(*window_->desk()->page());
+  }
+
+  MaintenancePage& maintenancePage() {
+    window_->desk()->open(PageId::kMaintenance);
+    return dynamic_cast<MaintenancePage&>(*window_->desk()->page());
+  }
+
+  void press(QWidget& in, const char* text) {
+    for (QPushButton* found : in.findChildren<QPushButton*>()) {
+      QString plain = found->text();
+      if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) != QLatin1String(text)) {
+        continue;
+      }
+      ASSERT_TRUE(found->isEnabled()) << text;
+      QTest::mouseClick(found, Qt::LeftButton);
+      return;
+    }
+    ADD_FAILURE() << "no button " << text;
+  }
+
+  void click(QPushButton& button) {
+    ASSERT_TRUE(button.isVisible() && button.isEnabled()) << button.text().toStdString();
+    QTest::mouseClick(&button, Qt::LeftButton);
+    context().waitForJobs();
+  }
+
+  /// The job of the button is cancelled before its first step: a press on "Cancel" would race with it.
+  void clickAndCancel(QPushButton& button) {
+    QObject::connect(
+        &context(), &ShellContext::jobStarted, &button, [this] { context().cancelJobs(); },
+        Qt::SingleShotConnection);
+    click(button);
+  }
+
+  bool says(const QString& part) {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(part)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::string> trail(const std::string& locator) {
+    Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+    std::vector<std::string> actions;
+    for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+      actions.push_back(entry.action);
+    }
+    return actions;
+  }
+
+  static std::int64_t people(const std::string& locator) {
+    Connection connection = openDatabase(locator, OpenMode::kReadOnly);
+    Statement row = connection.prepare("SELECT count(*) FROM trainee");
+    row.execute();
+    std::int64_t count = 0;
+    while (row.step()) {
+      count = row.int64(0);
+    }
+    return count;
+  }
+
+  void showsOtherStation() {
+    StationState other{.station = "room 2", .heartbeatUtc_us = window_->session()->now_us()};
+    StationRepository(window_->session()->connectionWithoutRight()).heartbeat(other);
+  }
+
+  [[nodiscard]] int filesBeside() const {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_.path().toStdString())) {
+      static_cast<void>(entry);
+      ++count;
+    }
+    return count;
+  }
+};
+
+inline bool contains(const std::vector<std::string>& actions, const std::string& action) {
+  return std::find(actions.begin(), actions.end(), action) != actions.end();
+}
+
+}  // namespace torsio::gui

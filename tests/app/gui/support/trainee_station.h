@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStringList>
+#include <gtest/gtest.h>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_pages.h"
+#include "app/gui/widgets/child.h"
+#include "app/services/base/assets.h"
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/servo/hand_task.h"
+#include "tests/app/gui/support/bar_view.h"
+#include "tests/app/support/training_centre.h"
+
+namespace torsio::gui {
+
+inline constexpr int kPatience_ms = 20'000;
+
+/// Whether it comes about while the window goes on.
+template <typename Condition>
+bool soon(const Condition& done) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done() && waited.elapsed() < kPatience_ms) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+  }
+  return done();
+}
+
+/// A hand that has learned everything.
+inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
+  ScriptedHandOptions hand;
+  hand.task = handTask(scene);
+  hand.task.targetAngle_rad = target_rad;
+  hand.profile = {.initialSkill = 1.0, .finalSkill = 1.0, .learningTime_min = 1.0};
+  hand.duration_s = 60.0;
+  return hand;
+}
+
+/// A shell without a frame: it shows the page that a page asks for, as the desk does.
+class Station {
+ public:
+  explicit Station(torsio::testing::TrainingCentre& centre)
+      : centre_(centre), shell_(centre.session(), assetsFolder(), ThemeKind::kLight) {
+    StationDesk& desk = *desk_;
+    desk.loader = testing::loadBar;
+    desk.realTime = false;
+    desk.clock = clock;
+    desk.probe = [this] { return torsio::testing::deviceWith(light); };
+    desk.openDevice = [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
+      return std::make_unique<ScriptedHand>(practised(scene, target_rad));
+    };
+    QObject::connect(&shell_, &ShellContext::pageWanted, &shell_,
+                     [this](PageId id, const QVariant& argument) { open(id, argument); });
+    QObject::connect(&shell_, &ShellContext::failed, &shell_,
+                     [this](const QString& happened) { problems << happened; });
+    QObject::connect(&shell_, &ShellContext::noticed, &shell_,
+                     [this](const QString& sentence) { notices << sentence; });
+  }
+  /// Pages go before their shell, those too that were left and whose scene is still on its way.
+  ~Station() {
+    page.reset();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    shell_.waitForJobs();
+  }
+
+  void open(PageId id, const QVariant& argument = {}) {
+    if (page && !page->leave()) {
+      return;
+    }
+    for (const PageEntry& entry : stationPages(desk_)) {
+      if (entry.id != id) {
+        continue;
+      }
+      // The page that asked is still in its slot.
+      if (page) {
+        page.release()->deleteLater();
+      }
+      page.reset(entry.make(shell_));
+      pageId = id;
+      page->retranslate();
+      page->resize(1366, 768);
+      page->enter(argument);
+      shell_.waitForJobs();
+      return;
+    }
+    FAIL() << "no page " << pageText(id).toStdString();
+  }
+  template <typename W>
+  W* find(const char* name) {
+    W* found = page->findChild<W*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name << " on " << pageText(pageId.value()).toStdString();
+    return found;
+  }
+  void press(const char* name) { find<QPushButton>(name)->click(); }
+  [[nodiscard]] QString allText() const {
+    QStringList texts;
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      texts << label->text();
+    }
+    return texts.join(QLatin1Char('\n'));
+  }
+  RunPage& run() { return static_cast<RunPage&>(*page); }
+  /// Opens a run of the first module with this device.
+  void openRun(bool graded, const StationDesk::DeviceOpener& open) {
+    StationDesk& desk = *desk_;
+    desk.openDevice = open;
+    desk.moduleId = centre_.module("first");
+    desk.graded = graded;
+    desk.readiness = torsio::testing::deviceWith(Light::kGreen);
+    this->open(PageId::kRun);
+  }
+  /// Time goes by for the hand and for the clock of the run.
+  void train(std::int64_t span_us) {
+    ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
+    for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
+      if (RecordedRun* live = child<LiveScene>(run(), "scene").controller().run();
+          live != nullptr && live->recorded()) {
+        live->step(ticksIn(1.0));
+      }
+      clock->advance_us(torsio::testing::kSecond_us);
+      centre_.passTime_us(torsio::testing::kSecond_us);
+      run().tick();
+      if (pageId != PageId::kRun) {
+        return;
+      }
+    }
+  }
+
+  std::shared_ptr<ManualClock> clock = std::make_shared<ManualClock>();
+  Light light = Light::kGreen;
+  QStringList problems;
+  QStringList notices;
+  std::unique_ptr<Page> page;
+  std::optional<PageId> pageId;
+  ShellContext& shell() { return shell_; }
+  StationDesk& desk() { return *desk_; }
+
+ private:
+  torsio::testing::TrainingCentre& centre_;
+  ShellContext shell_;
+  std::shared_ptr<StationDesk> desk_ = std::make_shared<StationDesk>();
+};
+
+}  // namespace torsio::gui

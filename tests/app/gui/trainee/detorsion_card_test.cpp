@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/detorsion_card.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/trainee/detorsion_plot.h"
+#include "sim/scene/hollow_organ.h"
+#include "tests/app/gui/support/visible_texts.h"
+
+namespace torsio::gui {
+namespace {
+
+TEST(DetorsionCard, SaysWhereTheSecondsWentTheLongestFirst) {
+  DetorsionStory story;
+  story.spent_s = {2.0, 6.0, 0.0, 0.0, 2.0};  // searching, turning, clip, checking, waiting: 10 s in all
+
+  const QStringList text = DetorsionCard::secondsText(story);
+
+  ASSERT_EQ(text.size(), 3);
+  EXPECT_EQ(text[0], QStringLiteral("Turning in the jaw: 0:06.0 (60 %)"));
+  EXPECT_EQ(text[1], QStringLiteral("Searching, not holding: 0:02.0 (20 %)"));
+  EXPECT_EQ(text[2], QStringLiteral("Waiting with hands off: 0:02.0 (20 %)"));
+}
+
+TEST(DetorsionCard, SaysInSentencesWhatTheMeasuresComeTo) {
+  DetorsionStory story;
+  story.metrics = {{"detorse.first_direction", Outcome<double>(0.0)}, {"detorse.dose", Outcome<double>(1.2)}};
+
+  const QStringList text = DetorsionCard::verdicts(story);
+
+  EXPECT_TRUE(text.contains(QStringLiteral("The first turn went the wrong way.")));
+  EXPECT_TRUE(text.contains(QStringLiteral("Blood flow did not return in this run.")));
+  EXPECT_TRUE(text.join(QLatin1Char(' ')).contains(QStringLiteral("from 1 the tissue is lost")));
+}
+
+TEST(DetorsionCard, SaysLengthsOfTimeInMinutesAndSeconds) {
+  DetorsionStory story;
+  story.metrics = {{"detorse.time_to_flow", Outcome<double>(65.12)},
+                   {"detorse.overload_time", Outcome<double>(5.1)}};
+
+  const QString text = DetorsionCard::verdicts(story).join(QLatin1Char(' '));
+
+  EXPECT_TRUE(text.contains(QStringLiteral("flow returned after 1:05.1"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("For 0:05.1, jaw pressure"))) << text.toStdString();
+}
+
+/// Ten seconds in which an organ is turned back; its content presses with 12 mmHg.
+DetorsionStory tenSeconds() {
+  DetorsionStory story;
+  for (int i = 0; i <= 10; ++i) {
+    story.time_s.push_back(i);
+    story.angle_rad.push_back(3.0 - 0.3 * i);
+    story.flow.push_back(0.1 * i);
+    story.dose.push_back(0.02 * i);
+    story.pressure_Pa.push_back(12.0 * kPascalsPerMmHg);
+  }
+  story.mishapsKnown = true;
+  return story;
+}
+
+/// The picture of a story, wide enough for every sign.
+class PlotOf {
+ public:
+  explicit PlotOf(const DetorsionStory& story) {
+    plot.resize(1000, 420);
+    plot.setStory(story);
+  }
+  [[nodiscard]] QString painted() { return paintedWordsOf(plot).join(QLatin1Char(' ')); }
+
+  DetorsionPlot plot;
+};
+
+TEST(DetorsionPlot, MarksWhatWentWrongWithASignOfItsOwnAndALegend) {
+  DetorsionStory story = tenSeconds();
+  story.events = {{1.0, DetorsionMoment::kGrip},
+                  {2.0, DetorsionMoment::kBruise},
+                  {2.0, DetorsionMoment::kTear},
+                  {5.0, DetorsionMoment::kSlip},
+                  {5.5, DetorsionMoment::kRelapse}};
+  PlotOf drawn(story);
+
+  const QString painted = drawn.painted();
+
+  for (const DetorsionMoment what : {DetorsionMoment::kBruise, DetorsionMoment::kTear, DetorsionMoment::kSlip,
+                                     DetorsionMoment::kRelapse}) {
+    // On the line and in the legend.
+    EXPECT_GE(painted.count(DetorsionPlot::momentSign(what)), 2) << static_cast<int>(what);
+    EXPECT_TRUE(painted.contains(DetorsionPlot::momentName(what))) << static_cast<int>(what);
+  }
+  EXPECT_FALSE(painted.contains(QStringLiteral("gas out")));
+}
+
+/// Pixels of `colour` in the part of a picture below `top`.
+int pixelsOf(const QImage& picture, const QColor& colour, int top) {
+  int found = 0;
+  for (int y = top; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      found += picture.pixelColor(x, y) == colour ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+TEST(DetorsionPlot, SignsOfTheLegendHaveTheColoursTheyHaveAbove) {
+  DetorsionStory story = tenSeconds();
+  const QColor caution = theme(ThemeKind::kLight).caution;
+  story.events = {{1.0, DetorsionMoment::kGrip}};
+  constexpr int kBelowLanes = 420 - 34;
+  EXPECT_EQ(pixelsOf(PlotOf(story).plot.grab().toImage(), caution, kBelowLanes), 0);
+
+  story.events.push_back({2.0, DetorsionMoment::kBruise});
+  EXPECT_GT(pixelsOf(PlotOf(story).plot.grab().toImage(), caution, kBelowLanes), 5);
+}
+
+TEST(DetorsionPlot, TellsNoTwoInstantsByTheSameSign) {
+  std::set<QString> signs;
+  std::set<QString> names;
+  for (int what = 0; what <= static_cast<int>(DetorsionMoment::kRelapse); ++what) {
+    signs.insert(DetorsionPlot::momentSign(static_cast<DetorsionMoment>(what)));
+    names.insert(DetorsionPlot::momentName(static_cast<DetorsionMoment>(what)));
+  }
+
+  EXPECT_EQ(signs.size(), 11U);
+  EXPECT_EQ(names.size(), 11U);
+  EXPECT_EQ(signs.count(QString()) + names.count(QString()), 0U);
+}
+
+TEST(DetorsionPlot, TellsTheInstantUnderThePointerWithBothTimes) {
+  DetorsionStory story = tenSeconds();
+  story.events = {{5.0, DetorsionMoment::kTear}};
+  PlotOf drawn(story);
+
+  // The time axis is 52 pixels in from the left and 16 from the right: 5 of 10 s lie at 52 + 932 / 2.
+  const QString there = drawn.plot.tipAt(518.0);
+  const QString beside = drawn.plot.tipAt(530.0);
+
+  EXPECT_EQ(there, QStringLiteral("tear at 0:05.0 (0:05 h of the tissue)"));
+  EXPECT_TRUE(beside.isEmpty());
+  EXPECT_TRUE(drawn.plot.accessibleDescription().contains(there));
+}
+
+TEST(DetorsionPlot, OfARunWithoutInstantsHasNeitherSignsNorLegend) {
+  PlotOf drawn(tenSeconds());
+
+  const QString painted = drawn.painted();
+
+  for (int what = 0; what <= static_cast<int>(DetorsionMoment::kRelapse); ++what) {
+    EXPECT_FALSE(painted.contains(DetorsionPlot::momentName(static_cast<DetorsionMoment>(what)))) << what;
+  }
+  EXPECT_FALSE(painted.contains(DetorsionPlot::momentSign(DetorsionMoment::kBruise)));
+}
+
+TEST(DetorsionPlot, DrawsThePressureOfAnOrganWhoseContentPresses) {
+  DetorsionStory solid = tenSeconds();
+  solid.pressure_Pa.assign(solid.pressure_Pa.size(), 0.0);
+  PlotOf hollow(tenSeconds());
+  PlotOf cord(solid);
+
+  EXPECT_TRUE(hollow.painted().contains(QStringLiteral("Pressure of the content in mmHg")));
+  EXPECT_TRUE(hollow.painted().contains(QStringLiteral("15")));  // 12 mmHg on a scale in steps of 5
+  EXPECT_TRUE(
+      hollow.plot.accessibleDescription().contains(QStringLiteral("Pressure from 12.0 to 12.0 mmHg.")));
+  EXPECT_FALSE(cord.painted().contains(QStringLiteral("Pressure")));
+  EXPECT_FALSE(cord.plot.accessibleDescription().contains(QStringLiteral("Pressure")));
+}
+
+TEST(DetorsionCard, DoesNotSayThatBloodCameBackWhereItNeverStopped) {
+  DetorsionStory story;
+  story.metrics = {{"detorse.time_to_flow", Outcome<double>(0.0)}};
+
+  const QStringList text = DetorsionCard::verdicts(story);
+
+  EXPECT_TRUE(text.contains(QStringLiteral("Blood flow was sufficient from the start.")));
+  EXPECT_FALSE(text.join(QLatin1Char(' ')).contains(QStringLiteral("returned")));
+}
+
+TEST(DetorsionCard, CountsWhatWentWrongAndSaysWhenItIsNotKnown) {
+  DetorsionStory known = tenSeconds();
+  known.events = {
+      {1.0, DetorsionMoment::kBruise}, {2.0, DetorsionMoment::kTear}, {3.0, DetorsionMoment::kBruise}};
+  DetorsionStory unknown = tenSeconds();
+  unknown.mishapsKnown = false;
+
+  const QString counted = DetorsionCard::verdicts(known).join(QLatin1Char('\n'));
+  const QString silent = DetorsionCard::verdicts(unknown).join(QLatin1Char('\n'));
+
+  EXPECT_TRUE(counted.contains(QStringLiteral("Bruises from the jaw: 2.")));
+  EXPECT_TRUE(counted.contains(QStringLiteral("Tears in the wall: 1.")));
+  EXPECT_FALSE(counted.contains(QStringLiteral("Slips of")));
+  EXPECT_FALSE(counted.contains(QStringLiteral("not marked")));
+  EXPECT_TRUE(silent.contains(QStringLiteral("not marked: the organ of this run is not on this machine")));
+}
+
+}  // namespace
+}  // namespace torsio::gui

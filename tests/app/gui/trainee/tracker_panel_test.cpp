@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A phase on the real arm with a tracker of OpenIGTLink's own classes on the instrument.
+#include "app/gui/trainee/tracker_panel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/connectors/tracker/tracker_choice.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/services/training/attempts.h"
+#include "assessment/metrics/metric_cards.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/clock.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/gui/support/trainee_station.h"
+#include "tests/support/fake_tracker.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::FakeTracker;
+using torsio::testing::kSecond_us;
+using torsio::testing::TrainingCentre;
+
+constexpr std::int64_t kRealTime_us = 60 * kSecond_us;
+constexpr int kRecorded = 100;
+
+TrainingCentre::Setup onTheRealArm() {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kRealTime_us}};
+  return setup;
+}
+
+/// Poses of 100 Hz on a line of 0.1 m/s, by a clock of its own that goes as that of the station does: a busy
+/// machine sends a pose late, but the time that the pose tells stays true.
+class Line {
+ public:
+  explicit Line(FakeTracker& tracker) : tracker_(tracker) {}
+
+  /// Sends the next poses one after the other, each when its time has come.
+  void send(int count) {
+    for (const int end = next_ + count; next_ < end; ++next_, ++sent_) {
+      std::this_thread::sleep_for(std::chrono::microseconds(began_us_ + next_ * kEvery_us - clock_.now_us()));
+      ASSERT_TRUE(tracker_.sendTransform("NeedleToReference", {static_cast<double>(next_), 0.0, 0.0},
+                                         kItsTime_us + next_ * kEvery_us));
+    }
+  }
+  /// Leaves out the poses whose time is over.
+  void skip() { next_ = std::max(next_, static_cast<int>((clock_.now_us() - began_us_) / kEvery_us) + 2); }
+  [[nodiscard]] int sent() const { return sent_; }
+  [[nodiscard]] int leftOut() const { return next_ - sent_; }
+
+ private:
+  static constexpr std::int64_t kEvery_us = 10'000;
+  static constexpr std::int64_t kItsTime_us = 1'700'000'000'000'000;
+  FakeTracker& tracker_;
+  MonotonicClock clock_;
+  std::int64_t began_us_ = clock_.now_us();
+  int next_ = 0;
+  int sent_ = 0;
+};
+
+TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
+  TrainingCentre centre(onTheRealArm());
+  FakeTracker tracker;
+  Station station(centre);
+  station.desk().tracker = TrackerPlace{.port = tracker.port()};
+  station.desk().readiness = torsio::testing::deviceWith(Light::kGreen);
+
+  station.open(PageId::kRun);
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Nothing is recorded.")));
+  ASSERT_TRUE(tracker.wait());
+  Line line(tracker);
+  line.send(25);
+  const TrackerLink& link = *station.run().findChild<TrackerPanel*>()->link();
+  bool recorded = false;
+  ASSERT_TRUE(soon([&] {
+    if (recorded) {
+      return true;  // a pose more would stand alone in the recording
+    }
+    line.skip();
+    line.send(1);  // a tracker that says nothing for two seconds is silent
+    while (link.view().counts.received < line.sent()) {  // none is on its way as the recording begins
+      std::this_thread::yield();
+    }
+    station.run().tick();
+    recorded = station.allText().contains(QStringLiteral("The instrument is seen, and recorded."));
+    return recorded;
+  }));
+  line.skip();
+  line.send(kRecorded);
+  const QString counts = QStringLiteral("Poses: %1, missing: %2,").arg(line.sent()).arg(line.leftOut());
+  ASSERT_TRUE(soon([&] {
+    station.run().tick();
+    return station.find<QLabel>("trackerCounts")->text().startsWith(counts);
+  })) << station.find<QLabel>("trackerCounts")->text().toStdString();
+  station.train(2 * kRealTime_us);
+
+  EXPECT_EQ(station.pageId, PageId::kNextStep);
+  const std::vector<TrialListing> trials = TrialRepository(centre.connection()).list();
+  ASSERT_EQ(trials.size(), 1U);
+  const TrialListing& trial = trials[0];
+  EXPECT_TRUE(isForeign(trial.sceneId));
+  EXPECT_EQ(trial.traineeCode, nextSteps(centre.session(), centre.person()).traineeCode);
+  EXPECT_FALSE(trial.phaseId.empty());
+  EXPECT_TRUE(trial.moduleId.empty());  // no attempt at anything
+  EXPECT_TRUE(attemptsOf(centre.session(), centre.person()).empty());
+  ASSERT_TRUE(trial.summary);
+  EXPECT_EQ(trial.summary->outcome, TrialOutcome::kCompleted);
+  EXPECT_EQ(trial.summary->samples, kRecorded);
+  ExerciseRules rules;
+  const TrialDigest digest = digestOf(centre.connection(), trial, rules, 0);
+  EXPECT_GT(digest.measures.at("tip.path"), 0.09);
+  EXPECT_FALSE(digest.measures.contains("force.peak"));
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+TEST(TrackerPanel, ConnectsWhereItIsToldAndRemembersIt) {
+  const QTemporaryDir folder;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  TrainingCentre centre(onTheRealArm());
+  FakeTracker tracker;
+  Station station(centre);
+  station.desk().readiness = torsio::testing::deviceWith(Light::kGreen);
+  station.open(PageId::kRun);
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("No tracker")));
+
+  station.find<QLineEdit>("trackerInstrument")->setText(QStringLiteral("NeedleToReference"));
+  station.find<QSpinBox>("trackerPort")->setValue(tracker.port());
+  station.press("trackerConnect");
+
+  ASSERT_TRUE(tracker.wait());
+  EXPECT_FALSE(station.find<QSpinBox>("trackerPort")->isEnabled());
+  EXPECT_EQ(rememberedTracker().tracker,
+            (TrackerPlace{.port = tracker.port(), .instrument = "NeedleToReference"}));
+  ASSERT_TRUE(tracker.sendBytes("HTTP/1.1 400 Bad Request\r\n" + std::string(200, '-')));
+  ASSERT_TRUE(soon([&] {
+    station.run().tick();
+    return station.find<QLabel>("trackerStatus")->text().contains(QStringLiteral("no OpenIGTLink"));
+  }));
+  station.press("trackerConnect");
+  EXPECT_TRUE(station.find<QSpinBox>("trackerPort")->isEnabled());
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+}  // namespace
+}  // namespace torsio::gui
