@@ -23,7 +23,7 @@ struct Line {
   ToolState tool;
 };
 
-struct Quantity {
+struct StoredChannel {
   ExportColumn column;
   std::function<double(const Line&)> value;
 
@@ -33,7 +33,7 @@ struct Quantity {
   }
 };
 
-void addVector(std::vector<Quantity>& all, const std::string& name, const std::string& unit,
+void addVector(std::vector<StoredChannel>& all, const std::string& name, const std::string& unit,
                const std::array<Text, 3>& titles, const std::function<Vec3(const Line&)>& value) {
   const std::string ending = unit == "m" ? "_m" : "_N";
   all.push_back({{name + "_x" + ending, titles[0], ColumnKind::kNumber, unit},
@@ -44,9 +44,9 @@ void addVector(std::vector<Quantity>& all, const std::string& name, const std::s
                  [value](const Line& at) { return value(at).z; }});
 }
 
-std::vector<Quantity> quantities() {
+std::vector<StoredChannel> makeStoredChannels() {
   const auto number = ColumnKind::kNumber;
-  std::vector<Quantity> all;
+  std::vector<StoredChannel> all;
   all.push_back({{"time_s", Text::tr("time since the recording began"), number, "s"}, [](const Line& at) {
                    return static_cast<double>(at.sample.device.time_us) / static_cast<double>(kSecond_us);
                  }});
@@ -95,8 +95,8 @@ std::vector<Quantity> quantities() {
   return all;
 }
 
-const std::vector<Quantity>& allQuantities() {
-  static const std::vector<Quantity> all = quantities();
+const std::vector<StoredChannel>& storedChannels() {
+  static const std::vector<StoredChannel> all = makeStoredChannels();
   return all;
 }
 
@@ -105,7 +105,7 @@ const std::vector<Quantity>& allQuantities() {
 const std::vector<ExportColumn>& trajectoryColumns() {
   static const std::vector<ExportColumn> columns = [] {
     std::vector<ExportColumn> made;
-    for (const Quantity& one : allQuantities()) {
+    for (const StoredChannel& one : storedChannels()) {
       made.push_back(one.column);
     }
     return made;
@@ -136,7 +136,7 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryF
       }
       const Line at{sample, toolState(sample.device)};
       separator = "";
-      for (const Quantity& one : allQuantities()) {
+      for (const StoredChannel& one : storedChannels()) {
         out << separator;
         if (foreign && !one.isMotion()) {
           out << nothing;
