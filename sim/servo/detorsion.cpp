@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/core/random.h"
-#include "sim/servo/exercise.h"
 
 namespace torsio {
 
@@ -42,14 +41,14 @@ double DetorsionStep::relapse_Nm(const HollowOrgan& hollow, const OrganState& or
   return start_rad < 0.0 ? -torque_Nm : torque_Nm;
 }
 
-void DetorsionStep::setHolders(const DetorsionHand& hand, OrganState& organ, std::uint32_t& events) noexcept {
+void DetorsionStep::setHolders(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept {
   HollowPose& pose = organ.hollow;
-  const bool pressed = hand.secondButton && !buttonDown_;
-  buttonDown_ = hand.secondButton;
+  const bool pressed = jaw.secondButton && !buttonDown_;
+  buttonDown_ = jaw.secondButton;
   bool clipped = pose.clipped;
   if (holdAsked_ != Ask::kNothing) {
     clipped = holdAsked_ == Ask::kOn;
-  } else if (pressed && (hand.touches || hand.holds)) {
+  } else if (pressed && (jaw.touches || jaw.holds)) {
     clipped = !clipped;
   }
   holdAsked_ = Ask::kNothing;
@@ -59,10 +58,10 @@ void DetorsionStep::setHolders(const DetorsionHand& hand, OrganState& organ, std
   pose.clipped = clipped;
 }
 
-void DetorsionStep::step(const HollowOrgan& hollow, const DetorsionHand& hand, OrganState& organ,
+void DetorsionStep::step(const HollowOrgan& hollow, const JawState& jaw, OrganState& organ,
                          std::uint32_t& events) noexcept {
   HollowPose& pose = organ.hollow;
-  if (hand.holds || pose.clipped) {
+  if (jaw.holds || pose.clipped) {
     relapsing_ = false;
   } else {
     slip(hollow, organ, events);
@@ -78,8 +77,8 @@ void DetorsionStep::step(const HollowOrgan& hollow, const DetorsionHand& hand, O
   pose.congestion = blood.congestion;
   pose.saturation = blood.saturation;
   pose.scaled_s += duration_s;
-  press(hollow, hand, pose, events);
-  look(hand, organ, pose, events);
+  press(hollow, jaw, organ, events);
+  look(jaw, organ, events);
   ++ticks_;
 }
 
@@ -132,11 +131,12 @@ void DetorsionStep::moveContent(const HollowOrgan& hollow, double angle_rad, Hol
   }
 }
 
-void DetorsionStep::press(const HollowOrgan& hollow, const DetorsionHand& hand, HollowPose& pose,
+void DetorsionStep::press(const HollowOrgan& hollow, const JawState& jaw, OrganState& organ,
                           std::uint32_t& events) noexcept {
+  HollowPose& pose = organ.hollow;
   const DetorsionLimits& limits = hollow.detorsion().limits;
-  pose.jaw_Pa = hand.holds ? hand.closure * limits.jawForce_N / limits.jawArea_m2 : 0.0;
-  if (!hand.holds) {
+  pose.jaw_Pa = jaw.holds ? jaw.closure * limits.jawForce_N / limits.jawArea_m2 : 0.0;
+  if (!jaw.holds) {
     pressed_s_ = 0.0;
     bruised_ = false;
     torn_ = false;
@@ -144,46 +144,47 @@ void DetorsionStep::press(const HollowOrgan& hollow, const DetorsionHand& hand, 
   }
   const double strength = 1.0 - kIschaemicWeakness * std::min(pose.reading.dose, 1.0);
   pressed_s_ = pose.jaw_Pa >= strength * limits.bruise_Pa ? pressed_s_ + tick_s_ : 0.0;
-  if (!torn_ && (pose.jaw_Pa >= strength * limits.tear_Pa || hand.pull_N >= strength * limits.pull_N)) {
+  if (!torn_ && (pose.jaw_Pa >= strength * limits.tear_Pa || jaw.pull_N >= strength * limits.pull_N)) {
     torn_ = true;
     pose.leaking = true;
-    mark(hand, true, pose);
+    mark(true, organ);
     events |= kEventTorn;
   }
   if (!bruised_ && pressed_s_ > 0.0 && pressed_s_ >= limits.bruise_s) {
     bruised_ = true;
-    mark(hand, false, pose);
+    mark(false, organ);
     events |= kEventBruised;
   }
 }
 
-void DetorsionStep::mark(const DetorsionHand& hand, bool torn, HollowPose& pose) const noexcept {
+void DetorsionStep::mark(bool torn, OrganState& organ) const noexcept {
+  HollowPose& pose = organ.hollow;
   if (pose.markCount < kMaxTissueMarks) {
-    pose.marks[static_cast<std::size_t>(pose.markCount)] = {hand.arc_m, hand.round_rad, ticks_, torn};
+    pose.marks[static_cast<std::size_t>(pose.markCount)] = {organ.twist.graspArc_m, round_rad_, ticks_, torn};
     ++pose.markCount;
   }
 }
 
-void DetorsionStep::look(const DetorsionHand& hand, const OrganState& organ, HollowPose& pose,
-                         std::uint32_t& events) noexcept {
+void DetorsionStep::look(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept {
+  HollowPose& pose = organ.hollow;
   FlowReading& check = pose.check;
   const double angle_rad = organ.twist.graspAngle_rad;
   if (checkAsked_ != FlowCheck::kNone && check.running == FlowCheck::kNone) {
     check.running = checkAsked_;
-    check.ready_us = hand.time_us + flowCheckCost(checkAsked_).time_us;
+    check.ready_us = jaw.time_us + flowCheckCost(checkAsked_).time_us;
     checkedAt_rad_ = angle_rad;
   }
   checkAsked_ = FlowCheck::kNone;
   if (check.running == FlowCheck::kNone) {
     return;
   }
-  if (hand.holds && std::abs(angle_rad - checkedAt_rad_) > kCheckTurn_rad) {
+  if (jaw.holds && std::abs(angle_rad - checkedAt_rad_) > kCheckTurn_rad) {
     check.running = FlowCheck::kNone;  // one hand cannot turn and feel
     check.ready_us = -1;
-  } else if (hand.time_us >= check.ready_us) {
+  } else if (jaw.time_us >= check.ready_us) {
     check.flow = told(pose.reading.flow, check.running, check.count);
     check.done = check.running;
-    check.done_us = hand.time_us;
+    check.done_us = jaw.time_us;
     check.running = FlowCheck::kNone;
     check.ready_us = -1;
     ++check.count;

@@ -6,6 +6,7 @@
 
 #include "sim/record/trial_seed.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/servo/grasp.h"
 
 namespace torsio {
 
@@ -27,21 +28,9 @@ struct FlowCheckCost {
 };
 [[nodiscard]] FlowCheckCost flowCheckCost(FlowCheck check) noexcept;
 
-/// What the instrument does to a hollow organ in one tick.
-struct DetorsionHand {
-  std::int64_t time_us = 0;   ///< servo time
-  bool holds = false;         ///< the jaw holds the mobile part
-  bool touches = false;       ///< the instrument touches the organ
-  bool secondButton = false;  ///< of the stylus
-  double closure = 0.0;       ///< of the jaw, 0 .. 1
-  double pull_N = 0.0;        ///< force of the hand on the organ
-  double arc_m = 0.0;         ///< held place of the organ at rest
-  double round_rad = 0.0;     ///< round the section, from the frame's e1
-};
-
 /// A hollow organ that came twisted and is undone, tick by tick (docs/model.md U): who holds its mobile part,
 /// friction and relapse, pressure, blood, what the jaw does to the wall, checks. Lives on
-/// OrganState::hollow and the angle; the jaw's turn is the caller's (Exercise). A plain value; servo thread,
+/// OrganState::hollow and the angle; the jaw's turn is GraspedHollow's. A plain value; servo thread,
 /// noexcept, allocation-free; + - * / and roots only.
 class DetorsionStep {
  public:
@@ -61,11 +50,13 @@ class DetorsionStep {
   /// Asks to look, touch or listen whether blood flows; refused while another check runs.
   void check(FlowCheck check) noexcept { checkAsked_ = check; }
 
+  /// Closes the jaw at an angle round the grasped section, from its frame's e1.
+  void grip(double round_rad) noexcept { round_rad_ = round_rad; }
   /// Sets or takes off the clip as the button and the wishes say. Before the hand turns the organ.
-  void setHolders(const DetorsionHand& hand, OrganState& organ, std::uint32_t& events) noexcept;
+  void setHolders(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept;
   /// Moves the organ on by a tick: what nothing holds slips or relapses, content leaves, blood flows, the jaw
   /// bruises, checks end. `events`: gets ExerciseEvent bits.
-  void step(const HollowOrgan& hollow, const DetorsionHand& hand, OrganState& organ,
+  void step(const HollowOrgan& hollow, const JawState& jaw, OrganState& organ,
             std::uint32_t& events) noexcept;
 
   /// Returns the torque of weight and gas on the mobile part, N m: towards the angle of the start, beyond
@@ -77,11 +68,10 @@ class DetorsionStep {
 
   void slip(const HollowOrgan& hollow, OrganState& organ, std::uint32_t& events) noexcept;
   void moveContent(const HollowOrgan& hollow, double angle_rad, HollowPose& pose) noexcept;
-  void press(const HollowOrgan& hollow, const DetorsionHand& hand, HollowPose& pose,
+  void press(const HollowOrgan& hollow, const JawState& jaw, OrganState& organ,
              std::uint32_t& events) noexcept;
-  void mark(const DetorsionHand& hand, bool torn, HollowPose& pose) const noexcept;
-  void look(const DetorsionHand& hand, const OrganState& organ, HollowPose& pose,
-            std::uint32_t& events) noexcept;
+  void mark(bool torn, OrganState& organ) const noexcept;
+  void look(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept;
   [[nodiscard]] double told(double flow, FlowCheck check, std::int32_t count) const noexcept;
 
   double tick_s_ = 0.001;
@@ -97,6 +87,7 @@ class DetorsionStep {
   double pressed_s_ = 0.0;  // so long the jaw has pressed too hard
   bool bruised_ = false;    // in this grip
   bool torn_ = false;
+  double round_rad_ = 0.0;
   double checkedAt_rad_ = 0.0;
 };
 static_assert(std::is_trivially_copyable_v<DetorsionStep>);

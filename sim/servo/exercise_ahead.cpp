@@ -17,9 +17,9 @@ constexpr std::size_t kShortestPiece = 500;    // samples: shorter ones cost mor
 constexpr std::size_t kMaxAtOnce = 64 * 1024;  // samples: 20 MB of answers
 
 /// An exercise with its constants as those of a servo loop.
-Exercise begunAnew(const ExerciseOptions& options) {
+Exercise begunAnew(const ExerciseOptions& options, const Scene& scene) {
   const PinnedFloatMode defaults;
-  return Exercise(options);
+  return Exercise(options, scene);
 }
 
 /// Tells whether a piece may begin behind `before`, by what is recorded.
@@ -35,11 +35,11 @@ ExerciseAhead::ExerciseAhead(const Scene& scene, const ExerciseOptions& options,
       options_(options),
       recorded_(recorded),
       threads_(std::max(1U, threads)),
-      exercise_(begunAnew(options)),
+      exercise_(begunAnew(options, scene)),
       jawClosed_(exercise_.jawClosed()) {}
 
 bool ExerciseAhead::suits(const Scene& scene) noexcept {
-  return !scene.hollow && !runsBeside(scene.tissue);
+  return GraspedTissue(scene, kTickPeriod_us).forgets();
 }
 
 const ExerciseStep& ExerciseAhead::next() {
@@ -64,17 +64,15 @@ void ExerciseAhead::step(Piece& piece) noexcept {
   const PinnedFloatMode defaults;
   for (std::size_t i = piece.first; i < piece.end; ++i) {
     const Sample& sample = recorded_[i];
-    if (sample.command.kind == ServoCommand::Kind::kReleaseTissue) {
-      piece.exercise.releaseTissue();
-    }
-    answers_[i - begun_] = piece.exercise.step(toolState(sample.device), scene_);
+    piece.exercise.apply(sample.command);
+    answers_[i - begun_] = piece.exercise.step(toolState(sample.device));
   }
 }
 
 void ExerciseAhead::computeMore() {
   begun_ = at_;
   TORSIO_EXPECTS(begun_ < recorded_.size());
-  const Exercise anew = begunAnew(options_);
+  const Exercise anew = begunAnew(options_, scene_);
   std::vector<Piece> pieces;
   for (std::size_t first = begun_; first < recorded_.size() && first - begun_ < kMaxAtOnce;) {
     Piece piece{first, 0, exercise_};

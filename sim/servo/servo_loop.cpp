@@ -80,7 +80,7 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
 ServoLoop::ServoLoop(const Links& links, const ServoOptions& options, const PinnedFloatMode& /*defaults*/)
     : links_(links),
       options_(options),
-      exercise_(exerciseOptions(deviceOf(links).capabilities(), options)),
+      exercise_(exerciseOptions(deviceOf(links).capabilities(), options), *links.scene, options.seed),
       passivity_({.tickPeriod_us = options.tickPeriod_us}),
       governor_(governorLimits(links, options)),
       storedEnergy_({.tickPeriod_us = options.tickPeriod_us}) {
@@ -91,7 +91,6 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options, const Pinn
                 Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
   sample_.rules = links.scene->hollow ? kRulesOfDetorsion : std::min(options.rules, kRulesOfStoredEnergy);
-  exercise_.begin(*links.scene, options.seed);
 }
 
 void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
@@ -100,7 +99,7 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   countLate(time_us);
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
-  obey(sample_.command);
+  apply(sample_.command);
   sample_.beside = heard();
   exercise_.hear(sample_.beside);
 
@@ -110,7 +109,7 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   }
   sample_.device.time_us = time_us;
   const ToolState tool = toolState(sample_.device);
-  const ExerciseStep step = known != nullptr ? *known : exercise_.step(tool, *links_.scene);
+  const ExerciseStep step = known != nullptr ? *known : exercise_.step(tool);
   if (options_.holdsBack) {
     proxy_.note(step, options_.drive, *links_.scene, exercise_.organ());
   }
@@ -229,13 +228,8 @@ ServoCommand ServoLoop::nextCommand() noexcept {
   return command;
 }
 
-void ServoLoop::obey(const ServoCommand& command) noexcept {
+void ServoLoop::apply(const ServoCommand& command) noexcept {
   switch (command.kind) {
-    case ServoCommand::Kind::kNone:
-      break;
-    case ServoCommand::Kind::kReleaseTissue:
-      exercise_.releaseTissue();
-      break;
     case ServoCommand::Kind::kSetForceScale:
       options_.forceScale = command.value;
       break;
@@ -245,14 +239,8 @@ void ServoLoop::obey(const ServoCommand& command) noexcept {
     case ServoCommand::Kind::kEnableForce:
       governor_.enable(command.value != 0.0);
       break;
-    case ServoCommand::Kind::kHoldOrgan:
-      exercise_.holdOrgan(command.value != 0.0);
-      break;
-    case ServoCommand::Kind::kVent:
-      exercise_.vent(command.value != 0.0);
-      break;
-    case ServoCommand::Kind::kCheckFlow:
-      exercise_.check(static_cast<FlowCheck>(static_cast<int>(command.value)));
+    default:
+      exercise_.apply(command);
       break;
   }
 }

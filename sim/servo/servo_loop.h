@@ -99,7 +99,7 @@ class ServoLoop {
   ServoLoop(const Links& links, const ServoOptions& options, const PinnedFloatMode& defaults);
   [[nodiscard]] bool energyLast() const noexcept { return options_.rules >= kRulesOfStoredEnergy; }
   [[nodiscard]] ServoCommand nextCommand() noexcept;
-  void obey(const ServoCommand& command) noexcept;
+  void apply(const ServoCommand& command) noexcept;
   /// Takes the newest answer of the model beside the servo, if it belongs to the present grip.
   [[nodiscard]] BesideAnswer heard() noexcept;
   /// Tells the model beside the servo how far the grip is turned.

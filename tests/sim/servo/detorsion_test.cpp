@@ -25,9 +25,7 @@ const Scene& tube() {
 class Detorser {
  public:
   explicit Detorser(const Scene& scene, std::uint64_t seed = 1, TwistDrive drive = TwistDrive::kTangential)
-      : exercise({.drive = drive}), scene_(scene) {
-    exercise.begin(scene, seed);
-  }
+      : exercise({.drive = drive}, scene, seed) {}
 
   ExerciseStep step(double hand_rad, double grip, double height_m = 0.2, double depth_m = 0.001) {
     tool_.time_us = ticks_++ * 1000;
@@ -36,7 +34,7 @@ class Detorser {
     tool_.pose.orientation = axisAngle({0.0, 0.0, 1.0}, hand_rad) * axisAngle({0.0, 1.0, 0.0}, 0.5 * kPi);
     tool_.grip = grip;
     hand_rad_ = hand_rad;
-    const ExerciseStep answer = exercise.step(tool_, scene_);
+    const ExerciseStep answer = exercise.step(tool_);
     events |= answer.events;
     return answer;
   }
@@ -64,6 +62,11 @@ class Detorser {
       step(0.0, 0.0, 0.2, -0.05);
     }
   }
+  void holdOrgan(bool held) { exercise.apply({ServoCommand::Kind::kHoldOrgan, held ? 1.0 : 0.0}); }
+  void vent(bool open) { exercise.apply({ServoCommand::Kind::kVent, open ? 1.0 : 0.0}); }
+  void check(FlowCheck check) {
+    exercise.apply({ServoCommand::Kind::kCheckFlow, static_cast<double>(check)});
+  }
   void press(std::uint32_t buttons) { tool_.buttons = buttons; }
   [[nodiscard]] double angle_rad() const { return exercise.organ().twist.graspAngle_rad; }
   [[nodiscard]] const HollowPose& pose() const { return exercise.organ().hollow; }
@@ -72,7 +75,6 @@ class Detorser {
   std::uint32_t events = kEventNone;
 
  private:
-  const Scene& scene_;
   ToolState tool_;
   double hand_rad_ = 0.0;
   std::int64_t ticks_ = 0;
@@ -100,9 +102,9 @@ TEST(Detorsion, RelapsesWhereItIsLetGoAt200DegreesAndStaysAt60) {
   loose.wait(3.0);
   for (int i = 0; i < 2; ++i) {  // two grips, clipped between
     held.grip();
-    held.exercise.holdOrgan(false);
+    held.holdOrgan(false);
     held.turn(-radians(105.0));
-    held.exercise.holdOrgan(i == 0);
+    held.holdOrgan(i == 0);
     held.letGo();
   }
   const double left_rad = held.angle_rad();
@@ -136,9 +138,9 @@ TEST(Detorsion, NeedsFourGripsFor540Degrees) {
   int grips = 0;
   while (std::abs(hand.angle_rad()) > radians(15.0) && grips < 10) {
     hand.grip();
-    hand.exercise.holdOrgan(false);
+    hand.holdOrgan(false);
     hand.turn(-std::min(kHand_rad, hand.angle_rad()));
-    hand.exercise.holdOrgan(true);
+    hand.holdOrgan(true);
     hand.letGo();
     hand.wait(0.2);
     ++grips;
@@ -169,9 +171,9 @@ TEST(Detorsion, SettlesTowardsNothingAsFarAsFrictionLetsIt) {
 
   for (int i = 0; i < 3; ++i) {
     hand.grip();
-    hand.exercise.holdOrgan(false);
+    hand.holdOrgan(false);
     hand.turn(-radians(153.0));  // to 81 degrees, below which it settles
-    hand.exercise.holdOrgan(i < 2);
+    hand.holdOrgan(i < 2);
     hand.letGo();
   }
   hand.wait(30.0);
@@ -225,7 +227,7 @@ TEST(Detorsion, AJawThatSlidesFarRoundAClippedOrganSlipsOff) {
 
   hand.grip();
   hand.turn(-radians(150.0));
-  hand.exercise.holdOrgan(true);
+  hand.holdOrgan(true);
   hand.turn(0.001);
   const double clipped_rad = hand.angle_rad();
   hand.turn(radians(29.0));
@@ -244,9 +246,9 @@ TEST(Detorsion, StaysFiniteHoweverFarItIsWound) {
   ExerciseStep last;
   for (int i = 0; i < 30; ++i) {
     hand.grip();
-    hand.exercise.holdOrgan(false);
+    hand.holdOrgan(false);
     last = hand.turn(radians(150.0));
-    hand.exercise.holdOrgan(true);
+    hand.holdOrgan(true);
     hand.letGo();
   }
 
@@ -286,10 +288,10 @@ TEST(Detorsion, LetsTheHandFeelTheWallAndWhatRelapses) {
 
   hand.grip();
   const ExerciseStep above = hand.turn(-radians(100.0));
-  hand.exercise.holdOrgan(true);
+  hand.holdOrgan(true);
   hand.letGo();
   hand.grip();
-  hand.exercise.holdOrgan(false);
+  hand.holdOrgan(false);
   const ExerciseStep below = hand.turn(-radians(100.0));
 
   EXPECT_NEAR(above.response.torque_Nm,
@@ -373,9 +375,9 @@ TEST(Detorsion, BruisesIschaemicTissueAtHalfThePressure) {
 TEST(Detorsion, LetsContentOutByAFirstOrderLagAndOpensTheWayForBlood) {
   Detorser hand(tube());
 
-  hand.exercise.vent(true);
+  hand.vent(true);
   hand.wait(3.0);
-  hand.exercise.vent(false);
+  hand.vent(false);
   hand.wait(0.001);
   const double closed_Pa = hand.pose().reading.pressure_Pa;
   hand.wait(1.0);
@@ -402,9 +404,9 @@ TEST(Detorsion, FollowsTheGasLawUntilTheContentIsLetOut) {
   const double half_Pa = hand.pose().reading.pressure_Pa;
   hand.turn(radians(150.0));
   const double back_Pa = hand.pose().reading.pressure_Pa;
-  hand.exercise.vent(true);
+  hand.vent(true);
   hand.wait(20.0);
-  hand.exercise.vent(false);
+  hand.vent(false);
   hand.wait(0.1);
   const double vented_Pa = hand.pose().reading.pressure_Pa;
   hand.grip();
@@ -425,7 +427,7 @@ TEST(Detorsion, VentsNothingWhereTheSceneLetsNothingOut) {
   const Scene scene = hollowScene(shut);
   Detorser hand(scene);
 
-  hand.exercise.vent(true);
+  hand.vent(true);
   hand.wait(1.0);
 
   EXPECT_FALSE(hand.pose().venting);
@@ -441,9 +443,9 @@ TEST(Detorsion, RestoresTheBloodInTheScenesOwnTime) {
   const double before = hand.pose().reading.flow;
   for (int i = 0; i < 4; ++i) {
     hand.grip();
-    hand.exercise.holdOrgan(false);
+    hand.holdOrgan(false);
     hand.turn(-radians(135.0));
-    hand.exercise.holdOrgan(true);
+    hand.holdOrgan(true);
     hand.letGo();
   }
   hand.wait(10.0);
@@ -461,13 +463,13 @@ TEST(Detorsion, AnswersACheckAfterItsTimeWithItsErrorAndBreaksOffWhenTheHandTurn
   Detorser other(tube(), 2);
 
   for (Detorser* each : {&hand, &again, &other}) {
-    each->exercise.check(FlowCheck::kDoppler);
+    each->check(FlowCheck::kDoppler);
     each->wait(4.9);
     EXPECT_EQ(each->pose().check.done, FlowCheck::kNone);
     each->wait(0.2);
   }
   const FlowReading told = hand.pose().check;
-  hand.exercise.check(FlowCheck::kTouch);
+  hand.check(FlowCheck::kTouch);
   hand.grip();
   hand.turn(-radians(5.0));
 

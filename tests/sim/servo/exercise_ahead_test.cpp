@@ -170,11 +170,11 @@ TEST(ExerciseAhead, IsNotMisledByARecordThatClaimsNothingIsTouched) {
     sample.contact = kContactNone;
   }
   const ExerciseOptions options = TrialRerun::exerciseOptions(barTrial().header, samples.front().rules);
-  Exercise exercise(options);
+  Exercise exercise(options, recordedBar());
   ExerciseAhead ahead(recordedBar(), options, samples, 3);
   std::uint32_t seen = kEventNone;
   for (const Sample& sample : samples) {
-    const ExerciseStep expected = exercise.step(toolState(sample.device), recordedBar());
+    const ExerciseStep expected = exercise.step(toolState(sample.device));
 
     const ExerciseStep& answer = ahead.next();
 

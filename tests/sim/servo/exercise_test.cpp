@@ -47,7 +47,7 @@ ToolState onSurface(double angle_rad, double depth_m, double grip = 0.0, double 
 
 class ExerciseTest : public ::testing::Test {
  protected:
-  ExerciseStep step(const ToolState& tool) { return exercise.step(tool, scene()); }
+  ExerciseStep step(const ToolState& tool) { return exercise.step(tool); }
   /// Held still until the coupling has come to rest: 20 ticks are 40 of its time constants.
   ExerciseStep settled(const ToolState& tool) {
     ExerciseStep answer;
@@ -58,7 +58,7 @@ class ExerciseTest : public ::testing::Test {
   }
   /// Touches, closes the jaw and holds; the angle is 0.
   void gripAt(double angle_rad, TwistDrive drive = TwistDrive::kTangential) {
-    exercise = Exercise({.drive = drive});
+    exercise = Exercise({.drive = drive}, scene());
     (void)step(onSurface(angle_rad, 0.001));
     (void)step(onSurface(angle_rad, 0.001, 1.0));
     ASSERT_EQ(exercise.phase(), ExercisePhase::kTwisting);
@@ -73,7 +73,7 @@ class ExerciseTest : public ::testing::Test {
     return step(onSurface(to_rad, 0.001, 1.0));
   }
 
-  Exercise exercise{ExerciseOptions{}};
+  Exercise exercise{{}, scene()};
 };
 
 TEST_F(ExerciseTest, AnswersWithNothingAtAllOutOfContact) {
@@ -175,7 +175,7 @@ TEST_F(ExerciseTest, GivesWayUnderTheTipByTheForceOverTheStiffness) {
 }
 
 TEST_F(ExerciseTest, KeepsTheContactSpringBelowTheDevicesStiffness) {
-  exercise = Exercise({.maxStiffness_N_per_m = 100.0});
+  exercise = Exercise({.maxStiffness_N_per_m = 100.0}, scene());
 
   const ExerciseStep first = step(onSurface(0.0, 0.001));
   const ExerciseStep steady = settled(onSurface(0.0, 0.001));
@@ -357,7 +357,7 @@ TEST_F(ExerciseTest, ReturnsElasticallyAfterTheReleaseAndThenTracks) {
 TEST_F(ExerciseTest, LetsGoWhenAViewAsksAndGripsOnlyAfterTheJawOpenedAgain) {
   gripAt(0.0);
   (void)turn(0.0, radians(20.0));
-  exercise.releaseTissue();
+  exercise.apply({ServoCommand::Kind::kReleaseTissue});
   const ExerciseStep released = step(onSurface(radians(20.0), 0.001, 1.0));
   ExerciseStep answer = released;
   for (int i = 0; i < 2'000; ++i) {
@@ -486,14 +486,27 @@ TEST_F(ExerciseTest, ContinuesFromACopyBitForBit) {
   Exercise copy = exercise;
   for (int i = 0; i < 100; ++i) {
     const ToolState tool = onSurface(1.0 + 0.01 * i, 0.001, i < 80 ? 1.0 : 0.0);
-    ASSERT_EQ(step(tool).response, copy.step(tool, scene()).response);
+    ASSERT_EQ(step(tool).response, copy.step(tool).response);
+  }
+}
+
+TEST_F(ExerciseTest, IgnoresTheCommandsForHollowOrgansOnASolidOne) {
+  gripAt(0.3);
+  Exercise commanded = exercise;
+  for (int i = 0; i < 100; ++i) {
+    commanded.apply({ServoCommand::Kind::kHoldOrgan, 1.0});
+    commanded.apply({ServoCommand::Kind::kVent, 1.0});
+    commanded.apply({ServoCommand::Kind::kCheckFlow, 1.0});
+    const ToolState tool = onSurface(0.3 + 0.01 * i, 0.001, i < 80 ? 1.0 : 0.0);
+    ASSERT_EQ(commanded.step(tool).response, step(tool).response);
+    ASSERT_EQ(commanded.organ(), exercise.organ());
   }
 }
 
 TEST(Exercise, RefusesAStiffnessThatIsNone) {
-  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = 0.0}), Error);
-  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = std::nan("")}), Error);
-  EXPECT_THROW(Exercise({.tickPeriod_us = 0}), Error);
+  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = 0.0}, scene()), Error);
+  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = std::nan("")}, scene()), Error);
+  EXPECT_THROW(Exercise({.tickPeriod_us = 0}, scene()), Error);
 }
 
 }  // namespace

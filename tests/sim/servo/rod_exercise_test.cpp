@@ -36,17 +36,17 @@ std::shared_ptr<const Scene> stomach(const std::string& pattern) {
 class TurningHand {
  public:
   explicit TurningHand(std::shared_ptr<const Scene> scene)
-      : scene_(std::move(scene)), task_(handTask(*scene_)), exercise_({}) {
+      : scene_(std::move(scene)), task_(handTask(*scene_)), exercise_({}, *scene_) {
     const Vec3 way = task_.graspPoint_m - task_.axisCentre_m;
     const Vec3 outwards = normalized(way - dot(way, task_.axisDirection) * task_.axisDirection);
     open_.pose.position_m = task_.graspPoint_m + 0.001 * outwards;
     const Vec3 side = cross(task_.axisDirection, outwards);
     open_.pose.orientation = orientationOf(side, task_.axisDirection, outwards);
-    (void)exercise_.step(open_, *scene_);
+    (void)exercise_.step(open_);
     ToolState closed = open_;
     closed.grip = 1.0;
-    (void)exercise_.step(closed, *scene_);
-    last_ = exercise_.step(closed, *scene_);
+    (void)exercise_.step(closed);
+    last_ = exercise_.step(closed);
   }
 
   /// Turns on to `angle_rad` within `ticks` ticks.
@@ -69,7 +69,7 @@ class TurningHand {
   }
 
   const ExerciseStep& step(const ToolState& tool) {
-    last_ = exercise_.step(tool, *scene_);
+    last_ = exercise_.step(tool);
     events_ |= last_.events;
     return last_;
   }

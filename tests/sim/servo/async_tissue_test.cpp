@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is felt of a model that runs beside the servo.
-#include "sim/servo/beside_tissue.h"
+#include "sim/servo/async_tissue.h"
 
 #include <limits>
 
@@ -18,8 +18,8 @@ namespace {
 constexpr std::int64_t kTick_us = 1000;
 constexpr BesideAnswer kAnswer{BesideState::kSound, 0.5, 0.2, 0.4};
 
-TEST(BesideTissue, ContinuesTheTorqueAlongItsSlopeAndNoFurtherThanItReaches) {
-  BesideTissue tissue;
+TEST(AsyncTissue, ContinuesTheTorqueAlongItsSlopeAndNoFurtherThanItReaches) {
+  AsyncTissue tissue;
   tissue.grip();
   tissue.hear(kAnswer, kTick_us);
 
@@ -29,8 +29,8 @@ TEST(BesideTissue, ContinuesTheTorqueAlongItsSlopeAndNoFurtherThanItReaches) {
   EXPECT_DOUBLE_EQ(tissue.torque_Nm(-3.0), 0.2 - 0.4 * kBesideReach_rad);
 }
 
-TEST(BesideTissue, PushesAgainstTheTurnWithTheTorqueOverTheArm) {
-  BesideTissue tissue;
+TEST(AsyncTissue, PushesAgainstTheTurnWithTheTorqueOverTheArm) {
+  AsyncTissue tissue;
   tissue.grip();
   tissue.hear(kAnswer, kTick_us);
   const AxisFrame axis{.centre_m = {}, .tangent = {0, 0, 1}, .e1 = {1, 0, 0}, .e2 = {0, 1, 0}};
@@ -42,8 +42,8 @@ TEST(BesideTissue, PushesAgainstTheTurnWithTheTorqueOverTheArm) {
   EXPECT_NEAR(force_N.x, 0.0, 1e-12);
 }
 
-TEST(BesideTissue, SaysNothingBeforeTheFirstAnswerAndOfAnotherGrip) {
-  BesideTissue tissue;
+TEST(AsyncTissue, SaysNothingBeforeTheFirstAnswerAndOfAnotherGrip) {
+  AsyncTissue tissue;
   tissue.grip();
   EXPECT_EQ(tissue.torque_Nm(1.0), 0.0);
   tissue.hear(kAnswer, kTick_us);
@@ -54,8 +54,8 @@ TEST(BesideTissue, SaysNothingBeforeTheFirstAnswerAndOfAnotherGrip) {
   EXPECT_FALSE(tissue.doubtful());
 }
 
-TEST(BesideTissue, IsDoubtedWhenItIsSilentTooLongAndTrustedWithTheNextAnswer) {
-  BesideTissue tissue;
+TEST(AsyncTissue, IsDoubtedWhenItIsSilentTooLongAndTrustedWithTheNextAnswer) {
+  AsyncTissue tissue;
   tissue.grip();
   tissue.hear(kAnswer, kTick_us);
   for (std::int64_t us = 0; us < kBesideLate_us; us += kTick_us) {
@@ -72,8 +72,8 @@ TEST(BesideTissue, IsDoubtedWhenItIsSilentTooLongAndTrustedWithTheNextAnswer) {
   EXPECT_DOUBLE_EQ(tissue.torque_Nm(0.5), 0.2);
 }
 
-TEST(BesideTissue, IsDoubtedWhenItIsBroken) {
-  BesideTissue tissue;
+TEST(AsyncTissue, IsDoubtedWhenItIsBroken) {
+  AsyncTissue tissue;
   tissue.grip();
 
   tissue.hear({.state = BesideState::kBroken}, kTick_us);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/servo/beside_tissue.h"
+#include "sim/servo/async_tissue.h"
 
 #include <algorithm>
 
@@ -11,12 +11,12 @@ constexpr double kNoArm_m = 1e-6;
 
 }  // namespace
 
-void BesideTissue::grip() noexcept {
+void AsyncTissue::grip() noexcept {
   last_ = {};
   silent_us_ = 0;
 }
 
-void BesideTissue::hear(const BesideAnswer& answer, std::int64_t tickPeriod_us) noexcept {
+void AsyncTissue::hear(const BesideAnswer& answer, std::int64_t tickPeriod_us) noexcept {
   if (answer.state == BesideState::kNothing) {
     silent_us_ += tickPeriod_us;
     return;
@@ -25,11 +25,11 @@ void BesideTissue::hear(const BesideAnswer& answer, std::int64_t tickPeriod_us) 
   silent_us_ = 0;
 }
 
-bool BesideTissue::doubtful() const noexcept {
+bool AsyncTissue::doubtful() const noexcept {
   return last_.state == BesideState::kBroken || silent_us_ > kBesideLate_us;
 }
 
-double BesideTissue::torque_Nm(double angle_rad) const noexcept {
+double AsyncTissue::torque_Nm(double angle_rad) const noexcept {
   if (last_.state != BesideState::kSound || doubtful()) {
     return 0.0;
   }
@@ -37,8 +37,8 @@ double BesideTissue::torque_Nm(double angle_rad) const noexcept {
   return last_.torque_Nm + last_.slope_Nm_per_rad * beyond_rad;
 }
 
-Vec3 BesideTissue::force_N(double angle_rad, const AxisFrame& axis, const Vec3& tip_m,
-                           double stiffnessCap_N_per_m) const noexcept {
+Vec3 AsyncTissue::force_N(double angle_rad, const AxisFrame& axis, const Vec3& tip_m,
+                          double stiffnessCap_N_per_m) const noexcept {
   const Vec3 way = cross(axis.tangent, tip_m - axis.centre_m);  // of the tip for one radian
   const double arm2_m2 = dot(way, way);
   if (!(arm2_m2 > kNoArm_m * kNoArm_m)) {

@@ -21,7 +21,7 @@ inline constexpr double kBesideReach_rad = 0.35;
 /// silent for longer than kBesideLate_us.
 ///
 /// A plain value; servo thread. IEEE basic operations only.
-class BesideTissue {
+class AsyncTissue {
  public:
   /// Begins a grip: what was said before belongs to another one.
   void grip() noexcept;
@@ -41,6 +41,6 @@ class BesideTissue {
   BesideAnswer last_;
   std::int64_t silent_us_ = 0;
 };
-static_assert(std::is_trivially_copyable_v<BesideTissue>);
+static_assert(std::is_trivially_copyable_v<AsyncTissue>);
 
 }  // namespace torsio
