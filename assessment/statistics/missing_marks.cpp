@@ -18,8 +18,8 @@ std::size_t given(const std::vector<std::optional<double>>& marks) {
       std::count_if(marks.begin(), marks.end(), [](const auto& mark) { return mark.has_value(); }));
 }
 
-/// The number of marks, more than 0, that most trainees have; ties: the larger one. `traineesWith`: by
-/// number.
+/// Returns the most frequent positive number of marks per trainee; ties: the larger one. `traineesWith`:
+/// number of trainees by number of marks.
 std::size_t mostFrequent(const std::map<std::size_t, std::size_t>& traineesWith) {
   std::size_t usual = 0;
   std::size_t most = 0;
@@ -41,7 +41,7 @@ std::size_t usualNumber(const std::vector<MarkedTrainee>& trainees,
   return mostFrequent(traineesWith);
 }
 
-/// The score of a trainee of whom `missing` marks were all `as`.
+/// Returns a trainee's score with `missing` marks imputed as `as`.
 std::optional<double> filled(const std::vector<std::optional<double>>& marks, std::size_t missing,
                              double as) {
   std::vector<double> all(missing, as);
@@ -54,7 +54,7 @@ std::optional<double> filled(const std::vector<std::optional<double>>& marks, st
     return std::nullopt;
   }
   const double mean = meanOf(all);
-  // A sum beyond the largest double: the largest mark says as well that it cannot be computed with.
+  // If the sum overflows, return the largest mark, which is too large for the statistics as well.
   return std::isfinite(mean) ? mean : *std::max_element(all.begin(), all.end());
 }
 
@@ -95,7 +95,7 @@ CompleteCases completeCases(const std::vector<MarkedTrainee>& trainees, std::siz
 
 namespace {
 
-/// The trainees with a mark at both occasions, and what they were given at the end.
+/// Trainees with a mark at both occasions, and their marks at the end.
 struct TakingPart {
   std::vector<CrossedMark> marks;
   std::vector<double> before;
@@ -122,7 +122,7 @@ TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
   return out;
 }
 
-/// A mean of each of the groups, and the slope on the score before.
+/// Design matrix: one mean per group, and the slope on the score before.
 NumberTable fixedPart(const TakingPart& of, const std::vector<std::size_t>& groups, double middle) {
   NumberTable fixed(of.before.size(), groups.size() + 1);
   for (std::size_t i = 0; i < of.before.size(); ++i) {
