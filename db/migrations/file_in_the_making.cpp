@@ -24,7 +24,7 @@ void removeDatabase(const fs::path& file) noexcept {
 
 namespace {
 
-/// A database with its logs, another file, or a folder with all that is in it.
+/// Removes a database with its logs, any other file, or a folder with its contents.
 void removeUnfinished(const fs::path& path) noexcept {
   std::error_code ignored;
   if (fs::is_directory(fs::symlink_status(path, ignored))) {

@@ -15,7 +15,7 @@
 
 namespace torsio {
 
-/// What a module of a curriculum asks of a run.
+/// What a curriculum module requires of a run.
 struct ExerciseRulesRow {
   double tolerance_rad = 0.0;
   std::int64_t hold_us = 0;
@@ -24,25 +24,24 @@ struct ExerciseRulesRow {
   std::optional<double> torqueLimit_Nm{};
 };
 
-/// Digests of recordings. Append-only: another version of the formulas or other rules add a row.
+/// Digests of recordings. Append-only: other formulas or rules add a row.
 class DigestRepository {
  public:
   explicit DigestRepository(Connection& connection) : connection_(connection) {}
 
-  /// Stores digests in one transaction. What is there already with the same trial, version and rules is left
-  /// as it is. Throws DbError (kForeignKey) when there is no such trial.
+  /// Stores digests in one transaction; existing ones of the same trial, version and rules are left alone.
+  /// Throws DbError (kForeignKey) if a trial does not exist.
   void add(std::span<const TrialDigest> digests);
-  /// Reads those of the trials of a cohort, with this version of the formulas, by trial; several where rules
-  /// differ.
+  /// Returns the digests of a cohort's trials with this formula version, by trial; several if rules differ.
   [[nodiscard]] std::multimap<std::string, TrialDigest> ofCohort(const CohortId& cohortId,
                                                                  std::int64_t formulaVersion) const;
-  /// Reads those of one trial, with this version of the formulas; several where rules differ.
+  /// Returns the digests of one trial with this formula version; several if rules differ.
   [[nodiscard]] std::vector<TrialDigest> ofTrial(const TrialId& trialId, std::int64_t formulaVersion) const;
-  /// Reads those of one trial that versions of the formulas before `formulaVersion` made, newest first.
+  /// Returns the digests of one trial with older formula versions, newest first.
   [[nodiscard]] std::vector<TrialDigest> olderOfTrial(const TrialId& trialId,
                                                       std::int64_t formulaVersion) const;
 
-  /// Reads what a module asks of a run; empty: there is no such module.
+  /// Returns a module's requirements; empty: no such module.
   [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const ModuleId& moduleId) const;
 
  private:
