@@ -37,8 +37,8 @@ class CrossedLikelihood {
   /// Residual sum of squares of the fixed part by least squares.
   [[nodiscard]] double squaresLeft() const;
 
-  /// Returns starting variances for Newton's method from a grid of ratios. Residual variance 0: there is
-  /// none.
+  /// Returns starting variances for Newton's method from a grid of ratios. A residual variance of 0 means
+  /// that the marks leave no residual.
   [[nodiscard]] Parts start() const;
 
   /// Criterion at given variances with its gradient and curvature, and the coefficients there.

@@ -19,7 +19,7 @@ class BlindedDue {
     }
   }
   /// Returns the deadline to show; empty if no case has one.
-  [[nodiscard]] std::optional<std::int64_t> told() const noexcept { return latest_us_; }
+  [[nodiscard]] std::optional<std::int64_t> latest() const noexcept { return latest_us_; }
 
  private:
   std::optional<std::int64_t> latest_us_;
