@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What administrators see of a day and of who has scored what. Read only.
+// The administrators' boards of the day and of marks. Read only.
 #include <cstdint>
 #include <string>
 
@@ -41,7 +41,7 @@ CohortId cohortOf(const Call& call) {
   return CohortId(what.substr(std::string(kCohort).size()));
 }
 
-/// "14:05", with its day where that is not today; by the clock of the server's place, as at a station there.
+/// Formats a time in the server's time zone: "14:05", with the date if that is not today.
 std::string hourOf(std::int64_t utc_us) {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
   return time

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What trainees see of their own record: runs, debrief, trend, remarks, transcript. Read only, but for an
-// answer to a remark.
+// A trainee's own record: runs, debrief, trend, remarks, transcript. Read only, except for replies to
+// remarks.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,7 +44,7 @@ std::string said(const Call& call, const Text& text) {
   return call.wording(text).toStdString();
 }
 
-/// Levels never stand alone: what counts as able, and how often that is wrong, go with them.
+/// A level is never reported alone, but with its criterion and error rates.
 json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
@@ -119,7 +119,8 @@ HttpResponse answerOwn(Call& call) {
                      {"runs", std::move(runs)}});
 }
 
-/// The own trial of an address. One that this session was never given is as absent as one of somebody else.
+/// Returns the trainee's trial of a handle; an unknown handle and one of another session are treated alike
+/// (404).
 TrialId runOf(const Call& call) {
   const std::string what = call.session->whatOf(call.parts.front());
   if (what.rfind(kRun, 0) != 0) {
@@ -144,7 +145,7 @@ json findingJson(const Call& call, const DebriefFinding& finding, bool strength)
           {"from_s", finding.when.from_s}};
 }
 
-/// What was asked for and what was good and bad of it, in the words of the window.
+/// Returns the task and the debriefing's sentences, as in the window.
 json toldJson(const Call& call, const Debrief& shown) {
   json checks = json::array();
   for (const TargetCheck& check : shown.checks) {

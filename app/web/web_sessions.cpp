@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kSecretBytes = 32;
 constexpr std::string_view kCaseThing = "case ";
 constexpr std::size_t kRightToWrong = 6;
-constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond it the old ones are forgotten
+constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond, the oldest are dropped
 
 std::string hashOf(const std::string& cookie) {
   Digest digest;
@@ -69,7 +69,7 @@ std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const 
 }
 
 std::string browserName(const std::string& userAgent) {
-  // A browser names those that it resembles after itself: the first that is found is it.
+  // Browsers also name those they resemble: the first match is right.
   constexpr std::array<std::pair<const char*, const char*>, 5> kBrowsers{{{"Edg/", "Edge"},
                                                                           {"Firefox/", "Firefox"},
                                                                           {"Chrome/", "Chrome"},
