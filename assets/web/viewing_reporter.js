@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells the server every two seconds what was played. The server decides what of it counts. Knows no page.
+// Reports every two seconds what was played; the server decides what counts. Independent of the page.
 import { NoConnection } from './api.js';
 
 const kEvery_ms = 2000;
@@ -15,11 +15,11 @@ export class ViewingReporter {
     Object.assign(this, { post, onAnswer, now });
     this.#last_ms = now();
   }
-  /// Stretches that the server has not answered for yet.
+  /// Stretches not yet acknowledged by the server.
   get unheard() {
     return [...this.#sent, ...this.#unheard];
   }
-  /// The recording went on; reports where it is time.
+  /// Call as the recording plays; reports when due.
   played(stretch) {
     const last = this.#unheard.at(-1);
     if (last && last.to_us === stretch.from_us && last.speed === stretch.speed) {
@@ -29,20 +29,20 @@ export class ViewingReporter {
     }
     if (this.now() - this.#last_ms >= kEvery_ms) this.report();
   }
-  /// Now: it was paused, or the sheet is submitted. Never throws; what was not heard is sent with the next one.
+  /// Reports now, on pausing or submitting. Never throws; what failed is sent with the next report.
   async report() {
     while (this.underway) await this.underway;
     if (this.#stopped || this.#unheard.length === 0) return;
     this.underway = this.#send();
     await this.underway;
   }
-  /// The page is left: the last stretches, without waiting for an answer.
+  /// Sends the last stretches without waiting for an answer, when the page is closed.
   close() {
     if (this.#stopped) return;
     this.#stopped = true;
     this.post({ played: this.#unheard, open: false }, { last: true, quiet: true }).catch(() => {});
   }
-  /// The sheet is sealed: nothing counts any more.
+  /// Stops reporting once the sheet is submitted.
   stop() {
     this.#stopped = true;
   }
