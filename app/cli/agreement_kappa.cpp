@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxKappaCategories = 100;
 
-/// The categories of the ratings: as given, or the scores that occur.
+/// Categories of the ratings: as given, or the scores that occur.
 class CategoryList {
  public:
   CategoryList(const RatingGrid& grid, const AgreementOptions& options)
@@ -59,7 +59,7 @@ class CategoryList {
   std::vector<double> values_;
 };
 
-/// Own weights: 0 on the diagonal, the same in both directions; a pair that the file leaves out is refused.
+/// Reads custom disagreements: 0 on the diagonal, symmetric; throws for a missing pair.
 NumberTable readDisagreement(const std::string& file, const CategoryList& categories) {
   const CsvTable table = CsvTable::read(file, {"first", "second", "disagreement"});
   noteIgnoredColumns(table);

@@ -30,7 +30,7 @@ Input parsed(const std::string& file) {
   }
 }
 
-/// A value of the wrong kind is the file's fault, not ours.
+/// A value of the wrong type is an error in the file, not a bug.
 template <class T>
 T as(JsonFields& fields, const std::string& name) {
   try {
@@ -41,7 +41,7 @@ T as(JsonFields& fields, const std::string& name) {
   }
 }
 
-/// Whole numbers of at least 0; nlohmann would turn -1 into a very large one.
+/// Reads a nonnegative integer; nlohmann would turn -1 into a very large one.
 std::uint64_t count(JsonFields& fields, const std::string& name) {
   const Input& value = fields.child(name);
   if (!value.is_number_unsigned()) {
@@ -80,7 +80,7 @@ std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& wh
   return factors;
 }
 
-/// The fields of a design; the caller finishes, because a design file also lists persons.
+/// Reads the fields of a design; the caller finishes, because a design file also lists persons.
 AllocationDesign designOf(JsonFields& fields) {
   AllocationDesign design;
   design.studyId = fields.text("study");
@@ -136,7 +136,7 @@ Json designJson(const AllocationDesign& design) {
   return out;
 }
 
-/// Persons as codes, or as {"code", "levels": {factor: level}}.
+/// Reads persons given as codes, or as {"code", "levels": {factor: level}}.
 std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesign& design,
                                         const std::string& where) {
   std::vector<AllocationPerson> persons;
@@ -212,7 +212,7 @@ AllocationRecord recordOf(const Input& json, const AllocationDesign& design, con
   return record;
 }
 
-/// How many persons each arm has, by its name.
+/// Number of persons in each arm, by its name.
 Json armCounts(const Allocation& allocation) {
   Json counts = Json::object();
   for (const std::string& arm : allocation.design.arms) {

@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A head, taken apart.
+/// A parsed head.
 struct HeadLine {
   std::string words{};  ///< format, version, records, hash
   std::int64_t utc_us = 0;
   std::string publicKey{};
   std::string signature{};
-  bool isSigned = false;  ///< more than the four words stand there, whole or not
+  bool isSigned = false;  ///< there are more than four words, complete or not
 
   [[nodiscard]] std::string signedText() const { return words + " " + std::to_string(utc_us); }
 };
@@ -39,15 +39,15 @@ HeadLine headLineOf(const std::string& line) {
   std::string more;
   in >> head.utc_us >> head.publicKey >> head.signature;
   if (in >> more) {
-    head.signature.clear();  // something was written behind it
+    head.signature.clear();  // something was appended
   }
   return head;
 }
 
-/// The key that must have signed, and those that replaced it or that it replaced.
+/// The expected signing key, and the keys before and after it.
 struct Expected {
   std::string root{};  ///< public part; empty: none
-  bool named = false;  ///< by the command, not by the station
+  bool named = false;  ///< given by the command, not taken from the station
   std::vector<KeyReplacement> replacements{};
 };
 

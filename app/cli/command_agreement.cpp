@@ -29,7 +29,7 @@ struct AgreementArguments {
 const std::vector<std::string> kMethods = {"overview",     "icc",   "krippendorff",    "kappa",
                                            "bland-altman", "rasch", "generalizability"};
 
-/// The only method that reads an option.
+/// The method that reads each option.
 const std::map<std::string, std::string> kMethodOf = {
     {"--categories", "kappa"},        {"--disagreement", "kappa"},
     {"--seed", "krippendorff"},       {"--lowest", "rasch"},
@@ -37,7 +37,7 @@ const std::map<std::string, std::string> kMethodOf = {
     {"--raters", "generalizability"}, {"--occasions", "generalizability"},
     {"--tasks", "generalizability"}};
 
-/// An option that the method does not read would be ignored in silence.
+/// Rejects options that the method would silently ignore.
 void requireOptionsOfMethod(const CLI::App& command, const std::string& method) {
   for (const auto& [name, owner] : kMethodOf) {
     if (command.count(name) > 0 && method != owner) {

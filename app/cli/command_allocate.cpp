@@ -35,9 +35,9 @@ struct AllocateArguments {
   HeadKeys keys;
 };
 
-constexpr int kSaltDraws = 16;  // of 32 bits each: twice what the salt holds
+constexpr int kSaltDraws = 16;  // of 32 bits each: twice the size of the salt
 
-/// Says what is wrong with a seed; empty: it is a whole number of 64 bits, which CLI11 does not make sure of.
+/// Returns what is wrong with a seed; empty: it is a 64-bit integer, which CLI11 does not check.
 std::string seedProblem(const std::string& text) {
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();
@@ -55,7 +55,7 @@ std::string publicKeyProblem(const std::string& text) {
   return isPublicKey(text) ? std::string() : "a public key is 64 hexadecimal digits, not " + text;
 }
 
-/// 256 bits of the machine's random numbers.
+/// Returns 256 bits from the operating system's random numbers.
 std::string drawnSalt() {
   std::random_device machine;
   Digest digest;
@@ -79,7 +79,7 @@ void runAllocation(const AllocateArguments& arguments) {
   }
 }
 
-/// What of a file a sound replay vouches for, and what it could not look at.
+/// Adds what a successful replay proves about the file, and what it could not check.
 void addChecks(Json& out, const KeptAllocation& kept, const AllocateArguments& arguments, bool isSigned) {
   out["checked"] = {"commitment", "chain of records", "draws repeated from the seed"};
   out["not_checked"] = Json::array();

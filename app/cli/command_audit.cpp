@@ -42,7 +42,7 @@ nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
   return {{"entries", check.auditEntries}, {"findings", std::move(findings)}};
 }
 
-/// What the heads that were kept elsewhere say of this record.
+/// Compares the record with heads stored elsewhere.
 std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
   std::vector<std::string> heads;
   if (!arguments.witness.empty()) {

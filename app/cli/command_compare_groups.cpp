@@ -31,7 +31,7 @@ struct CompareArguments {
   std::optional<double> highest;
   bool residuals = false;
   std::string adjust = "holm";
-  std::string paired;     ///< empty: groups are compared
+  std::string paired;     ///< empty: compare groups
   std::string bootstrap;  ///< empty: none
   BootstrapRequest request;
 };
@@ -65,7 +65,7 @@ Json groupsJson(const Study& study, const Groups& groups) {
   return out;
 }
 
-/// What --paired prints: the same subjects at two or more occasions.
+/// Prints the --paired tests: the same subjects at two or more occasions.
 void comparePaired(const CompareArguments& arguments) {
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "occasion", "score"}, {"group", "rater"});
   noteIgnoredColumns(table);
@@ -96,8 +96,7 @@ std::string occasionOr(const Study& study, const CsvTable& table, const std::str
   return wanted;
 }
 
-/// Which occasion is compared, and which one it is adjusted for; said aloud, as the wrong way round reverses
-/// it.
+/// Returns the compared occasion and the covariate. Both are printed, as confusing them reverses the result.
 CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Study& study,
                                     const CsvTable& table) {
   CovarianceRequest request;
@@ -155,7 +154,7 @@ void compareGroups(const CompareArguments& arguments) {
   printJson(out);
 }
 
-/// Options that would be ignored in silence.
+/// Rejects options that would be silently ignored.
 void requireOptionsThatCount(const CLI::App& command) {
   for (const char* name : {"--resamples", "--every-resample"}) {
     if (command.count(name) > 0 && command.count("--bootstrap") == 0) {

@@ -46,7 +46,7 @@ Json designJson(const CompetenceDesign& design) {
   return json;
 }
 
-/// Somebody who signed in; rights are asked for by the services, as in the window.
+/// Signs in; rights are checked by the services, as in the window.
 MaintenanceDesk deskOf(const CompetenceArguments& arguments) {
   return {arguments.maintenance.maintainer(), arguments.database};
 }

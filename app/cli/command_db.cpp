@@ -44,7 +44,7 @@ void printContent(const BackupContent& content) {
             << "\n";
 }
 
-/// Says what is wrong, and ends with the exit code for it.
+/// Prints the findings and throws with the exit code for them.
 void requireSound(const DatabaseCheck& check, const std::string& remedy) {
   for (const std::string& damage : check.damage) {
     std::cout << "damaged: " << damage << "\n";
@@ -60,7 +60,7 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
               remedy);
 }
 
-/// Every place that holds the record besides itself, with the day by which it should be gone.
+/// Prints every copy of the record with the date by which it should be deleted.
 void printCopies(const DbArguments& arguments) {
   for (const ListedCopy& listed : copiesOf(arguments.database.locator())) {
     const RecordCopy& copy = listed.copy;

@@ -20,15 +20,15 @@ namespace torsio::cli {
 
 namespace {
 
-// A signal can reach nothing but a global.
+// A signal handler can only reach globals.
 volatile std::sig_atomic_t stopAsked = 0;
 
 void askToStop(int) {
   stopAsked = 1;
 }
 
-/// An interrupted program would leave the device with its last force until the vendor's watchdog notices, and
-/// some units unusable until they are replugged.
+/// An interrupted program would leave the last force on the device until the vendor's watchdog notices, and
+/// some units unusable until replugged.
 void closeInOrderOnSignals() {
   std::signal(SIGINT, askToStop);
   std::signal(SIGTERM, askToStop);
@@ -192,7 +192,7 @@ nlohmann::ordered_json readoutJson(const DeviceReadout& r) {
           {"events", r.events}};
 }
 
-/// One document, a reading a line as it comes: `readings`, then how it ended.
+/// Writes one JSON document incrementally, one reading per line: `readings`, then how it ended.
 class ReadoutDocument {
  public:
   ReadoutDocument() { std::cout << "{\"readings\": ["; }

@@ -39,14 +39,14 @@ struct ExportArguments {
   bool json = false;
 };
 
-/// Somebody who signs in, or the owner of the record's file.
+/// Returns somebody who signs in, or the owner of the record's file.
 Maintainer maintainerOf(const ExportArguments& arguments) {
   MaintenanceOptions maintenance = arguments.maintenance;
   maintenance.asSystem = maintenance.login.empty();
   return maintenance.maintainer();
 }
 
-/// The key in a file, which is made where it is missing.
+/// Returns the key in a file, creating it if missing.
 std::string keyOf(const std::string& file) {
   if (file.empty()) {
     return {};
@@ -58,7 +58,8 @@ std::string keyOf(const std::string& file) {
   while (!key.empty() && (key.back() == '\n' || key.back() == '\r')) {
     key.pop_back();
   }
-  (void)Pseudonyms(key);  // refuses one that is too short; an empty one would silently be another each time
+  (void)Pseudonyms(
+      key);  // rejects short keys; an empty one would silently be replaced by a random one each time
   return key;
 }
 

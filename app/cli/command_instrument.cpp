@@ -22,12 +22,12 @@ namespace torsio::cli {
 
 namespace {
 
-/// What reconstruct and import have in common.
+/// Options common to reconstruct and import.
 struct InstrumentArguments {
   std::string source;
   std::string out;
-  ToolRequest tool;             // of a scan; the places of a mesh, too
-  std::optional<double> scale;  // of a mesh: millimetres in one file unit
+  ToolRequest tool;             // of a scan; for a mesh, only the positions
+  std::optional<double> scale;  // for a mesh: millimetres per file unit
   std::string unit = "mm";
   double drawnOpen_deg = 0.0;
   std::vector<double> seed;
@@ -48,7 +48,7 @@ nlohmann::ordered_json numbersOf(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// `origin`: "scan" or "file", whose axes the places are given in.
+/// `origin`: "scan" or "file", whose axes apply to the positions.
 nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string& origin,
                                       const std::string& out) {
   nlohmann::ordered_json json;
@@ -72,7 +72,7 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
   return json;
 }
 
-/// Checks the name of the file to write and takes the places, `unit_mm` being that of the ones given.
+/// Checks the output name and converts the positions, given in units of `unit_mm`.
 void takePlaces(InstrumentArguments& arguments, double unit_mm) {
   if (!arguments.out.ends_with(".json")) {
     throw Error(ErrorCode::kUsage, Text::verbatim("an instrument's file ends with .json"),
@@ -129,7 +129,7 @@ void runImport(InstrumentArguments& arguments) {
   finishInstrument(arguments, importInstrument(request), "file");
 }
 
-/// What is said of an instrument, whatever it is made of; `unit` is that of its places.
+/// Adds the options of an instrument of any source; `unit`: unit of its positions.
 void addPlaces(CLI::App& command, InstrumentArguments& arguments, const std::string& unit) {
   command.add_option("--out", arguments.out, "Instrument to write, NAME.json, with its meshes beside it")
       ->required();

@@ -70,7 +70,7 @@ Json metricsJson(const Outcome<TrialMetrics>& outcome) {
   return outcomeJson(outcome, [](const TrialMetrics& metrics) { return valuesJson(metrics.values); });
 }
 
-/// An untwisting: its metrics, the angle that it came with, and its times in those of the tissue.
+/// An untwisting: its metrics, the initial angle, and the tissue's times.
 Json detorsionJson(const MeasuredDetorsion& measured, const AttemptRules& rules) {
   return outcomeJson(measured.metrics, [&](const DetorsionMetrics& detorsion) {
     const double timeScale = rules.detorsion ? rules.detorsion->timeScale : 1.0;
@@ -105,7 +105,7 @@ LoadedRun readRunFile(const std::filesystem::path& file) {
   return run;
 }
 
-/// A trial file when there is one of this name, else a trial of the database, judged by the rules of its
+/// Loads a trial file if there is one with this name, otherwise a trial of the database with the rules of its
 /// exercise. Options override the rules.
 LoadedRun loadRun(const MetricsArguments& arguments) {
   LoadedRun run = std::filesystem::is_regular_file(arguments.trial)
@@ -123,7 +123,7 @@ LoadedRun loadRun(const MetricsArguments& arguments) {
   return run;
 }
 
-/// What the metrics ask of the scene, which must outlive the answer.
+/// What the metrics need to know of the scene, which must outlive the result.
 OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
   OrganKnowledge organ;
   organ.axisAt = [&scene](double arc_m) {
@@ -167,7 +167,7 @@ Json twistJson(const MeasuredTwist& measured) {
   return entry;
 }
 
-/// The scene on which the trial was recorded.
+/// Returns the scene in which the trial was recorded.
 Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   const SceneRequest chosen = sceneRequest(arguments.organ);
   SceneRequest wanted = sceneRequestFor(header.parametersJson);

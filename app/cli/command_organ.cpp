@@ -22,7 +22,7 @@ constexpr double kMetresPerMillimetre = 1e-3;
 struct OrganImportArguments {
   std::string file;
   OrganResultOptions result;
-  std::optional<double> scale;  // millimetres in one file unit
+  std::optional<double> scale;  // millimetres per file unit
   std::string unit = "mm";
   bool closeHoles = false;
 };

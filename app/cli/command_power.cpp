@@ -31,7 +31,7 @@ struct PowerArguments {
   int raters = 2;
 };
 
-/// The three questions of one test: size, power and effect each follow from the other two.
+/// Three questions about one test: size, power and effect each follow from the other two.
 struct Design {
   std::string effectName;
   std::function<double(double n, double effect)> power;
@@ -71,7 +71,7 @@ void requireTwoOfThree(const PowerArguments& arguments) {
   }
 }
 
-/// Adds a size as computed, and the whole number of trainees that it takes.
+/// Adds a size as computed, and rounded up to whole trainees.
 void addSize(Json& out, const std::string& name, double size) {
   out[name] = size;
   out[name + "_needed"] = static_cast<std::int64_t>(std::ceil(size));
@@ -118,7 +118,7 @@ Json intraclassJson(const PowerArguments& arguments) {
   return out;
 }
 
-/// Options that would be ignored in silence.
+/// Rejects options that would be silently ignored.
 void requireOptionsThatCount(const CLI::App& command, const PowerArguments& arguments) {
   const auto refuse = [&](const char* name, bool counts, const char* owner) {
     if (command.count(name) > 0 && !counts) {

@@ -38,7 +38,7 @@ void runRecord(const RecordArguments& arguments) {
   SceneRequest request = sceneRequest(arguments.organ);
   request.tissue = tissueModelOf(arguments.model);
   const Scene scene = loadScene(request);
-  const TrialStore store(arguments.database.locator());  // makes the database when there is none
+  const TrialStore store(arguments.database.locator());  // creates the database if missing
   for (const Text& closed : closeRecordFiles(arguments.database.locator(), {})) {
     say(closed);
   }

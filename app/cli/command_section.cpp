@@ -25,7 +25,7 @@ struct SectionArguments {
   std::string method = "auto";
   std::vector<std::string> holes;
   std::vector<std::array<double, 2>> points;
-  std::vector<double> wall;  // thickness: one, or one a point of the outline; empty: filled
+  std::vector<double> wall;  // wall thickness: one value, or one per point of the outline; empty: solid
   bool json = false;
 };
 
@@ -39,7 +39,7 @@ SectionMethod methodOf(const std::string& name) {
   return SectionMethod::kAutomatic;
 }
 
-/// Membrane, warping and stress at the points that were asked for.
+/// Membrane, warping and stress at the requested points.
 nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std::array<double, 2>>& points) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const std::array<double, 2>& point : points) {
@@ -72,7 +72,7 @@ void printSection(const nlohmann::ordered_json& result, bool json) {
   }
 }
 
-/// A closed wall by Bredt's formula: no field inside, hence no points and no choice of a solver.
+/// Solves a closed wall by Bredt's formula: without a field inside, so without points or choice of a solver.
 void runWall(const SectionArguments& arguments) {
   if (!arguments.holes.empty() || !arguments.points.empty() || arguments.method != "auto") {
     throw Error(ErrorCode::kUsage,

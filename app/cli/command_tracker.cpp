@@ -37,7 +37,7 @@ constexpr double kMillimetres = 1e3;
 struct TrackerArguments {
   TrackerPlace place;
   double seconds = 5.0;
-  std::int64_t poses = 0;  // after which watching ends; 0: it does not
+  std::int64_t poses = 0;  // stop after so many; 0: never
   bool json = false;
   bool none = false;
   std::uint16_t outletPort = kIgtlPort;
@@ -148,7 +148,7 @@ void remember(const TrackerArguments& given, bool outlet) {
             << "\n";
 }
 
-/// As fast as it was recorded.
+/// Sends at the recorded speed.
 void send(const TrackerArguments& given) {
   requireTime(given.seconds, kLongestWatch_s, Text::verbatim("the time to wait"));
   const std::vector<Sample> samples = decodeTrial(loadStoredTrial(given.database.locator(), given.run));

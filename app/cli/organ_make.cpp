@@ -35,7 +35,7 @@ void runMakeArm(const CLI::App& command, ArmArguments& arguments) {
     std::copy(arguments.fingers_mm.begin(), arguments.fingers_mm.end(), person.fingers_mm.begin());
   }
   OrganImportRequest named;
-  applyOrganResultOptions(arguments.result, 1.0, named);  // refuses a name that is no organ file's
+  applyOrganResultOptions(arguments.result, 1.0, named);  // rejects a name that is not an organ file's
   const JudgedArm arm = importArm(person, assetsFolder());
   finishOrgan(arm.import, arguments.result, "arm", organJson(arm.import, arguments.result.out));
   if (!arguments.result.out.empty()) {

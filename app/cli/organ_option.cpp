@@ -45,7 +45,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
   SceneRequest request;
   request.assets = assetsFolder();
   const std::vector<std::string> known = sceneIds(request.assets);
-  // Other names of a scene, as the paper and people say.
+  // Other names of scenes in use.
   static const std::map<std::string, std::string> kOtherNames{{"arm", "forearm"}, {"wrist", "forearm"}};
   const auto other = kOtherNames.find(arguments.organ);
   const std::string organ = other == kOtherNames.end() ? arguments.organ : other->second;

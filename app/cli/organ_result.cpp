@@ -27,7 +27,7 @@ const char* weightName(FindingWeight weight) {
   return "note";
 }
 
-/// What was found, without its code, with which refusals of the reader begin.
+/// Returns a finding's sentence without its code, which starts the reader's refusals.
 std::string sentenceOf(const OrganFinding& finding) {
   const std::string sentence = finding.what.str();
   const std::string code = finding.code + " ";

@@ -37,7 +37,7 @@ double numberOf(std::string_view word, const std::string& words) {
   return value;
 }
 
-// Pressure up to which a wall that is sealed is solved: P = p R / (G t) = 4 where that comes first.
+// Maximum pressure for which a sealed wall is solved: P = p R / (G t) = 4 at the first place to reach it.
 double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
   constexpr double kMaxPressure = 4.0;
   double most_Pa = 1e9;
