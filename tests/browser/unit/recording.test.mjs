@@ -64,7 +64,7 @@ test('differences are added up, wrap round as their type does, and are multiples
   assert.deepEqual([...readContainer(made('"delta":2,"scale":0.5')).arrays.x], [15000, 0.5, -12768, 1]);
 });
 
-/// One triangle in the plane z = 0 whose third corner rises by 2 mm a unit of weight.
+/// One triangle in the plane z = 0 whose third corner rises by 2 mm per unit of weight.
 const kTriangle = {
   meta: { vertices: 3, components: 1, scale: [0.001] },
   arrays: {
