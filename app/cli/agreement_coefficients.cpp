@@ -24,7 +24,7 @@ Outcome<IccResult> intraclass(const CompleteTargets& complete) {
 
 Json formJson(const IccForm& form, double errorVariance) {
   const std::string reason =
-      errorVariance > 0.0 ? "so few ratings bound nothing" : "the error variance is zero";
+      errorVariance > 0.0 ? "too few ratings for an interval" : "the error variance is zero";
   Json out{{"estimate", form.estimate}};
   out["lower"] = form.interval ? Json(form.interval->lower) : undefinedJson(reason);
   out["upper"] = form.interval ? Json(form.interval->upper) : undefinedJson(reason);
@@ -119,7 +119,7 @@ Json panelJson(const RatingGrid& grid, const Outcome<NumberTable>& complete) {
     return undefinedJson(complete.reason().str());
   }
   if (grid.raters.size() < 3) {
-    return undefinedJson("two raters make no panel: see the pair");
+    return undefinedJson("two raters form no panel: see the pair");
   }
   Json list = Json::array();
   const std::vector<Outcome<BlandAltmanResult>> results = blandAltmanAgainstPanel(*complete);

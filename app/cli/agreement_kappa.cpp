@@ -31,13 +31,13 @@ class CategoryList {
     }
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (std::find(values_.begin(), value, *value) != value) {
-        throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " stands twice",
+        throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " appears twice",
                     Text::verbatim("--categories"), Text::verbatim("Name every category once"));
       }
     }
     for (const double score : distinctScores(grid)) {
       if (!find(score)) {
-        throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is none of the categories",
+        throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is not one of the categories",
                     Text::verbatim("--categories"),
                     Text::verbatim("Name every category that raters could give"));
       }
@@ -70,7 +70,7 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
     const auto second = categories.find(table.number(row, "second"));
     const double weight = table.number(row, "disagreement");
     if (!first || !second) {
-      table.refuse(row, Text::verbatim("this is no pair of categories"),
+      table.refuse(row, Text::verbatim("this is not a pair of categories"),
                    Text::verbatim("Give two of the categories, or name them in --categories"));
     }
     if (weight < 0.0 || (first == second && weight != 0.0)) {
@@ -81,7 +81,7 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
     }
     for (std::optional<double>* place : {&weights[*first][*second], &weights[*second][*first]}) {
       if (*place && **place != weight) {
-        table.refuse(row, Text::verbatim("these two categories have another disagreement further up"),
+        table.refuse(row, Text::verbatim("these two categories already have another disagreement"),
                      Text::verbatim("Give one for each pair"));
       }
       *place = weight;

@@ -36,7 +36,7 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
   for (const double score : scores) {
     if (score != std::floor(score) || std::abs(score) > kLargestScore) {
       throw Error(ErrorCode::kBadData,
-                  "the score " + Json(score).dump() + " is no whole number up to a million",
+                  "the score " + Json(score).dump() + " is not a whole number up to a million",
                   Text::verbatim("the ratings"),
                   Text::verbatim("Give categories in whole numbers; collapse finer steps first"));
     }

@@ -75,11 +75,12 @@ Expected expectedOf(const HeadKeys& keys) {
 }
 
 constexpr const char* kUnsigned =
-    "nobody signed this head: whoever has the file has seed and salt, and can write another one that repeats";
+    "this head is not signed: anybody who has the file has seed and salt, and can write another one that "
+    "repeats";
 constexpr const char* kUnknownKey =
-    "the signature is genuine, but no key was named and this station has none: whoever writes the file anew "
-    "can sign it with a key of their own; give --public-key as its owner made it known";
-constexpr const char* kGenuine = "nobody without this key can have written the file anew";
+    "the signature is genuine, but no key was given and this station has none: anybody who rewrites the file "
+    "can sign it with their own key; give --public-key as published by its owner";
+constexpr const char* kGenuine = "nobody without this key can have rewritten the file";
 
 }  // namespace
 
@@ -118,7 +119,7 @@ SignatureFinding checkSignatures(const std::string& fileHead, const std::string&
   }
   finding.isSigned = shown.has_value();
   if (!shown && expected.named) {
-    finding.flaw = "the head is not signed, and the key that must have signed it was named";
+    finding.flaw = "the head is not signed, although a signing key was given";
   }
   const bool known = trusted.asksForSignatures();
   const std::string good = known ? kGenuine : kUnknownKey;

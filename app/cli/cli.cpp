@@ -35,7 +35,7 @@ std::string oneLine(std::string text) {
 std::string noFiniteNumber(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() || std::isfinite(value) ? "" : text + " is no finite number";
+  return end == text.c_str() || std::isfinite(value) ? "" : text + " is not a finite number";
 }
 
 /// Rejects NaN, which passes range checks: it is neither below one end nor above the other.

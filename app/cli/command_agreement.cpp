@@ -86,18 +86,18 @@ void addMethodOptions(CLI::App& command, AgreementOptions& options) {
       .add_option("--categories", options.categories, "kappa: the full list in order; default: those used")
       ->delimiter(',');
   command.add_option("--disagreement", options.disagreement,
-                     "kappa: CSV with the columns first,second,disagreement; weights of your own");
-  command.add_option("--seed", options.seed, "krippendorff: of the resamples")->capture_default_str();
+                     "kappa: custom weights, CSV with the columns first,second,disagreement");
+  command.add_option("--seed", options.seed, "krippendorff: seed of the resamples")->capture_default_str();
   command
       .add_option("--resamples", options.resamples,
-                  "krippendorff: how many for the interval; default: 9999, of more than 8000 scores fewer")
+                  "krippendorff: resamples for the interval; default: 9999, fewer for more than 8000 scores")
       ->check(CLI::Range(99, 1'000'000));
   command.add_option("--lowest", options.lowest, "rasch: lowest category; default: the lowest score");
   command.add_option("--highest", options.highest, "rasch: highest category; default: the highest score");
   const auto planned = [&](const char* name, std::vector<double>& numbers, const char* what) {
     command.add_option(name, numbers, what)->delimiter(',')->check(CLI::Range(1.0, 1000.0));
   };
-  planned("--raters", options.raters, "generalizability: numbers of raters to plan with, as 2,5,10");
+  planned("--raters", options.raters, "generalizability: numbers of raters to plan with, such as 2,5,10");
   planned("--occasions", options.occasions, "generalizability: numbers of occasions to plan with");
   planned("--tasks", options.tasks, "generalizability: numbers of tasks to plan with");
 }

@@ -148,23 +148,21 @@ void run(const AllocateArguments& arguments) {
 
 void addAllocate(CLI::App& program) {
   auto arguments = std::make_shared<AllocateArguments>();
-  CLI::App* command = program.add_subcommand("allocate", "Random allocation to groups that can be repeated");
+  CLI::App* command = program.add_subcommand("allocate", "Reproducible random allocation to groups");
   command->add_option("--design", arguments->design, "Design and persons, JSON: docs/cli.md");
-  command->add_option("--seed", arguments->seed, "Decides everything; keep it sealed until the end")
+  command->add_option("--seed", arguments->seed, "Determines the allocation; keep it sealed until the end")
       ->check(CLI::Validator(seedProblem, "UINT64"));
-  command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; without it they are drawn")
+  command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; default: drawn at random")
       ->check(CLI::Validator(saltProblem, "HEX"));
-  command->add_option("--head", arguments->head,
-                      "With --replay: the head that was kept elsewhere, in quotes");
-  CLI::Option* key = command->add_option("--key", arguments->keys.key,
-                                         "File of the key that signs the head, or must have signed it; "
-                                         "without it that of the station");
-  command
-      ->add_option("--public-key", arguments->keys.publicKey, "With --replay: the same, by its public part")
+  command->add_option("--head", arguments->head, "With --replay: a head stored elsewhere, in quotes");
+  CLI::Option* key = command->add_option(
+      "--key", arguments->keys.key,
+      "File of the key that signs the head, or must have signed it; default: the station's key");
+  command->add_option("--public-key", arguments->keys.publicKey, "With --replay: the public part of that key")
       ->check(CLI::Validator(publicKeyProblem, "HEX"))
       ->excludes(key);
   command->add_option("--witness", arguments->keys.witness,
-                      "With --replay: file with the lines by which keys replaced each other");
+                      "With --replay: file with the lines that record replacements of keys");
   command->add_option("--replay", arguments->replay, "Repeat an allocation and compare: exit code 13");
   command->callback([arguments] { run(*arguments); });
 }

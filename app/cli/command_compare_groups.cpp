@@ -135,7 +135,7 @@ void compareGroups(const CompareArguments& arguments) {
                 {kAdjustments.at(arguments.adjust), arguments.margin, arguments.request.seed});
   if (study.occasions.size() > 1) {
     const bool adjustable = request.covariate != request.outcome;
-    const std::string reason = "the occasion that is compared is the first: --covariate names another";
+    const std::string reason = "the compared occasion is the first one: give another with --covariate";
     out["ancova"] = adjustable ? ancovaJson(study, request) : undefinedJson(reason);
     if (table.has("rater")) {
       out["mixed_model"] = adjustable ? mixedModelJson(study, request) : undefinedJson(reason);
@@ -177,15 +177,13 @@ void addResampling(CLI::App& command, CompareArguments& arguments) {
       .add_option("--bootstrap", arguments.bootstrap,
                   "Bootstrap intervals of the mean or median of each group; with --paired of the gains")
       ->check(CLI::IsMember({"mean", "median"}));
-  command.add_option("--resamples", arguments.request.resamples, "Of the bootstrap")
+  command.add_option("--resamples", arguments.request.resamples, "Resamples of the bootstrap")
       ->check(CLI::Range(99, 1'000'000))
       ->capture_default_str();
-  command
-      .add_option("--seed", arguments.request.seed,
-                  "Of the bootstrap, and of permutations that are too many to count")
+  command.add_option("--seed", arguments.request.seed, "Seed of the bootstrap, and of random permutations")
       ->capture_default_str();
   command.add_flag("--every-resample", arguments.request.everyResample,
-                   "Every resample instead of a random choice: up to seven subjects");
+                   "All resamples instead of random ones: up to seven subjects");
 }
 
 }  // namespace
@@ -194,7 +192,7 @@ void addCompareGroups(CLI::App& program) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       program.add_subcommand("compare-groups", "Tests and effect sizes between groups and occasions");
-  command->add_option("FILE", arguments->file, "CSV: subject,group,score and maybe occasion,rater")
+  command->add_option("FILE", arguments->file, "CSV: subject,group,score and optionally occasion,rater")
       ->required();
   command->add_option("--occasion", arguments->occasion,
                       "Occasion at which the groups are compared; default: the last of the file");
@@ -205,12 +203,12 @@ void addCompareGroups(CLI::App& program) {
                    "Largest difference that does not matter: tests equivalence, in the unit of the scores")
       ->check(CLI::PositiveNumber);
   auto* lowest = command->add_option("--lowest", arguments->lowest,
-                                     "Lowest mark of the scale, for bounds on what missing marks can do");
+                                     "Lowest mark of the scale, for bounds on the effect of missing marks");
   auto* highest = command->add_option("--highest", arguments->highest, "Highest mark of the scale");
   lowest->needs(highest);
   highest->needs(lowest);
   command->add_flag("--residuals", arguments->residuals,
-                    "Adds what the analysis of covariance leaves of each subject, for plots");
+                    "Adds each subject's residual of the analysis of covariance, for plots");
   command->add_option("--adjust", arguments->adjust, "Adjustment of p over the pairs of more than two groups")
       ->check(CLI::IsMember(kAdjustments))
       ->capture_default_str();

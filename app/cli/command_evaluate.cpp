@@ -413,7 +413,7 @@ void addEvaluate(CLI::App& program) {
       ->add_option("--class-weights", arguments->classWeights,
                    "Weights of the rater classes: 0.2,0.3,0.5 (A, B, C) or id=0.2,...; default: the paper's")
       ->delimiter(',');
-  command->add_option("--policy", arguments->policy, "When marks are missing")
+  command->add_option("--policy", arguments->policy, "Treatment of missing marks")
       ->check(CLI::IsMember({"refuse", "renormalise", "available", "list-wise"}))
       ->capture_default_str();
   command->add_option("--lowest", arguments->lowest, "Lowest score, points")
@@ -422,15 +422,15 @@ void addEvaluate(CLI::App& program) {
   command->add_option("--highest", arguments->highest, "Highest score, points")
       ->check(CLI::Range(-1000, 1000))
       ->capture_default_str();
-  command->add_option("--steps-per-point", arguments->stepsPerPoint, "10: scores in tenths")
+  command->add_option("--steps-per-point", arguments->stepsPerPoint, "Steps per point; 10: scores in tenths")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option("--resamples", arguments->resamples,
-                   "Panels drawn anew from the raters, for an interval of N; 0: none")
+                   "Resampled panels of raters for an interval of N; 0: none")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Seed of the drawing")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Seed of the resampling")->capture_default_str();
   command->callback([arguments] { runEvaluate(*arguments); });
 }
 

@@ -168,7 +168,7 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
     entry["exponential"] = curveJson(LearningFamily::kExponential, t, y);
     const bool both = entry["power"].contains("aicc") && entry["exponential"].contains("aicc");
     entry["better_by_aicc"] =
-        !both ? undefinedJson("it takes a fit of both families")
+        !both ? undefinedJson("it requires a fit of both families")
               : Json(entry["power"]["aicc"].get<double>() < entry["exponential"]["aicc"].get<double>()
                          ? "power"
                          : "exponential");
@@ -267,7 +267,7 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)},
                    {"not_able_in_the_end_if_adequate",
                     longest <= kMaxWatched ? Json(lcCusumNotAble(design, design.adequate, longest))
-                                           : undefinedJson("it takes at most 10,000 attempts")}};
+                                           : undefinedJson("it is computed for at most 10,000 attempts")}};
   out["subjects"] = Json::array();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));
@@ -331,10 +331,10 @@ void addLearning(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--limit", arguments->limit, "Limit h of the LC-CUSUM instead of the chosen one")
       ->check(CLI::Range(0.01, 100.0));
-  command->add_option("--alpha", arguments->alpha, "Of the success-failure CUSUM")
+  command->add_option("--alpha", arguments->alpha, "Error rate of the success-failure CUSUM")
       ->check(rate)
       ->capture_default_str();
-  command->add_option("--beta", arguments->beta, "Of the success-failure CUSUM")
+  command->add_option("--beta", arguments->beta, "Error rate of the success-failure CUSUM")
       ->check(rate)
       ->capture_default_str();
   command->add_option("--target", arguments->target, "Values: target of a tabular CUSUM");

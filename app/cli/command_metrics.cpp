@@ -262,13 +262,17 @@ void addMetrics(CLI::App& program) {
   addDatabaseOption(*command, arguments->database);
   command
       ->add_option("--tolerance", arguments->tolerance_deg,
-                   "About the target angle, degrees, in place of that of the exercise")
+                   "Tolerance about the target angle, degrees; default: the exercise's")
       ->check(CLI::Range(0.001, 360.0));
-  command->add_option("--force-limit", arguments->forceLimit_N, "Counts violations, N")
+  command->add_option("--force-limit", arguments->forceLimit_N, "Limit above which violations are counted, N")
       ->check(CLI::PositiveNumber);
-  command->add_option("--torque-limit", arguments->torqueLimit_Nm, "Counts violations, N m")
+  command
+      ->add_option("--torque-limit", arguments->torqueLimit_Nm,
+                   "Limit above which violations are counted, N m")
       ->check(CLI::PositiveNumber);
-  command->add_option("--shear-limit", arguments->shearLimit_Pa, "Time above it, Pa; loads the scene")
+  command
+      ->add_option("--shear-limit", arguments->shearLimit_Pa,
+                   "Limit above which time is counted, Pa; loads the scene")
       ->check(CLI::PositiveNumber);
   command->add_flag("--scene", arguments->scene, "Load the scene: adds the wander about the organ's axis");
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");

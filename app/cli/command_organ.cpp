@@ -55,7 +55,7 @@ void addOrgan(CLI::App& program) {
       ->excludes(scale)
       ->capture_default_str();
   command->add_flag("--close-holes", arguments->closeHoles,
-                    "Close gaps of the surface, and the ends of a tube that was drawn open");
+                    "Close gaps of the surface, and the open ends of a tube");
   command->callback([arguments] { runOrganImport(*arguments); });
   addOrganReconstruct(*organ);
   addOrganMake(*organ);

@@ -65,7 +65,7 @@ void requireTwoOfThree(const PowerArguments& arguments) {
                 Text::verbatim("Give exactly two of --n, --effect and --power"));
   }
   if (arguments.power && *arguments.power <= arguments.alpha) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power not above alpha needs nobody"),
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power up to alpha needs no trainees"),
                 Text::verbatim("--power"),
                 "Give a power above " + Json(arguments.alpha).dump() + ", for example 0.8");
   }
@@ -161,11 +161,11 @@ void addPower(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--correlation", arguments->correlation,
-                   "Of the scores before and after: size of an analysis of covariance")
+                   "Correlation of the scores before and after: size of an analysis of covariance")
       ->check(CLI::Range(-0.999, 0.999));
   command->add_option("--icc", arguments->icc, "icc: the expected coefficient")
       ->check(CLI::Range(0.0, 0.999));
-  command->add_option("--raters", arguments->raters, "icc: raters of each target")
+  command->add_option("--raters", arguments->raters, "icc: raters per target")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
   command->add_option("--width", arguments->width, "icc: wanted width of the 95 % interval")

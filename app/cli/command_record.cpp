@@ -78,7 +78,7 @@ void addRecord(CLI::App& program) {
   auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = program.add_subcommand("record", "Record a simulated hand that twists an organ");
   addDatabaseOption(*command, arguments->database)->required();
-  command->add_option("--model", arguments->model, "What answers the hand: twist, fem, msm")
+  command->add_option("--model", arguments->model, "Model that responds to the hand: twist, fem, msm")
       ->check(CLI::IsMember({"twist", "fem", "msm"}))
       ->capture_default_str();
   command->add_option("--duration", arguments->duration_s, "Seconds to record")

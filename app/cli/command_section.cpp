@@ -46,8 +46,9 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
     const std::optional<SectionField::Value> value = field.at(point);
     if (!value) {
       throw Error(ErrorCode::kBadParameter,
-                  field.elements.empty() ? Text::verbatim("boundary elements know no point inside")
-                                         : Text::verbatim("the point lies outside the section"),
+                  field.elements.empty()
+                      ? Text::verbatim("boundary elements compute nothing inside the section")
+                      : Text::verbatim("the point lies outside the section"),
                   "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
                   field.elements.empty() ? Text::verbatim("Use --method fem")
                                          : Text::verbatim("Give a point in the material"));
@@ -149,7 +150,7 @@ void addSection(CLI::App& program) {
       ->delimiter(',');
   command
       ->add_option("--wall", arguments->wall,
-                   "Thickness of a wall inside the outline, in its unit: one, or one for each point")
+                   "Thickness of a wall inside the outline, in its unit: one value, or one per point")
       ->delimiter(',')
       ->expected(1, -1);
   command->add_option("--method", arguments->method, "Solver: auto, fem or bem")

@@ -205,14 +205,12 @@ void addServe(CLI::App& program) {
   command->add_option("--certificate", arguments->certificate, "PEM file: the certificate with its chain");
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,
-                      "https://... as browsers reach it through a proxy");
-  command->add_option("--own-certificate", arguments->ownCertificate,
-                      "Folder: keeps a certificate there that this machine signs for itself");
-  command->add_option("--state", arguments->state,
-                      "File that says where the desk is open, for as long as it is");
-  command->add_option("--ends-with", arguments->endsWith, "Number of a process: the desk ends with it")
+                      "Address for browsers through a proxy, https://...");
+  command->add_option("--own-certificate", arguments->ownCertificate, "Folder for a self-signed certificate");
+  command->add_option("--state", arguments->state, "File that contains the desk's address while it is open");
+  command->add_option("--ends-with", arguments->endsWith, "Process id: the desk stops when that process ends")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--quiet", arguments->quiet, "Writes no line for each answer");
+  command->add_flag("--quiet", arguments->quiet, "Switches the access log off");
   command->callback([arguments] { serve(*arguments); });
 }
 

@@ -361,8 +361,8 @@ void checkWallArguments(const TwistArguments& arguments) {
   }
   if (!arguments.wall.empty() && (arguments.ends.empty() || arguments.reference)) {
     throw Error(ErrorCode::kUsage,
-                arguments.ends.empty() ? Text::verbatim("a wall is wrung between ends")
-                                       : Text::verbatim("the reference is a filled organ"),
+                arguments.ends.empty() ? Text::verbatim("a wall requires --ends")
+                                       : Text::verbatim("the reference is a solid organ"),
                 Text::verbatim("--wall"),
                 Text::verbatim("Give --ends, without --reference, or leave out --wall"));
   }
@@ -416,14 +416,13 @@ void runTwist(TwistArguments arguments) {
 
 void addTwist(CLI::App& program) {
   auto arguments = std::make_shared<TwistArguments>();
-  CLI::App* command =
-      program.add_subcommand("twist", "Twist an organ and say what it costs: angles, torque, volume");
+  CLI::App* command = program.add_subcommand("twist", "Twist an organ and print angles, torque and volume");
   addOrganOptions(*command, arguments->organ);
   addModelOptions(*command, arguments->model);
   command->add_option("--angle", arguments->angle_deg,
                       "Angle at the grasp in degrees; default: the pattern's target");
   command->add_option("--grasp", arguments->grasp,
-                      "Where it is gripped, fraction of the length from the fixed end");
+                      "Position of the grasp, fraction of the length from the fixed end");
   command
       ->add_option(
           "--ends", arguments->ends,
@@ -439,22 +438,20 @@ void addTwist(CLI::App& program) {
       "With --ends clamped-free: turn the sections within half a local radius of the grasp as one");
   command->add_flag(
       "--reference", arguments->reference,
-      "With --ends: also turn quadratic neo-Hookean elements likewise, and say how far the rod is "
-      "from them");
+      "With --ends: also compute quadratic neo-Hookean elements, and print the difference from the rod");
   command
       ->add_option("--reference-elements", arguments->referenceElements,
                    "With --reference: wedges or tetrahedra on the same points; default: wedges")
       ->check(CLI::IsMember({"wedges", "tetrahedra"}));
-  command->add_option(
-      "--wall", arguments->wall,
-      "With --ends: the organ is hollow, its wall so many mm thick; or along its length, as shares "
-      "and mm: 0:2,1:5");
+  command->add_option("--wall", arguments->wall,
+                      "With --ends: the organ is hollow, with a wall of this thickness in mm; or along its "
+                      "length, as fractions and mm: 0:2,1:5");
   command->add_option("--pressure-mmhg", arguments->pressure_mmHg,
-                      "With --wall: pressure inside over outside; default: 0");
+                      "With --wall: pressure inside minus outside; default: 0");
   command->add_option("--rest-pressure-mmhg", arguments->restPressure_mmHg,
                       "With --wall: pressure at which the surface is drawn; default: --pressure-mmhg");
   command->add_flag("--sealed", arguments->sealed,
-                    "With --wall: the gas stays inside, so that the pressure rises as the organ is wrung");
+                    "With --wall: the gas stays inside, so that the pressure rises as the organ is twisted");
   command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");

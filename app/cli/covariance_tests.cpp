@@ -167,7 +167,7 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
 Json boundsJson(const Study& study, const std::vector<MarkedTrainee>& subjects, const Interval& scale) {
   constexpr std::size_t kMaxGroups = 20;
   if (study.groups.size() > kMaxGroups) {
-    return undefinedJson("bounds are computed for 20 groups or fewer");
+    return undefinedJson("bounds are computed for at most 20 groups");
   }
   const auto show = [](const AdjustedDifference& pair) {
     return Json{{"difference", pair.difference}, {"interval", intervalJson(pair.interval)}};

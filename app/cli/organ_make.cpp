@@ -46,9 +46,9 @@ void runMakeArm(const CLI::App& command, ArmArguments& arguments) {
 }  // namespace
 
 void addOrganMake(CLI::App& organ) {
-  CLI::App* make = organ.add_subcommand("make", "Draw an organ with the measures of a person");
+  CLI::App* make = organ.add_subcommand("make", "Make an organ with a person's measurements");
   make->require_subcommand(1);
-  CLI::App* command = make->add_subcommand("arm", "Forearm and hand; what is not given is that of a man");
+  CLI::App* command = make->add_subcommand("arm", "Forearm and hand; default measurements: a man's");
   auto arguments = std::make_shared<ArmArguments>();
   PersonArm& person = arguments->person;
   const auto length = [command](const char* name, double& value_mm, const PersonLength& range,

@@ -149,7 +149,7 @@ Json correlationJson(const PairedScores& pairs) {
     Json out{{"r", correlation.r}};
     out["interval"] = correlation.fisherInterval
                           ? intervalJson(*correlation.fisherInterval)
-                          : undefinedJson("it takes four pairs that do not lie on one line");
+                          : undefinedJson("it requires four pairs that are not on a line");
     return out;
   });
 }

@@ -35,7 +35,7 @@ void noteGroup(const CsvTable& table, std::size_t row, std::size_t target, NameP
   } else if (groupOf[target] != group) {
     table.refuse(row,
                  "target \"" + table.text(row, "target") + "\" is in group \"" + groups.names()[group] +
-                     "\", but in another further up",
+                     "\", but in another one above",
                  Text::verbatim("A target belongs to one group"));
   }
 }

@@ -63,8 +63,8 @@ bool standardErrorIsTerminal() noexcept {
 std::string typedSecret(const std::string& question) {
   const int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal < 0) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("there is no terminal to ask at"),
-                Text::verbatim("password"), Text::verbatim("Hand the password over with --password-fd N"));
+    throw Error(ErrorCode::kUsage, Text::verbatim("there is no terminal to ask for the password"),
+                Text::verbatim("password"), Text::verbatim("Pass the password with --password-fd N"));
   }
   std::string line;
   {

@@ -24,8 +24,9 @@ namespace {
 constexpr double kSmallTurn_rad = radians(0.1);
 
 [[noreturn]] void refuseWall(const std::string& words) {
-  throw Error(ErrorCode::kUsage, Text::verbatim("this is no thickness of a wall"), "--wall " + words,
-              Text::verbatim("Give millimetres such as 3, or shares of the length and millimetres: 0:2,1:5"));
+  throw Error(
+      ErrorCode::kUsage, Text::verbatim("this is not the thickness of a wall"), "--wall " + words,
+      Text::verbatim("Give millimetres such as 3, or fractions of the length and millimetres: 0:2,1:5"));
 }
 
 double numberOf(std::string_view word, const std::string& words) {

@@ -62,7 +62,7 @@ TEST_F(AgreementCommands, AgreementByRaschRejectsScoresThatAreNoCategories) {
   const std::string file = write("half.csv", "target,rater,score\na,x,1\na,y,2.5\n");
   const std::string whole = write("whole.csv", "target,rater,score\na,x,1\na,y,2\n");
 
-  expectRefused("agreement --method rasch --ratings " + file, {"2.5", "no whole number"});
+  expectRefused("agreement --method rasch --ratings " + file, {"2.5", "not a whole number"});
   expectRefused("agreement --method rasch --highest 1 --ratings " + whole, {"from 1.0 to 2.0", "--highest"});
 }
 

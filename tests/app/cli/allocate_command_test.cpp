@@ -238,7 +238,7 @@ TEST_F(AllocateCommand, WithoutASignatureReplayStatesWhatItCannotCheck) {
   const json old = answer("allocate --seed 5 --design " + design());
   const json replay = replayed(old);
   EXPECT_EQ(replay["signature"]["state"], "none");
-  EXPECT_NE(replay["signature"]["means"].get<std::string>().find("nobody signed"), std::string::npos);
+  EXPECT_NE(replay["signature"]["means"].get<std::string>().find("not signed"), std::string::npos);
   EXPECT_EQ(replay["not_checked"], json({"head kept elsewhere", "signature"}));
   json headless = old;
   headless.erase("head");

@@ -115,7 +115,7 @@ TEST_F(BadInput, NonFiniteOptionsAreRejected) {
         "compare-groups t.csv --highest 5 --lowest",
         "agreement --ratings t.csv --method kappa --categories 1,2,", "twist --organ forearm --angle"}) {
     const char* gap = std::string(option).back() == ',' ? "" : " ";
-    expectRefused(std::string(option) + gap + "nan", ErrorCode::kUsage, "nan is no finite number");
+    expectRefused(std::string(option) + gap + "nan", ErrorCode::kUsage, "nan is not a finite number");
   }
   for (const char* none : {"-nan", "inf", "-inf", "1e999"}) {
     expectRefused(std::string("power --test t --n 10 --effect ") + none, ErrorCode::kUsage, "--effect");
@@ -170,7 +170,7 @@ TEST_F(BadInput, InvalidWallsAreRejected) {
     expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kBadParameter, "thicker than 0");
   }
   for (const char* wall : {"nan", "inf", "1e400"}) {
-    expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kUsage, "is no finite number");
+    expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kUsage, "is not a finite number");
   }
   expectRefused(sectionOf("square.csv --wall thick"), ErrorCode::kUsage, "thick");
   expectRefused(sectionOf("square.csv --wall 5"), ErrorCode::kBadParameter, "(2.34 here");

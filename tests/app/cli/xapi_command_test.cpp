@@ -97,7 +97,7 @@ TEST_F(XapiCommand, ARefusingStoreIsExitCodeFourAndNothingIsLost) {
   const ProgramRun busy = run("send" + record());
 
   EXPECT_EQ(busy.code, static_cast<int>(ErrorCode::kFileUnreadable));
-  EXPECT_NE(busy.err.find("takes nothing now"), std::string::npos);
+  EXPECT_NE(busy.err.find("does not accept anything now"), std::string::npos);
   const nlohmann::json waits = status();
   EXPECT_EQ(waits["waiting"], 3);
   EXPECT_FALSE(waits["trouble"].get<std::string>().empty());
