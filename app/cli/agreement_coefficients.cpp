@@ -70,7 +70,7 @@ Json withinGroupsJson(const RatingGrid& grid) {
 
 /// Reliability by restricted maximum likelihood; allows missing marks.
 Json reliabilityJson(const RatingGrid& grid) {
-  return outcomeJson(holedReliability(grid.ratersByTarget), [](const HoledReliability& result) {
+  return outcomeJson(incompleteReliability(grid.ratersByTarget), [](const IncompleteReliability& result) {
     return Json{{"marks", result.marks},
                 {"raters_of_mean", result.usualRaters},
                 {"variances",

@@ -75,7 +75,7 @@ Json regionJson(const SignificantRegion& region) {
 /// Differences with one slope per group; needed if the slopes differ significantly.
 Json slopesJson(const Study& study, const CompleteCases& cases) {
   return outcomeJson(
-      separateSlopes(cases.before, cases.after, usualBaselines(cases.before)),
+      separateSlopes(cases.before, cases.after, defaultBaselines(cases.before)),
       [&](const SeparateSlopes& result) {
         Json out{{"slopes", Json::array()}, {"baselines", result.baselines}, {"pairs", Json::array()}};
         for (std::size_t g = 0; g < result.slopes.size(); ++g) {

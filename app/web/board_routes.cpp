@@ -34,7 +34,7 @@ HttpResponse answerCohorts(Call& call) {
 }
 
 CohortId cohortOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kCohort, 0) != 0) {
     refuseParameter(Text::tr("there is no such cohort"), "", Text::tr("Load the page again"));
   }

@@ -57,7 +57,7 @@ json formsJson(Call& call) {
 
 /// Returns the model of an address, among those assigned to the actor.
 std::pair<CampaignId, std::string> modelOf(Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   for (const EvaluationForm& form : evaluationForms(call.context)) {
     const bool known = std::any_of(form.models.begin(), form.models.end(),
                                    [&](const auto& model) { return model.hiddenLabel == call.parts.back(); });

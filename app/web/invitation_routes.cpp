@@ -63,7 +63,7 @@ HttpResponse answerInvitations(Call& call) {
 std::vector<UserId> usersOf(const Call& call) {
   std::vector<UserId> ids;
   for (const JsonBody& one : call.body.objects("users", kMaxUsers)) {
-    const std::string what = call.session->whatOf(one.text("user", kLongestHandle));
+    const std::string what = call.session->objectOf(one.text("user", kLongestHandle));
     if (what.rfind(kUser, 0) != 0) {
       refuseParameter(Text::tr("there is no such user"), "", Text::tr("Load the page again"));
     }
@@ -145,7 +145,7 @@ HttpResponse answerInvite(Call& call) {
 }
 
 HttpResponse answerConfirm(Call& call) {
-  const std::string what = call.session->whatOf(call.body.text("request", kLongestHandle));
+  const std::string what = call.session->objectOf(call.body.text("request", kLongestHandle));
   const std::string id = what.rfind(kRequest, 0) == 0 ? what.substr(std::string(kRequest).size()) : "";
   return handedOver(call, {confirmInvitation(call.context, id)}, true);
 }

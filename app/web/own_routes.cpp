@@ -122,7 +122,7 @@ HttpResponse answerOwn(Call& call) {
 /// Returns the trainee's trial of a handle; an unknown handle and one of another session are treated alike
 /// (404).
 TrialId runOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kRun, 0) != 0) {
     throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
                 Text::tr("Open your own record"));
@@ -146,7 +146,7 @@ json findingJson(const Call& call, const DebriefFinding& finding, bool strength)
 }
 
 /// Returns the task and the debriefing's sentences, as in the window.
-json toldJson(const Call& call, const Debrief& shown) {
+json debriefJson(const Call& call, const Debrief& shown) {
   json checks = json::array();
   for (const TargetCheck& check : shown.checks) {
     checks.push_back({{"text", said(call, checkText(check, shown.twists.size()))}, {"passed", check.passed}});
@@ -185,7 +185,7 @@ HttpResponse answerRun(Call& call) {
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},
                      {"unfinished", shown.unfinishedTwists},
-                     {"told", toldJson(call, shown)},
+                     {"told", debriefJson(call, shown)},
                      {"twists", std::move(twists)},
                      {"bookmarks", std::move(bookmarks)}});
 }
@@ -241,7 +241,7 @@ HttpResponse answerRemarks(Call& call) {
 }
 
 RemarkId remarkOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kOwnRemark, 0) != 0) {
     throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
                 Text::tr("Open your own record"));

@@ -46,14 +46,14 @@ std::string WebSession::handleFor(const std::string& what) {
   }
   const std::string handle = freshSecret();
   handles_.emplace(what, handle);
-  things_.emplace(handle, what);
+  objects_.emplace(handle, what);
   return handle;
 }
 
-std::string WebSession::whatOf(const std::string& handle) const {
+std::string WebSession::objectOf(const std::string& handle) const {
   const std::lock_guard lock(mutex_);
-  const auto found = things_.find(handle);
-  return found == things_.end() ? std::string() : found->second;
+  const auto found = objects_.find(handle);
+  return found == objects_.end() ? std::string() : found->second;
 }
 
 std::string WebSession::handleOf(const AssignmentId& assignmentId) {
@@ -61,7 +61,7 @@ std::string WebSession::handleOf(const AssignmentId& assignmentId) {
 }
 
 std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const {
-  const std::string what = whatOf(handle);
+  const std::string what = objectOf(handle);
   if (what.rfind(kCaseThing, 0) != 0) {
     return std::nullopt;
   }

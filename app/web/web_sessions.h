@@ -40,7 +40,7 @@ struct WebSession {
   /// it.
   [[nodiscard]] std::string handleFor(const std::string& what);
   /// Returns the object of a handle; empty for an unknown one.
-  [[nodiscard]] std::string whatOf(const std::string& handle) const;
+  [[nodiscard]] std::string objectOf(const std::string& handle) const;
   /// The same for cases.
   [[nodiscard]] std::string handleOf(const AssignmentId& assignmentId);
   [[nodiscard]] std::optional<AssignmentId> caseOf(const std::string& handle) const;
@@ -51,8 +51,8 @@ struct WebSession {
 
  private:
   mutable std::mutex mutex_;                    // for the handles: heavy routes read them without `busy`
-  std::map<std::string, std::string> things_;   // by handle
-  std::map<std::string, std::string> handles_;  // by thing
+  std::map<std::string, std::string> objects_;  // by handle
+  std::map<std::string, std::string> handles_;  // by object
 };
 
 /// All browser sessions, by the hash of their cookie. In memory only: stopping the server signs everybody

@@ -337,7 +337,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
   return out;
 }
 
-std::vector<double> usualBaselines(const Groups& before) {
+std::vector<double> defaultBaselines(const Groups& before) {
   std::vector<double> all;
   for (const std::vector<double>& group : before) {
     all.insert(all.end(), group.begin(), group.end());

@@ -91,7 +91,7 @@ struct SeparateSlopes {
 
 /// Returns the mean of all scores before, and one standard deviation below and above it, ascending. Requires
 /// at least two scores.
-[[nodiscard]] std::vector<double> usualBaselines(const Groups& before);
+[[nodiscard]] std::vector<double> defaultBaselines(const Groups& before);
 
 /// Two one-sided tests (Schuirmann 1987) that a difference lies within a margin around 0.
 struct Equivalence {

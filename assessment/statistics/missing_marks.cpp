@@ -96,14 +96,14 @@ CompleteCases completeCases(const std::vector<MarkedTrainee>& trainees, std::siz
 namespace {
 
 /// Trainees with a mark at both occasions, and their marks at the end.
-struct TakingPart {
+struct Participants {
   std::vector<CrossedMark> marks;
   std::vector<double> before;
   std::vector<std::size_t> group;
 };
 
-TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
-  TakingPart out;
+Participants participantsOf(const std::vector<MarkedTrainee>& trainees) {
+  Participants out;
   std::map<std::size_t, std::size_t> numberOf;  // of the raters who gave any of these marks
   for (const MarkedTrainee& trainee : trainees) {
     const std::optional<double> score = meanMark(trainee.before);
@@ -123,7 +123,7 @@ TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
 }
 
 /// Design matrix: one mean per group, and the slope on the score before.
-NumberTable fixedPart(const TakingPart& of, const std::vector<std::size_t>& groups, double middle) {
+NumberTable fixedPart(const Participants& of, const std::vector<std::size_t>& groups, double middle) {
   NumberTable fixed(of.before.size(), groups.size() + 1);
   for (std::size_t i = 0; i < of.before.size(); ++i) {
     const auto at = std::lower_bound(groups.begin(), groups.end(), of.group[i]);
@@ -172,7 +172,7 @@ void addContrasts(const CrossedModel& model, double confidence, MixedComparison&
 Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees, std::size_t groups,
                                          double confidence) {
   using Undefined = Outcome<MixedComparison>;
-  const TakingPart part = takingPart(trainees);
+  const Participants part = participantsOf(trainees);
   if (const std::optional<Text> reason = beyondArithmetic(part.before)) {
     return Undefined::undefined(*reason);
   }
@@ -201,7 +201,7 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
   return out;
 }
 
-Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit) {
+Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit) {
   std::vector<CrossedMark> marks;
   std::map<std::size_t, std::size_t> unitOf;
   std::map<std::size_t, std::size_t> marksOf;
@@ -226,9 +226,9 @@ Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit
   }
   const Outcome<CrossedModel> model = CrossedModel::fit(marks, level);
   if (!model) {
-    return Outcome<HoledReliability>::undefined(model.reason());
+    return Outcome<IncompleteReliability>::undefined(model.reason());
   }
-  HoledReliability out;
+  IncompleteReliability out;
   out.marks = marks.size();
   out.usualRaters = mostFrequent(unitsWith);
   out.varianceTargets = model->varianceTargets();

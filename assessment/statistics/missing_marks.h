@@ -60,7 +60,7 @@ struct MixedComparison {
 
 /// Reliability of incomplete marks: absolute agreement of random raters from restricted maximum likelihood
 /// variances. For complete marks without negative components equal to ICC(2,1) and ICC(2,k).
-struct HoledReliability {
+struct IncompleteReliability {
   std::size_t marks = 0;
   std::size_t usualRaters = 0;  ///< most frequent number of marks per target: k of the mean
   double varianceTargets = 0.0;
@@ -72,7 +72,7 @@ struct HoledReliability {
   double semMean = 0.0;    ///< of the mean over usualRaters
 };
 /// Estimates reliability from the marks given. Undefined like CrossedModel::fit().
-[[nodiscard]] Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit);
+[[nodiscard]] Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit);
 
 /// Marks missing at an occasion, compared with the most frequent number per trainee.
 struct MissingCount {

@@ -22,7 +22,7 @@ export class Refusal extends Error {
     return this.status === 401;
   }
   /// True if the same request may succeed later.
-  get passes() {
+  get isTransient() {
     return this.status === 429 || this.status >= 500;
   }
 }

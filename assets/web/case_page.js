@@ -93,7 +93,7 @@ export class CasePage {
     });
     this.reporter = new ViewingReporter({
       post: (body, options) => api.post(`${this.path}/viewing`, body, options),
-      onAnswer: (answer, unheard) => this.#viewed(answer, unheard),
+      onAnswer: (answer, unreported) => this.#viewed(answer, unreported),
     });
     this.view = new SheetView(opened.rubric, opened.reasons ?? [], {
       edited: () => this.#edited(),
@@ -202,12 +202,12 @@ export class CasePage {
     this.frame.active();
     if (this.sealed) return;
     this.reporter.played(stretch);
-    this.player.setWatched(this.opened.watched, this.reporter.unheard);
+    this.player.setWatched(this.opened.watched, this.reporter.unreported);
   }
-  #viewed(answer, unheard) {
+  #viewed(answer, unreported) {
     this.opened.watched = answer.watched;
     this.check = answer.check;
-    this.player.setWatched(answer.watched, unheard);
+    this.player.setWatched(answer.watched, unreported);
     this.bar.refresh();
   }
 

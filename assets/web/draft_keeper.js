@@ -113,7 +113,7 @@ export class DraftKeeper {
       } catch (error) {
         if (this.#arrived(error, sheet)) continue;
         if (error instanceof NoConnection) this.#lost.push(sheet);
-        if (!this.#goesOn(error)) return;
+        if (!this.#willRetry(error)) return;
         const pause = new Promise((done) => (this.#wake = done));
         await Promise.race([this.#wait(Math.max(wait_ms, 1000 * (error.wait_s ?? 0))), pause]);
         wait_ms = Math.min(2 * wait_ms, kLongestWait_ms);
@@ -130,8 +130,8 @@ export class DraftKeeper {
     return true;
   }
   /// True if the same request is to be retried.
-  #goesOn(error) {
-    if (error instanceof NoConnection || error.passes) {
+  #willRetry(error) {
+    if (error instanceof NoConnection || error.isTransient) {
       this.#tell('waiting', error);
       return true;
     }

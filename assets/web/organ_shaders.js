@@ -27,7 +27,7 @@ void main() {
 /// Data of a drawn corner: its vertex's position; the sum of the normals of adjacent triangles, weighted by
 /// twice their area; colour factors of blood, then damage, lowest layer first.
 export const kCornerShader = `#version 300 es
-layout(location = 0) in uvec3 whose; // vertex, its first triangle in the fans, number of triangles
+layout(location = 0) in uvec3 corner; // vertex, its first triangle in the fans, number of triangles
 layout(location = 1) in float fed;
 uniform highp sampler2DArray places;
 uniform highp usampler2D fans;
@@ -46,11 +46,11 @@ vec3 place(uint vertex) {
   return texelFetch(places, ivec3(texel(vertex), 0), 0).xyz;
 }
 void main() {
-  position = place(whose.x);
+  position = place(corner.x);
   normal = vec3(0.0);
   uint known = ~0u;
   vec3 side;
-  for (uint i = whose.y; i < whose.y + whose.z; ++i) {
+  for (uint i = corner.y; i < corner.y + corner.z; ++i) {
     uvec2 others = texelFetch(fans, texel(i), 0).xy;
     if (others.x != known) side = place(others.x) - position;
     vec3 next = place(others.y) - position;
@@ -60,6 +60,6 @@ void main() {
   }
   factor = mix(vec3(1.0), blood, fed);
   for (int i = 0; i < paintCount; ++i) {
-    factor = mix(factor, paintFactors[i], texelFetch(paints, ivec3(texel(whose.x), paintLayers[i]), 0).r);
+    factor = mix(factor, paintFactors[i], texelFetch(paints, ivec3(texel(corner.x), paintLayers[i]), 0).r);
   }
 }`;

@@ -26,7 +26,7 @@ export class OrganSum {
     this.buffer = this.#room(kCorner_B * this.corners);
     this.placeArray = this.#array(() => attribute(gl, 0, arrays.mean, 3));
     this.cornerArray = this.#array(() => {
-      attribute(gl, 0, whoseAndFans(corners, fans), 3);
+      attribute(gl, 0, cornerFans(corners, fans), 3);
       if (arrays.fed) attribute(gl, 1, Uint8Array.from(corners, (vertex) => arrays.fed[vertex]), 1, { normalised: true });
     });
     const texels = kRow * this.rows;
@@ -127,10 +127,10 @@ export class OrganSum {
 }
 
 /// Vertex, its first triangle in the fans, number of triangles: three per corner.
-function whoseAndFans(corners, { first }) {
-  const whose = new Uint32Array(3 * corners.length);
-  corners.forEach((vertex, i) => whose.set([vertex, first[vertex], first[vertex + 1] - first[vertex]], 3 * i));
-  return whose;
+function cornerFans(corners, { first }) {
+  const data = new Uint32Array(3 * corners.length);
+  corners.forEach((vertex, i) => data.set([vertex, first[vertex], first[vertex + 1] - first[vertex]], 3 * i));
+  return data;
 }
 
 /// Packs `width` numbers per vertex layer by layer, four channels per vertex (one if width is 1), padding

@@ -119,8 +119,8 @@ export class Player {
     this.traces.setBookmarks(times_us);
   }
   /// Shows the stretches that the server counts as watched, plus those not yet reported.
-  setWatched(stretches, unheard) {
-    this.#watched = joined([...stretches, ...unheard.map(({ from_us, to_us }) => [from_us, to_us])]);
+  setWatched(stretches, unreported) {
+    this.#watched = joined([...stretches, ...unreported.map(({ from_us, to_us }) => [from_us, to_us])]);
     this.traces.setWatched(this.#watched);
   }
 

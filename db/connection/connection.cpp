@@ -272,7 +272,7 @@ std::shared_ptr<ChangeWatch> Connection::watchChanges(std::shared_ptr<ChangeWatc
   return std::exchange(state_->watch, std::move(watch));
 }
 
-void Connection::tellChanged(std::string_view table, std::vector<Value> key, bool removed) {
+void Connection::reportChange(std::string_view table, std::vector<Value> key, bool removed) {
   if (state_->watch) {
     state_->watch->changedElsewhere(table, std::move(key), removed);
   }

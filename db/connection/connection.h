@@ -57,7 +57,7 @@ class Connection {
   std::shared_ptr<ChangeWatch> watchChanges(std::shared_ptr<ChangeWatch> watch);
   /// Reports to the watch a row that a database function changed or removed in this transaction; `key`: in
   /// the order of the key's columns.
-  void tellChanged(std::string_view table, std::vector<Value> key, bool removed);
+  void reportChange(std::string_view table, std::vector<Value> key, bool removed);
 
   [[nodiscard]] Engine engine() const noexcept;
   /// Returns the address for messages, without a password.

@@ -64,7 +64,7 @@ void settleAs(std::uint32_t mark, const fs::path& copy) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
                 copy.string(), Text::tr("Check the disk, and the database itself"));
   }
-  leaveLog(connection);
+  disableWriteAheadLog(connection);
   connection.executeVerbatim("PRAGMA synchronous = FULL");
   connection.executeVerbatim("PRAGMA application_id = " + std::to_string(mark));
   connection.executeVerbatim("PRAGMA user_version = 1");
@@ -126,7 +126,7 @@ std::vector<std::string> integrityFindings(Connection& connection) {
   return findings;
 }
 
-void leaveLog(Connection& connection) {
+void disableWriteAheadLog(Connection& connection) {
   std::string mode;
   Statement answer = connection.selectVerbatim("PRAGMA journal_mode = DELETE");
   while (answer.step()) {
@@ -137,14 +137,14 @@ void leaveLog(Connection& connection) {
   }
 }
 
-void settleSqlite(const fs::path& copy) {
+void flushSqlite(const fs::path& copy) {
   settleAs(kRecordMark, copy);
 }
 
-bool foldSqlite(const fs::path& file) {
+bool checkpointSqlite(const fs::path& file) {
   try {
     Connection connection = openDatabase(file.string(), OpenMode::kReadWrite, 0);
-    leaveLog(connection);
+    disableWriteAheadLog(connection);
     return true;
   } catch (const DbError& error) {
     if (error.fault() == DbFault::kBusy) {
@@ -164,7 +164,7 @@ fs::path replaceSqlite(const fs::path& ready, const fs::path& target) {
       fs::rename(ready, target);
       return aside;
     }
-    const bool whole = foldSqlite(target);
+    const bool whole = checkpointSqlite(target);
     aside = numberedName(withSuffix(target, ".before-restore"));
     if (!whole) {
       moveLogs(target, aside);  // they must not meet the restored file
@@ -226,7 +226,7 @@ fs::path restoreSqlite(const fs::path& backup, const fs::path& target,
   if (finish) {
     finish(ready.path());
   }
-  settleSqlite(ready.path());
+  flushSqlite(ready.path());
   return replaceSqlite(ready.path(), target);
 }
 

@@ -44,7 +44,7 @@ std::filesystem::path restoreSqlite(const std::filesystem::path& backup, const s
 
 /// Reads a database file completely and flushes it to disk before it replaces a record. Throws Error
 /// (kVerifyFailed) if it is damaged.
-void settleSqlite(const std::filesystem::path& copy);
+void flushSqlite(const std::filesystem::path& copy);
 
 /// Replaces `target` by `ready`, a settled file in the same folder, like restoreSqlite. Throws Error
 /// (kDatabase) if another program or connection has `target` open, (kFileUnwritable); both files are then
@@ -53,11 +53,11 @@ std::filesystem::path replaceSqlite(const std::filesystem::path& ready, const st
 
 /// Checkpoints the write-ahead log of an open file and switches it off. Throws Error (kFileUnwritable) if the
 /// checkpoint was incomplete: the engine then keeps the log.
-void leaveLog(Connection& connection);
+void disableWriteAheadLog(Connection& connection);
 
 /// Checkpoints the write-ahead log into the file so that it can be moved alone. Returns false if the file is
 /// no longer a database or the disk is full. Throws Error (kDatabase) if anybody else has it open.
-bool foldSqlite(const std::filesystem::path& file);
+bool checkpointSqlite(const std::filesystem::path& file);
 
 /// Returns the engine's findings about the file and its references; empty: it is sound.
 [[nodiscard]] std::vector<std::string> integrityFindings(Connection& connection);

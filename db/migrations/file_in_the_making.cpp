@@ -47,7 +47,7 @@ fs::path freeName(const fs::path& wanted) {
   return name;
 }
 
-fs::path beyondLinks(const fs::path& file) {
+fs::path linkTarget(const fs::path& file) {
   std::error_code ignored;
   return fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
 }

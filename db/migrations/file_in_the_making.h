@@ -21,7 +21,7 @@ void removeDatabase(const std::filesystem::path& file) noexcept;
 [[nodiscard]] std::filesystem::path freeName(const std::filesystem::path& wanted);
 
 /// Returns the target of a symbolic link, or `file` itself.
-[[nodiscard]] std::filesystem::path beyondLinks(const std::filesystem::path& file);
+[[nodiscard]] std::filesystem::path linkTarget(const std::filesystem::path& file);
 
 /// Returns the first free name of "<stem>-1", "<stem>-2" ...
 [[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);

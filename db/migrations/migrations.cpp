@@ -150,7 +150,7 @@ void makeRecord(const fs::path& file, const std::vector<Migration>& migrations,
   {
     Connection fresh = openDatabase(making.path().string(), OpenMode::kCreate);
     migrate(fresh, migrations, options);
-    leaveLog(fresh);  // so that the file can be moved without its log
+    disableWriteAheadLog(fresh);  // so that the file can be moved without its log
   }
   fs::rename(making.path(), file, failed);
   if (failed) {

@@ -16,7 +16,7 @@ namespace {
 using Parts = std::map<std::string, std::string>;
 
 /// Formats a value with its type: bytes that spell a text differ from that text.
-std::string toldOf(const Value& value) {
+std::string describedValue(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value.storage())) {
     return "\"" + *text + "\"";
   }
@@ -34,7 +34,7 @@ Parts partsFrom(Connection& connection, const std::string& prefix, const char* s
   while (row.step()) {
     std::string& made = parts[prefix + row.text(0)];
     for (int column = 0; column < row.columnCount(); ++column) {
-      made += (made.empty() ? "" : " ") + toldOf(row.value(column));
+      made += (made.empty() ? "" : " ") + describedValue(row.value(column));
     }
   }
   return parts;

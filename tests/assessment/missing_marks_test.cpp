@@ -207,12 +207,12 @@ IncompleteRatings byRater(const NumberTable& table) {
   return out;
 }
 
-TEST(HoledReliability, OfCompleteMarksEqualsTheIntraclassCorrelation) {
+TEST(IncompleteReliability, OfCompleteMarksEqualsTheIntraclassCorrelation) {
   // Shrout and Fleiss 1979.
   const NumberTable table(
       {{9, 2, 5, 8}, {6, 1, 3, 2}, {8, 4, 6, 8}, {7, 1, 2, 6}, {10, 5, 6, 9}, {6, 2, 4, 7}});
   const Outcome<IccResult> icc = intraclassCorrelation(table);
-  const Outcome<HoledReliability> reml = holedReliability(byRater(table));
+  const Outcome<IncompleteReliability> reml = incompleteReliability(byRater(table));
   ASSERT_TRUE(icc && reml);
   EXPECT_NEAR(reml->single, icc->agreementSingle.estimate, 1e-11);
   EXPECT_NEAR(reml->mean, icc->agreementMean.estimate, 1e-11);
@@ -221,10 +221,10 @@ TEST(HoledReliability, OfCompleteMarksEqualsTheIntraclassCorrelation) {
   EXPECT_NEAR(icc->semMean, icc->semAgreement / 2.0, 1e-15);
 }
 
-TEST(HoledReliability, HoldsANegativeComponentAtZero) {
+TEST(IncompleteReliability, HoldsANegativeComponentAtZero) {
   const NumberTable table(
       {{1, 2, 3}, {2, 3, 1}, {3, 1, 2}, {7, 8, 9}, {8, 9, 7}, {9, 7, 8}});  // raters alike
-  const Outcome<HoledReliability> reml = holedReliability(byRater(table));
+  const Outcome<IncompleteReliability> reml = incompleteReliability(byRater(table));
   ASSERT_TRUE(reml);
   EXPECT_EQ(reml->varianceRaters, 0.0);
   EXPECT_GT(reml->varianceTargets, 1.0);
@@ -234,7 +234,7 @@ TEST(SeparateSlopes, TheRegionEndsWhereTheTestDoes) {
   const Groups before{{2, 3, 4, 5, 6, 7, 8}, {2, 3, 4, 5, 6, 7, 8}};
   const Groups after{{3.1, 3.8, 5.2, 5.9, 7.1, 8.2, 8.8}, {6.2, 6.1, 6.4, 6.2, 6.6, 6.5, 6.4}};
   ASSERT_LT(ancova(before, after)->equalSlopes->p, kSlopesDiffer);
-  const Outcome<SeparateSlopes> first = separateSlopes(before, after, usualBaselines(before));
+  const Outcome<SeparateSlopes> first = separateSlopes(before, after, defaultBaselines(before));
   ASSERT_TRUE(first && first->pairs[0].region.outside);
   const Interval ends = *first->pairs[0].region.outside;
   const Outcome<SeparateSlopes> there = separateSlopes(before, after, std::vector{ends.lower, ends.upper});

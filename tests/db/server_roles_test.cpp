@@ -350,10 +350,10 @@ TEST_F(ServerRolesTest, WhoTypesPaperSheetsAddsMarksOfAllRaters) {
 TEST_F(ServerRolesTest, HiddenMarksAreNotReportedAsMissing) {
   Connection station = openRecord(stationLocator(), OpenMode::kReadOnly);
   for (const char* user : {"", "u-other", "u-trainee"}) {
-    sayWhoAsks(station, user);
+    setCurrentUser(station, user);
     EXPECT_EQ(refusalFrom([&] { (void)verifyAuditTrail(station); }).code, ErrorCode::kPermission) << user;
   }
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
   EXPECT_EQ(findingsIn(station), "");
 }
 
@@ -368,7 +368,7 @@ TEST_F(ServerRolesTest, TheProgramWorksAsTheStationAndKeepsTheTrail) {
                             .action = AuditAction::kUserSignIn,
                             .objectKind = AuditObject::kAppUser};
   AuditRepository(station).append(entry);
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
 
   EXPECT_EQ(findingsIn(station), "");
   EXPECT_TRUE(schemaFindings(*connection_, serverParts()).empty());
@@ -406,11 +406,11 @@ TEST_F(ServerRolesTest, ObjectsThatRedirectStationsAreFindingsAndPreparingRestor
 TEST_F(ServerRolesTest, ErasingUsesTheOwnersFunctionWithTheRightToErase) {
   Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
   const std::string person = real_->traineeId;
-  sayWhoAsks(station, "u-rater");
+  setCurrentUser(station, "u-rater");
   EXPECT_THROW(erasePerson(station, person, "u-rater", "asked", 5), DbError);
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 0);
 
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
   erasePerson(station, person, "u-office", "asked", 5);
 
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 1);

@@ -74,10 +74,10 @@ bool eraseThroughServer(Connection& connection, const PersonId& personId, const 
   }
   for (TouchedRows& rows : touched) {
     for (std::vector<Value>& key : rows.keys) {
-      connection.tellChanged(rows.rule->table, std::move(key), rows.rule->onErase == OnErase::kDelete);
+      connection.reportChange(rows.rule->table, std::move(key), rows.rule->onErase == OnErase::kDelete);
     }
   }
-  connection.tellChanged("erasure", {Value(personId)}, false);
+  connection.reportChange("erasure", {Value(personId)}, false);
   return true;
 }
 

@@ -351,7 +351,7 @@ void requireEveryRow(Connection& connection) {
               Text::tr("Give the address with the account that owns the record, or do it at the window"));
 }
 
-void sayWhoAsks(Connection& connection, const std::string& userId) {
+void setCurrentUser(Connection& connection, const std::string& userId) {
   if (connection.engine() != Engine::kPostgresql) {
     return;
   }

@@ -47,7 +47,7 @@ void requireEveryRow(Connection& connection);
 
 /// Sets the current user for the row policies of a server; empty: nobody. Reverted if the transaction in
 /// which it was set is rolled back.
-void sayWhoAsks(Connection& connection, const std::string& userId);
+void setCurrentUser(Connection& connection, const std::string& userId);
 
 /// Erases through the function of a prepared server. Returns false without one: the account then does it
 /// itself.

@@ -231,11 +231,11 @@ test('what was played is reported every two seconds, and again where no answer c
   await reporter.underway;
   const stretches = [{ from_us: 0, to_us: 20, speed: 1 }, { from_us: 50, to_us: 60, speed: 1 }];
   assert.deepEqual(sent, [stretches]);
-  assert.deepEqual(reporter.unheard, stretches);
+  assert.deepEqual(reporter.unreported, stretches);
   away = false;
   await reporter.report();
   assert.deepEqual(sent[1], stretches);
-  assert.deepEqual(reporter.unheard, []);
+  assert.deepEqual(reporter.unreported, []);
   await reporter.report();
   assert.equal(sent.length, 2);
 });
