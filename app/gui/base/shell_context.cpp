@@ -83,8 +83,9 @@ void ShellContext::tell(const Problem& problem) {
 
 void ShellContext::start(Job job) {
   ++jobs_;
+  const std::uint64_t number = ++started_;
   Q_EMIT jobStarted(job.title);
-  workers_.start([this, number = ++started_, key = session_.key(), job = std::move(job)]() mutable {
+  workers_.start([this, number, key = session_.key(), job = std::move(job)]() mutable {
     std::exception_ptr problem;
     try {
       const auto passOn = [this, number] {
