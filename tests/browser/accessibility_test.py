@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every page in both themes under axe-core (WCAG 2.2 AA and its best practices): `accessibility_test.py DESK_SERVER
-[FOLDER]`. axe-core comes from npm, or from npm's cache, into FOLDER. Exit status 1 when something fails, 77 where there
-is no chromedriver or no way to axe-core."""
+[FOLDER]`. axe-core comes from npm, or from npm's cache, into FOLDER. Exit status 1 on failure, 77 if there
+is no chromedriver or axe-core cannot be fetched."""
 import contextlib
 import pathlib
 import shutil
@@ -20,13 +20,13 @@ LOCK = HERE.parent / "axe"
 
 
 def axe_source(folder):
-    """Empty: npm has none and cannot fetch it."""
+    """Returns an empty text if npm has none and cannot fetch it."""
     modules = node_modules(LOCK, folder)
     return (modules / "axe-core" / "axe.min.js").read_text() if modules else ""
 
 
 class Judge:
-    """Asks axe about what a browser shows, light with all rules, dark about its colours."""
+    """Runs axe on a browser's page: all rules in the light theme, colour rules in the dark one."""
 
     def __init__(self, source):
         self.source, self.pages, self.found = source, 0, []

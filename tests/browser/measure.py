@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of the player, for a person to read: `measure.py [--firefox] [--size 1280x800] [--whole] [--browser PROGRAM]
-[--display]`. An organ of 20,320 triangles with a painted skin, on the mock server: pictures a second while it turns and
-twists, processor time a picture, what the page itself chose to draw fewer pixels, and how long a seek takes until its
-picture is there. No test: a busy machine has other figures."""
+"""Prints performance figures of the player: `measure.py [--firefox] [--size 1280x800] [--whole] [--browser PROGRAM]
+[--display]`. An organ of 20,320 triangles with a painted skin, on the mock server: frames per second while it rotates and
+twists, processor time per frame, the resolution chosen by the page, and the time from a seek to its picture. Not a test:
+the figures depend on the machine's load."""
 import argparse
 import os
 import sys
@@ -92,7 +92,7 @@ window.requestAnimationFrame = (draw) => next((now) => {
 
 
 def processor_s(root):
-    """Of a process and all that it began."""
+    """Processor time of a process and its descendants."""
     children, spent = {}, {}
     for name in os.listdir("/proc"):
         if name.isdigit():

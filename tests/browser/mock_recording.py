@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A made-up recording of a twist and a made-up organ, in the containers that the server sends."""
+"""A synthetic recording of a twist and a synthetic organ, in the server's containers."""
 import json
 import math
 import struct
@@ -35,7 +35,7 @@ def eased(x):
 
 
 def angle_deg(time_s):
-    """Grips at 2 s, turns to 150 degrees, waits, on to the target, holds, lets go at 17 s."""
+    """Grips at 2 s, turns to 150 degrees, waits, turns to the target, holds, releases at 17 s."""
     up = 150.0 * eased((time_s - 2.5) / 5.0) + 32.0 * eased((time_s - 9.0) / 3.0)
     back = 2.0 * eased((time_s - 12.5) / 1.0)
     loose = 182.0 * eased((time_s - 17.0) / 1.5)
@@ -47,7 +47,7 @@ def held(time_s):
 
 
 def tool_pose(time_s):
-    """The tip lies on the organ's front while it is held; the shaft leads towards the viewer."""
+    """The tip touches the organ's front during the grip; the shaft points towards the viewer."""
     away = 70.0 * (1.0 - eased(time_s / 2.0)) + 60.0 * eased((time_s - 17.0) / 2.0)
     turn = math.radians(0.5 * angle_deg(time_s)) if held(time_s) else 0.0
     lean = math.radians(-20.0)
@@ -84,7 +84,7 @@ def recording(length_s=LENGTH_S, picture=True):
 
 
 def ring(along, turned_rad):
-    """A section of the tube: wider in the middle, bent a little, with folds."""
+    """A section of the tube: wider in the middle, slightly bent, with folds."""
     y = LENGTH_MM * (along - 0.5)
     middle = (14.0 * math.sin(2.6 * along), y, 10.0 * math.sin(math.pi * along))
     points = []
@@ -99,7 +99,7 @@ def ring(along, turned_rad):
 
 
 def shape(turn_deg):
-    """All vertices at one angle: the upper half is turned, the lower one stays."""
+    """All vertices at one angle: the upper half is rotated, the lower one fixed."""
     coordinates = array("f")
     for j in range(ALONG):
         along = j / (ALONG - 1)
@@ -120,7 +120,7 @@ def quads(rows, columns, first=0):
 
 
 def organ():
-    """(how it was moved, its body)."""
+    """Returns (its movement, its body)."""
     angles = [angle_deg(i / RATE_HZ) for i in range(0, FRAMES, 2)]
     step = 10.0
     shapes = [shape(step * k) for k in range(POSES)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Serves the pages of assets/web and answers as `torsio serve` does, with made-up cases. For development and for the
+"""Serves the pages of assets/web and answers as `torsio serve` does, with fictitious cases. For development and for the
 tests of the pages: `python3 tests/browser/mock_server.py 8800`, sign in as "rater" with "correct horse battery"."""
 import copy
 import gzip
@@ -36,7 +36,7 @@ class Refused(Exception):
 
 
 def shipped_rubric(say=lambda text: text):
-    """The rubric of the project as the server sends it; `say` translates."""
+    """The shipped rubric in the server's format; `say` translates."""
     rubric = json.loads(RUBRIC.read_text())
 
     def scale(line):
@@ -52,7 +52,7 @@ def shipped_rubric(say=lambda text: text):
 
 
 def translations():
-    """English -> Chinese, from the file of the project."""
+    """English -> Chinese, from the project's translation file."""
     found = {}
     for message in xml.etree.ElementTree.parse(TRANSLATIONS).iter("message"):
         translation = message.find("translation")
@@ -102,7 +102,7 @@ class Case:
 
 
 class Desk:
-    """What the server knows. The tests change it while the pages run."""
+    """State of the server, which tests modify while the pages run."""
     def __init__(self):
         self.rubric = shipped_rubric()
         day_us = 86_400_000_000
@@ -377,7 +377,7 @@ class Server(ThreadingHTTPServer):
 
 
 def start(port=0, measured=None):
-    """(server, desk), running in a thread of its own. `measured`: name -> bytes of /measured/NAME."""
+    """Returns (server, desk), running in its own thread. `measured`: name -> bytes of /measured/NAME."""
     desk = Desk()
     desk.measured = measured or {}
     server = Server(("127.0.0.1", port), type("Bound", (Handler,), {"desk": desk}))

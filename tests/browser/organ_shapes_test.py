@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the vertex shaders of the pages, and their script where shaders are slow, make of every shipped organ and pattern,
-read back out of the browser and held against where the window draws it: `organ_shapes_test.py ORGAN_SHAPES [--firefox] [SCENE ...]`. With --make FOLDER the
+"""Compares every shipped organ and pattern as evaluated by the pages' vertex shaders, and by their script where shaders are
+slow, with the window's vertices: `organ_shapes_test.py ORGAN_SHAPES [--firefox] [SCENE ...]`. With --make FOLDER the
 organs are made only, and with the folder in place of the program only read."""
 import gzip
 import pathlib
@@ -77,7 +77,7 @@ const [name] = arguments;
 
 
 def wrong(name, found, turned_rad, sent_b, shapes_mm):
-    """What is not as it should be, in words."""
+    """Returns descriptions of deviations."""
     if "error" in found:
         return found["error"]
     faults = []
@@ -101,13 +101,13 @@ def wrong(name, found, turned_rad, sent_b, shapes_mm):
 
 
 def make(program, folder, scenes):
-    """A line for each organ of the scenes, kept in the folder with what the program makes."""
+    """Makes the organs of the scenes in the folder, with a line for each."""
     told = subprocess.run([program, folder, *scenes], stdout=subprocess.PIPE, text=True, check=True).stdout
     (pathlib.Path(folder) / LIST).write_text(told)
 
 
 def made(folder):
-    """(the lines, {name: bytes unpacked})."""
+    """Returns (the lines, {name: decompressed bytes})."""
     files = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
     told = files.pop(LIST).decode()
     return told, {name: data if name.endswith(".places") else gzip.decompress(data) for name, data in files.items()}

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pages on the real server, in a headless Chromium or in Firefox: `real_desk_test.py DESK_SERVER [--firefox] [--to
-PICTURES] [NAME ...]` runs all scenarios or those whose names contain a word. Exit status 1 when something fails, 77
-where there is no such browser."""
+PICTURES] [NAME ...]` runs all scenarios or those whose names contain a word. Exit status 1 on failure, 77
+if there is no such browser."""
 import argparse
 import contextlib
 import os
@@ -33,13 +33,13 @@ def sign_in(browser, url, login):
 
 
 def at_its_end(browser):
-    """The clock of the player has come to the length of the recording, whatever that is."""
+    """True if the player has reached the end of the recording."""
     moment, _, length = browser.text(".time").partition(" of ")
     return length != "" and moment == length
 
 
 class Desk:
-    """A centre of made-up people behind a port of this machine; `url`, and what stands in an invitation."""
+    """A centre of fictitious people on a local port; `url` and an invitation."""
 
     def __init__(self, program, public_url=""):
         self.program = program
@@ -49,13 +49,13 @@ class Desk:
         self.secret = self.server.stdout.readline().strip()
 
     def at_the_desk(self, steps):
-        """The same physician at the desk finds the draft, gives the second row a mark and saves: (found, saved)."""
+        """The same physician opens the draft at the desk, scores the second row and saves: (found, saved)."""
         self.server.stdin.write(f"{steps}\n")
         self.server.stdin.flush()
         return self.server.stdout.readline().strip(), self.server.stdout.readline().strip()
 
     def ask(self, word):
-        """"release" or "answers": one line of what is so at the desk."""
+        """Sends "release" or "answers" to the desk and returns its line."""
         self.server.stdin.write(f"{word}\n")
         self.server.stdin.flush()
         return self.server.stdout.readline().strip()
@@ -73,7 +73,7 @@ def submit_and_seal(browser):
 
 
 def skin_arrived(browser):
-    """Bytes that came over the network until the organ's body and the tissue's picture did, 0 before that."""
+    """Bytes loaded until the organ's body and the tissue's picture had arrived; 0 before that."""
     return browser.run("const all = performance.getEntriesByType('resource');"
                        "return all.filter((one) => one.name.includes('/api/organs/') && one.responseEnd > 0).length > 1"
                        " ? all.reduce((sum, one) => sum + one.transferSize, 0) : 0")
@@ -103,7 +103,7 @@ def test_score_a_case(kind, desk, pictures):
 
 
 def test_draft_to_the_desk_and_back(kind, desk, pictures):
-    """From one browser to the desk, and on in another browser."""
+    """From one browser to the desk, and on to another browser."""
     with kind(webgl=False) as browser:
         sign_in(browser, desk.url, "physician0")
         browser.click(".case:not(.live)")
@@ -122,7 +122,7 @@ def test_draft_to_the_desk_and_back(kind, desk, pictures):
 
 
 def test_from_the_link_to_a_sealed_case(kind, desk, pictures):
-    """The person has nothing but the link, and uses no mouse."""
+    """With only the link, and without a mouse."""
     begun = time.monotonic()
     with kind() as browser:
         browser.open(f"{desk.url}join#{desk.secret}")
@@ -161,7 +161,7 @@ def free_port():
 
 @contextlib.contextmanager
 def behind_caddy(program, folder):
-    """A desk behind the proxy of docs/server.md, with a certificate that this proxy signs for itself."""
+    """A desk behind the proxy of docs/server.md, with the proxy's self-signed certificate."""
     port = free_port()
     public = f"https://localhost:{port}"
     with contextlib.closing(Desk(program, public)) as desk:
@@ -189,7 +189,7 @@ def reached(browser, url):
 
 
 def test_through_the_proxy(kind, desk, pictures):
-    """Signed in, scored and sealed by https through Caddy as docs/server.md sets it up."""
+    """Signs in, scores and submits by https through Caddy, configured as in docs/server.md."""
     if shutil.which("caddy") is None or kind is not Browser:
         print("not here")
         return
@@ -221,7 +221,7 @@ PAGES = {"physician0": {"queue": "Your queue", "calibration": "Calibration", "se
 
 
 def test_a_remark_is_answered(kind, desk, pictures):
-    """A physician writes at a moment, the trainee answers in a browser, the physician finds it at the desk."""
+    """A physician writes a remark, the trainee replies in a browser, the physician sees the reply at the desk."""
     with kind(webgl=False) as browser:
         sign_in(browser, desk.url, "physician0")
         cases = browser.run("return document.querySelectorAll('.case:not(.live)').length")
@@ -253,7 +253,7 @@ def test_a_remark_is_answered(kind, desk, pictures):
 
 
 def test_an_administrator_invites(kind, desk, pictures):
-    """A link made by keyboard, shown once, and taken back."""
+    """A link is created by keyboard, shown once, and revoked."""
     with kind(webgl=False) as browser:
         browser.open(desk.url)
         browser.there("[name=login]")
@@ -281,7 +281,7 @@ def test_an_administrator_invites(kind, desk, pictures):
 
 
 def test_every_page_opens(kind, desk, pictures):
-    """In every role, in both languages, without a fault and without sideways scrolling."""
+    """In every role and both languages, without errors or horizontal scrolling."""
     for login, own in PAGES.items():
         with kind(webgl=False) as browser:
             look_round(browser, desk.url, login, own, pictures)

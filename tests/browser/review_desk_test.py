@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pages of the review desk in a headless Chromium, against the mock of the server. `review_desk_test.py [--firefox]
-[NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 when one fails, 77 where there is no
+[NAME ...]` runs all scenarios or those whose names contain a word; exit status 1 on failure, 77 if there is no
 such browser."""
 import gzip
 import json
@@ -172,7 +172,7 @@ def test_network_away(browser, url, desk):
 
 
 def test_answer_lost(browser, url, desk):
-    """The server stored it, and the connection broke before it could say so: no question is asked."""
+    """The server stored the save, but its answer was lost: no conflict is shown."""
     open_case(browser, url)
     browser.keys("5")
     saved(browser, desk, [50, None, None, None])
@@ -289,7 +289,7 @@ def test_idle_lock_without_network(browser, url, desk):
 
 
 def test_left_while_the_network_is_away(browser, url, desk):
-    """The draft goes on its way from the queue, and no other page of the same case overtakes it."""
+    """The draft is still saved from the queue, and another page of the same case does not overtake it."""
     open_case(browser, url)
     desk.refusing = True
     browser.keys("5")
@@ -340,7 +340,7 @@ def test_without_webgl(browser, url, desk):
 
 
 def drawn(browser):
-    """What the stage shows, as 64 x 40 pixels: the share that is not its background, and all of them."""
+    """The stage as 64 x 40 pixels: the share that differs from the background, and the pixels."""
     return browser.run("""
       const flat = document.createElement('canvas');
       [flat.width, flat.height] = [64, 40];

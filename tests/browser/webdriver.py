@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives a headless Chromium through chromedriver, or Firefox through its Marionette, by their protocols themselves:
-Debian's Python needs nothing more."""
+"""Drives a headless Chromium through chromedriver, or Firefox through its Marionette, by their protocols directly:
+needs only Debian's Python."""
 import base64
 import json
 import os
@@ -27,7 +27,7 @@ class Browser:
     PROGRAM = "chromedriver"
 
     def __init__(self, size=(1280, 800), language="en-GB", dark=False, webgl=True, program=None, display=False):
-        """`program`: another browser than Debian's. `display`: on the screen that is there, drawn by what the machine has."""
+        """`program`: another browser than Debian's. `display`: uses the present screen and graphics hardware."""
         self.program, self.display = program, display
         self.size, self.language, self.dark, self.webgl = size, language, dark, webgl
 
@@ -81,7 +81,7 @@ class Browser:
         return self.call("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
     def resize(self, width, height):
-        """The page itself gets this size, however small: a window has a least width, a device has none."""
+        """Sets the size of the page, however small; a window has a minimum width, a device has none."""
         self.devtools("Emulation.setDeviceMetricsOverride",
                       {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
@@ -93,7 +93,7 @@ class Browser:
         return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
 
     def until(self, what, look):
-        """Waits until `look()` gives something true, and returns it."""
+        """Waits until `look()` returns a true value, and returns that."""
         end = time.monotonic() + PATIENCE_S
         while True:
             found = look()
@@ -119,7 +119,7 @@ class Browser:
         self.call("POST", f"/element/{element}/click")
 
     def tap(self, css, across=0.5):
-        """With a finger, at this share of the width."""
+        """Taps at this fraction of the width."""
         x, y = self.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'nearest'});"
                         "const r = e.getBoundingClientRect(); return [r.left + r.width * arguments[1], r.top + r.height / 2]",
                         css, across)
@@ -129,7 +129,7 @@ class Browser:
                                                     "parameters": {"pointerType": "touch"}, "actions": finger}]})
 
     def keys(self, *names):
-        """Names of KEYS, "Control+z", or texts that are typed letter by letter."""
+        """Types names of KEYS, "Control+z", or texts letter by letter."""
         actions = []
         for name in names:
             parts = name.split("+") if len(name) > 1 and "+" in name else [name]
@@ -147,13 +147,13 @@ class Browser:
             file.write(base64.b64decode(self.call("GET", "/screenshot")))
 
     def faults(self):
-        """What the console said since the last call: faults of scripts, refusals of the content policy."""
+        """Returns console messages since the last call: script errors, content policy violations."""
         return [line["message"] for line in self.call("POST", "/se/log", {"type": "browser"})
                 if line["level"] == "SEVERE" and "Failed to load resource" not in line["message"]]
 
 
 class Firefox(Browser):
-    """Under Xvfb, for headless Firefox has no WebGL; Debian has no geckodriver, and its commands are the same."""
+    """Runs under Xvfb, as headless Firefox has no WebGL, and without geckodriver, which Debian lacks; the commands are the same."""
     PROGRAM = "firefox-esr"
     COMMANDS = {"/url": "Navigate", "/execute/sync": "ExecuteScript", "/element": "FindElement", "/actions": "PerformActions",
                 "/screenshot": "TakeScreenshot", "/refresh": "Refresh"}
@@ -225,7 +225,7 @@ class Firefox(Browser):
         return self.order(self.COMMANDS[path], {"full": False} if path == "/screenshot" else body or {})
 
     def resize(self, width, height):
-        """The window's least width is about 450 pixels."""
+        """The window's minimum width is about 450 pixels."""
         self.order("SetWindowRect", {"x": 0, "y": 0, "width": width, "height": height})
 
     def faults(self):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Evaluates the R command of each line of cases.tsv and compares it with the value that stands there, to 1e-9 relative.
-# `Rscript check.R --write` puts R's values in.
+# Evaluates the R command of each line of cases.tsv and compares the result with the stored value, to 1e-9 relative.
+# `Rscript check.R --write` stores R's values.
 arguments <- commandArgs(FALSE)
 folder <- dirname(normalizePath(sub("^--file=", "", grep("^--file=", arguments, value = TRUE))))
 source(file.path(folder, "statistics.R"))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What the R commands of cases.tsv use: the tables, and the formulas that no package of Debian has to nine digits.
+# Functions for the R commands of cases.tsv: the tables, and formulas that no Debian package computes to nine digits.
 suppressMessages({library(psych); library(car); library(coin); library(lme4); library(lmerTest)})
 
 rows <- function(name) read.csv(file.path(folder, "tables", paste0(name, ".csv")))
-# A row for each target, a column for each rater, as in the file; empty marks are NA.
+# One row per target, one column per rater, in file order; missing marks are NA.
 wide <- function(name) {
   d <- rows(name)
   m <- tapply(d$score, list(factor(d$target, unique(d$target)), factor(d$rater, unique(d$rater))), identity)
@@ -122,7 +122,7 @@ mixed <- function() {
   m <- lm(cbind(before, middle, after) ~ group, w, contrasts = list(group = "contr.sum"))
   summary(car::Anova(m, idata = time, idesign = ~time, type = 3), multivariate = FALSE)
 }
-# A model of four occasions; with "fewest" as many degrees of freedom as contrasts.
+# A model of four occasions; "fewest": as many degrees of freedom as contrasts.
 four <- function(name) {
   w <- reshape(rows(name), idvar = c("subject", "group"), timevar = "occasion", direction = "wide")
   lm(as.matrix(w[, 3:6]) ~ group, w, contrasts = list(group = "contr.sum"))
@@ -176,7 +176,7 @@ s26 <- function(model, index) {
   d <- rows("marks"); d <- d[d$model == model & d$index == index, ]
   mean((d$score - m25(model, index))^2)
 }
-# Marks with holes: lme4's model, mark after ~ group + mean mark before + (1 | subject) + (1 | rater). lme4 stops some 1e-8 from
+# Incomplete marks: lme4's model, mark after ~ group + mean mark before + (1 | subject) + (1 | rater). lme4 stops some 1e-8 from
 # the minimum and lmerTest differentiates numerically; Newton's steps on the restricted likelihood in full matrices settle both.
 # settled() fails where its result is further than 1e-4 from theirs.
 holed <- function(name) {
@@ -224,7 +224,7 @@ reliability <- function(name) {
   m <- settled(name, score ~ 1 + (1 | subject) + (1 | rater), d); v <- m$variance; k <- as.numeric(names(which.max(table(table(d$target)))))
   list(single = v[2] / sum(v), mean = v[2] / (v[2] + (v[1] + v[3]) / k), variance = v, sem = sqrt(v[1] + v[3]))
 }
-# Complete cases: mean marks of who has one at both occasions.
+# Complete cases: mean marks of subjects with one at both occasions.
 complete_cases <- function(name) { d <- holed(name); a <- aggregate(score ~ subject + group + before, d, mean); a }
 # Analysis of covariance of a table with two occasions; slopes of their own; where two groups differ (Johnson & Neyman 1936).
 two_occasions <- function(name) {
@@ -246,7 +246,7 @@ neyman <- function(name, a, b) {
   sort(sapply(Re(polyroot(z)), function(x) { for (i in 1:5) x <- x - f(x) / (z[2] + 2 * x * z[3]); x }))
 }
 tost <- function(d, e, df, margin) max(pt((d + margin) / e, df, lower.tail = FALSE), pt((d - margin) / e, df))
-# All marks short of the usual five are as low as the scale goes in one group, as high in the other.
+# Missing marks (of the usual five) are imputed as the lowest score in one group, the highest in the other.
 bound <- function(name, a, b, usual, low, high) {
   d <- rows(name); d$group <- factor(d$group, unique(d$group)); g <- levels(d$group)
   one <- function(s) {
@@ -284,7 +284,7 @@ bootstrapped <- function() {
        percentile = quantile(all, c(0.025, 0.975), type = 1, names = FALSE),
        bca = quantile(all, level(qnorm(c(0.025, 0.975))), type = 1, names = FALSE))
 }
-# Chance that the LC-CUSUM (Biau & Porcher 2010) reaches its limit: every sum that can be, with its probability.
+# Probability that the LC-CUSUM (Biau & Porcher 2010) reaches its limit, by enumeration of all sums.
 lc_pass <- function(failure, attempts, adequate, inadequate, limit) {
   up <- log((1 - adequate) / (1 - inadequate)); down <- log(adequate / inadequate)
   p <- c("0" = 1); passed <- 0
@@ -295,8 +295,8 @@ lc_pass <- function(failure, attempts, adequate, inadequate, limit) {
   }
   passed
 }
-# Chance of not being held able after so many attempts: the same, and after the limit the sum reversed, whose limit leads
-# back to the beginning.
+# Probability of not counting as competent after so many attempts: the same, then the reversed sum, whose limit leads
+# back to the start.
 lc_not_able <- function(failure, attempts, adequate, inadequate, limit) {
   up <- log((1 - adequate) / (1 - inadequate)); down <- log(adequate / inadequate)
   moved <- function(p, rise, fall, chance) {

@@ -30,7 +30,7 @@ function refusal(status, body = {}, wait_s = 0) {
   return new Refusal(status, { error: { code: 'x', what: 'said' }, ...body }, wait_s);
 }
 
-test('one request at a time, and the newest sheet wins', async () => {
+test('sends one request at a time, always the newest sheet', async () => {
   const { type, asked, keeper } = desk();
   type('a');
   type('ab');
@@ -47,7 +47,7 @@ test('one request at a time, and the newest sheet wins', async () => {
   assert.equal(keeper.unsaved, false);
 });
 
-test('a network that is away is tried again, later and later, with what is newest', async () => {
+test('retries a failed network with increasing delays and the newest sheet', async () => {
   const { type, asked, keeper, waits } = desk();
   type('a');
   for (let i = 0; i < 7; ++i) {
@@ -70,7 +70,7 @@ test('a network that is away is tried again, later and later, with what is newes
   assert.equal(keeper.state, 'saved');
 });
 
-test('a newer sheet at the server is asked about; mine on top carries its revision', async () => {
+test('a newer sheet on the server is a conflict; keeping mine adopts its revision', async () => {
   const { type, asked, keeper, sheet } = desk();
   type('mine');
   asked[0].refuse(refusal(409, { sheet: { revision: 8, rows: [], overall_steps: null, comment: 'theirs' } }));
@@ -98,7 +98,7 @@ test('taking the newer sheet ends the conflict without a request', async () => {
   assert.equal(keeper.unsaved, false);
 });
 
-test('an own save whose answer got lost is no conflict', async () => {
+test('a save whose answer was lost is not a conflict', async () => {
   const { type, asked, keeper, waits } = desk();
   type('a');
   asked[0].refuse(new NoConnection());
@@ -114,7 +114,7 @@ test('an own save whose answer got lost is no conflict', async () => {
   assert.equal(keeper.state, 'saved');
 });
 
-test('an ended session keeps what was typed until somebody is back', async () => {
+test('an ended session keeps the draft until the next sign-in', async () => {
   const { type, asked, keeper } = desk();
   type('a');
   asked[0].refuse(refusal(401));
@@ -126,7 +126,7 @@ test('an ended session keeps what was typed until somebody is back', async () =>
   assert.equal(asked[1].sheet.comment, 'ab');
 });
 
-test('a refusal is told; the next change tries again', async () => {
+test('a refusal is shown; the next change retries', async () => {
   const { type, asked, keeper } = desk();
   type('a');
   asked[0].refuse(refusal(400));
@@ -139,7 +139,7 @@ test('a refusal is told; the next change tries again', async () => {
   assert.equal(keeper.state, 'saved');
 });
 
-test('settled waits for what is under way, and not for a network that is away', async () => {
+test('settled waits for pending requests, but not for a failed network', async () => {
   const { type, asked, keeper } = desk();
   type('a');
   const first = keeper.settled();

@@ -18,7 +18,7 @@ function camera() {
 }
 const at = (bytes, x, y) => [...bytes.slice(4 * (y * kSize + x), 4 * (y * kSize + x) + 4)];
 
-test('what is nearer hides what is farther, in whichever order they come', () => {
+test('nearer triangles hide farther ones in any order', () => {
   const [near, far] = [square(3, 5, [255, 0, 0]), square(8, -5, [0, 0, 255])];
   for (const meshes of [[near, far], [far, near]]) {
     const bytes = rasterPicture(meshes, camera(), kSize, kSize);
@@ -30,7 +30,7 @@ test('what is nearer hides what is farther, in whichever order they come', () =>
   }
 });
 
-test('both sides are lit alike, and a model moves what it is given', () => {
+test('both sides are lit alike, and the model matrix is applied', () => {
   const turned = square(3, 0, [200, 200, 200]);
   turned.index = new Uint32Array([0, 2, 1, 0, 3, 2]);
   assert.deepEqual(at(rasterPicture([turned], camera(), kSize, kSize), 20, 20),
@@ -41,7 +41,7 @@ test('both sides are lit alike, and a model moves what it is given', () => {
   assert.equal(at(bytes, 30, 20)[3], 255);
 });
 
-test('triangles beyond the picture and flat ones harm nothing', () => {
+test('triangles outside the picture and degenerate ones are ignored', () => {
   const odd = square(500, 0, [9, 9, 9]);
   odd.vertices.fill(0, 0, 18);
   assert.equal(rasterPicture([odd], camera(), kSize, kSize).length, 4 * kSize * kSize);

@@ -33,7 +33,7 @@ function container(meta, arrays) {
   return new Uint8Array(made).buffer;
 }
 
-test('a container is read by its head, and a broken one refused', () => {
+test('a container is parsed by its header, and a malformed one rejected', () => {
   const bytes = container({ rate_hz: 60 }, [
     { name: 'angle_deg', type: 'f32', values: new Float32Array([1.5, 2.5]) },
     { name: 'closed', type: 'u8', values: new Uint8Array([0, 1, 1, 0]) },
@@ -46,7 +46,7 @@ test('a container is read by its head, and a broken one refused', () => {
   assert.throws(() => readContainer(new ArrayBuffer(12)), RangeError);
 });
 
-test('differences are added up, wrap round as their type does, and are multiples where a scale says so', () => {
+test('differences are summed, wrap like their type, and are multiplied by a scale', () => {
   const body = Buffer.from(new Int16Array([30000, 1, 10000, 1, 2, 3]).buffer);
   const made = (entry) => {
     const bytes = Buffer.from(container({}, [{ name: 'x', type: 'i16', values: new Int16Array([30000, 1, 10000, 1]) }]));
@@ -77,13 +77,13 @@ const kTriangle = {
   },
 };
 
-test('the organ at a moment is the mean and its weighted components, linear between frames', () => {
+test('the organ is the mean plus weighted components, linear between frames', () => {
   const morph = new Morph(kTriangle);
   const heights = [-1, 0, 0.125, 0.25, 0.5, 9].map((time_s) => morph.evaluate(time_s)[14]);
   assert.deepEqual(heights, [0, 0, 0.5, 1, 2, 2].map(Math.fround));
 });
 
-test('blood, then what was done to the tissue, colours each vertex by its share and the frame', () => {
+test('blood, then damage, colours each vertex by its share in the frame', () => {
   assert.equal(new Morph(kTriangle).tintsAt(0.5), null);
   const arrays = {
     ...kTriangle.arrays,
@@ -111,7 +111,7 @@ test("a recording's own displacements follow those of the organ's body", () => {
   assert.deepEqual(body.meta.scale, [0.001, 0.01], 'the next recording has the same body');
 });
 
-test('a fan has every triangle round its vertex, and goes round it as the triangle does', () => {
+test('a fan has every triangle around its vertex in winding order', () => {
   const { first, others } = fanned([0, 1, 2, 2, 1, 3], 5);
   const fan = (v) => [...others.subarray(2 * first[v], 2 * first[v + 1])];
   assert.deepEqual(fan(1), [2, 0, 3, 2]);
@@ -120,7 +120,7 @@ test('a fan has every triangle round its vertex, and goes round it as the triang
   assert.deepEqual([0, 1, 2, 3, 4].map(fan), [[1, 2], [2, 0, 3, 2], [0, 1, 1, 3], [2, 1], []]);
 });
 
-test('bruises and clips lie on an organ in their own frames alone', () => {
+test('bruises and clips are drawn only in their frames', () => {
   const paints = [{ factor: [0, 0, 0], from: 1, to: 2 }, { factor: [1, 1, 0], from: 1, to: 3 }];
   const arrays = { ...kTriangle.arrays, fed: new Uint8Array(3), blood: new Float32Array([1, 1, 1, 0.5, 0.25, 0.75, 0, 0, 0]) };
   const morph = new Morph({ meta: { ...kTriangle.meta, paints }, arrays });
@@ -129,7 +129,7 @@ test('bruises and clips lie on an organ in their own frames alone', () => {
   assert.deepEqual(new Morph(kTriangle).coloursAt(0.5), { blood: [1, 1, 1], paints: [] });
 });
 
-test('the lamps are those of the window', () => {
+test("the lamps match the window's", () => {
   const scene = readFileSync(new URL('../../../app/gui/scene/scene_view.qml', import.meta.url), 'utf8');
   const said = (pattern) => {
     const found = scene.match(pattern);
@@ -144,20 +144,20 @@ test('the lamps are those of the window', () => {
   assert.deepEqual(kLamps.scatterRim, said(new RegExp(`vector3d scatterRim: Qt.vector3d${three}.times.root.scatter`)));
 });
 
-test('normals are those of the triangles as they are now', () => {
+test('normals follow the present triangles', () => {
   const morph = new Morph(kTriangle);
   assert.deepEqual([...morph.evaluate(0).slice(3, 6)], [0, 0, 1]);
   const [x, y, z] = morph.evaluate(0.5).slice(3, 6); // (1,0,0) x (0,1,2)
   assert.deepEqual([x, y, z].map((one) => Math.round(1e6 * one) / 1e6), [0, -2, 1]);
 });
 
-test('the ball round the organ holds each vertex, also of its last shape', () => {
+test('the bounding sphere contains every vertex, including the last shape', () => {
   const { centre, radius } = new Morph(kTriangle).ball();
   assert.deepEqual(centre, [0.5, 0.5, 1]);
   assert.ok(Math.abs(radius - Math.sqrt(1.5)) < 1e-6);
 });
 
-test('the instrument goes the shorter way between two orientations, and its jaw moves with it', () => {
+test('the instrument rotates the shorter way, and its jaw moves with it', () => {
   const recording = {
     meta: { rate_hz: 10, frames: 2 },
     arrays: { tool: new Float32Array([0, 0, 0, 1, 0, 0, 0, 10, 0, 0, -1, 0, 0, 0]), closed: new Uint8Array([255, 0]) },
@@ -171,7 +171,7 @@ test('the instrument goes the shorter way between two orientations, and its jaw 
   assert.deepEqual(at(0, 0, 0).map(Math.round), [0, 20, 20]);
 });
 
-test('a framed ball fills the view from each side', () => {
+test('a framed sphere fills the view from each side', () => {
   const camera = new OrbitCamera();
   for (const from of ['front', 'side', 'top']) {
     camera.look(from);
@@ -189,7 +189,7 @@ test('a framed ball fills the view from each side', () => {
   }
 });
 
-test('playing counts the time that went by, a long pause of the window does not, and it ends at the end', () => {
+test('playing counts elapsed time without long pauses of the window, and stops at the end', () => {
   const playback = new Playback(1_000_000, [0.5, 1]);
   playback.toggle();
   assert.deepEqual(playback.advance(0.1), { from_us: 0, to_us: 100_000, speed: 1 });
@@ -206,11 +206,11 @@ test('playing counts the time that went by, a long pause of the window does not,
   assert.equal(playback.position_us, 0);
 });
 
-test('stretches are joined', () => {
+test('intervals are merged', () => {
   assert.deepEqual(joined([[5, 9], [0, 2], [2, 4], [6, 12], [3, 3]]), [[0, 4], [5, 12]]);
 });
 
-test('what was played is reported every two seconds, and again where no answer came', async () => {
+test('playback is reported every two seconds, and again without an answer', async () => {
   let now = 0;
   const sent = [];
   let away = true;
@@ -240,14 +240,14 @@ test('what was played is reported every two seconds, and again where no answer c
   assert.equal(sent.length, 2);
 });
 
-test('a sentence takes its values and its plural in one pass', () => {
+test('values and plural of a sentence are filled in one pass', () => {
   assert.equal(filledIn('%1 {case fits|cases fit} into %2', ['1', 'ten']), '1 case fits into ten');
   assert.equal(filledIn('%1 {case fits|cases fit}', ['3']), '3 cases fit');
   assert.equal(filledIn('%1: %2', ['%2', 'x']), '%2: x');
   assert.equal(filledIn('%3 {a', ['1']), '%3 {a');
 });
 
-test('a trace has zero and its limit on its scale; a small torque of an untwisting is told in thousandths', () => {
+test('a trace includes zero and its limit; small torques of an untwisting are shown in thousandths', () => {
   const torque = { name: 'Torque', unit: 'N m', decimals: kTorqueDecimals, low: new Float32Array([0, -0.04, -0.02]) };
   const turned = lane({ ...torque, limit: 0.05 });
   assert.equal(turned.limit, -0.05);
@@ -262,19 +262,19 @@ test('a trace has zero and its limit on its scale; a small torque of an untwisti
   assert.equal(sizeText(force, 3.3), '3.30 N');
 });
 
-test('a moment goes by tenths, rounded: the last sample of 0:20 lies a tick before it', () => {
+test('a moment is rounded to tenths: the last sample of 0:20 is one tick before it', () => {
   assert.equal(clockTenths(0), '0:00.0');
   assert.equal(clockTenths(11_849_000), '0:11.8');
   assert.equal(clockTenths(19_999_000), '0:20.0');
   assert.equal(clockTenths(125_400_000), '2:05.4');
 });
 
-test('sentences stand a blank apart, in Chinese beside each other', () => {
+test('sentences are joined with a blank, in Chinese without', () => {
   assert.equal(joinedSentences(['Done.', '', 'Go on.']), 'Done. Go on.');
   assert.equal(joinedSentences(['\u5df2\u5b8c\u6210\u3002', '\u8bf7\u7ee7\u7eed\u3002']), '\u5df2\u5b8c\u6210\u3002\u8bf7\u7ee7\u7eed\u3002');
 });
 
-test('a day reads as in the window, its month in letters in English', () => {
+test("a date is formatted as in the window, in English with the month's name", () => {
   const noon_us = 1_767_600_000_000_000; // 5 January 2026, 08:00 UTC
   assert.equal(dayText(noon_us), '5 Jan 2026');
   useTexts({ texts: {}, language: 'zh_CN' });

@@ -16,7 +16,7 @@ function fresh() {
   return new SheetEditor(kRubric, kEmpty);
 }
 
-test('a digit is points; one and then zero is ten; a lone zero is zero, or ten where there is no zero', () => {
+test('a digit is points; 1 then 0 is ten; a lone 0 is zero, or ten if the scale has no zero', () => {
   const cases = [
     [kTens, 7, null, 70], [kTens, 1, null, 10], [kTens, 0, 1, 100], [kTens, 0, null, 100], [kTens, 1, 1, 10],
     [kTens, 5, 7, 50], [kFives, 0, null, 0], [kFives, 6, null, null], [kFives, 3, 1, 3],
@@ -26,13 +26,13 @@ test('a digit is points; one and then zero is ten; a lone zero is zero, or ten w
   }
 });
 
-test('rows that the rubric lacks are left out, those that the sheet lacks are empty', () => {
+test('rows unknown to the rubric are dropped, missing ones are empty', () => {
   assert.deepEqual(fresh().sheet.rows.map((row) => row.code), ['a', 'b']);
   assert.deepEqual(fresh().unanswered(), ['a', 'b', '']);
   assert.equal(fresh().sheet.revision, 3);
 });
 
-test('a score outside the scale changes nothing, nor does the same one again', () => {
+test('a score off the scale, or the same score, changes nothing', () => {
   const editor = fresh();
   assert.equal(editor.setScore('a', 105), false);
   assert.equal(editor.setScore('a', 70), true);
@@ -41,7 +41,7 @@ test('a score outside the scale changes nothing, nor does the same one again', (
   assert.equal(editor.canUndo, false);
 });
 
-test('undo and redo go from the first mark to the last; a new mark ends the redo', () => {
+test('undo and redo cover all marks; a new mark clears the redo', () => {
   const editor = fresh();
   editor.setScore('a', 70);
   editor.setScore('', 80);
@@ -56,7 +56,7 @@ test('undo and redo go from the first mark to the last; a new mark ends the redo
   assert.equal(editor.canRedo, false);
 });
 
-test('keystrokes in one text are one step; after undo a new one begins', () => {
+test('keystrokes in one text are one step; after an undo a new step begins', () => {
   const editor = fresh();
   for (const text of ['n', 'no', 'not seen']) editor.setNotAssessable('b', text);
   editor.undo();
@@ -69,7 +69,7 @@ test('keystrokes in one text are one step; after undo a new one begins', () => {
   assert.equal(editor.answer('b').not_assessable, 'not seen');
 });
 
-test('a reason takes the place of a score, and an empty one clears', () => {
+test('a reason replaces a score, and an empty one clears it', () => {
   const editor = fresh();
   editor.setScore('a', 70);
   editor.setNotAssessable('a', 'hidden');
@@ -80,7 +80,7 @@ test('a reason takes the place of a score, and an empty one clears', () => {
   assert.equal(editor.sheet.overall_not_assessable, 'broken off');
 });
 
-test('clearing all is one step that undo brings back, and nothing where nothing is', () => {
+test('clearing all is a single step, and none if the sheet is empty', () => {
   const editor = fresh();
   assert.equal(editor.clearAll(), false);
   editor.setScore('a', 70);
@@ -92,7 +92,7 @@ test('clearing all is one step that undo brings back, and nothing where nothing 
   assert.equal(editor.comment, 'fine');
 });
 
-test('sheets are compared by what they say, not by their revision', () => {
+test('sheets are compared by content, not by revision', () => {
   const one = fresh().sheet;
   assert.equal(sameMarks(one, { ...one, revision: 9 }), true);
   assert.equal(sameMarks(one, { ...one, comment: 'x' }), false);
@@ -107,7 +107,7 @@ test('ten is typed as one step', () => {
   assert.equal(keys.editor.answer('a').score_steps, null);
 });
 
-test('arrows adjust by half a point or the finest step, stay on the scale and invent nothing', () => {
+test('arrows adjust existing scores by half a point or the finest step, within the scale', () => {
   const keys = new SheetKeys(fresh());
   assert.equal(keys.adjust(+1), false);
   keys.digit(9);
@@ -119,7 +119,7 @@ test('arrows adjust by half a point or the finest step, stay on the scale and in
   assert.equal(keys.editor.answer('a').score_steps, 99);
 });
 
-test('rows go round in both directions', () => {
+test('rows wrap round in both directions', () => {
   const keys = new SheetKeys(fresh());
   keys.step(-1);
   assert.equal(keys.current, '');
@@ -127,7 +127,7 @@ test('rows go round in both directions', () => {
   assert.equal(keys.current, 'a');
 });
 
-test('advancing waits after a one that may become a ten', () => {
+test('advancing waits after a 1 that may become 10', () => {
   const keys = new SheetKeys(fresh());
   keys.setAdvancing(true);
   keys.digit(1);
@@ -142,7 +142,7 @@ test('advancing waits after a one that may become a ten', () => {
   assert.deepEqual(['a', 'b', ''].map((code) => keys.editor.answer(code).score_steps), [100, 4, 70]);
 });
 
-test('a mark by the mouse marks its row and advances', () => {
+test('a mark by mouse selects its row and advances', () => {
   const keys = new SheetKeys(fresh());
   keys.choose('b', 3);
   assert.equal(keys.current, 'b');

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const kRoot = fileURLToPath(new URL('../../../', import.meta.url));
 
-test('each sentence of the pages stands in the list that is translated, and no other', () => {
+test('the list for translation contains exactly the sentences of the pages', () => {
   const pages = `${kRoot}assets/web/`;
   const said = new Set();
   for (const file of readdirSync(pages).filter((name) => name.endsWith('.js'))) {
