@@ -43,11 +43,11 @@ constexpr std::int64_t kSecondOfRecording_us = 1'000'000;
 constexpr std::int64_t kMicrosAMilli = 1000;
 constexpr std::int64_t kShapeStep_ms = 33;
 // Tolerance against the middle shape; twice as much where a movement starts abruptly.
-constexpr float kBetween_mm = 0.025F;
-constexpr float kShared_mm = 2.0F;          // coarse shapes only: finer ones differ between recordings
-constexpr std::size_t kMaxComponents = 64;  // limit of the pages' shader
-constexpr std::size_t kLearnt = 48;         // number of shapes from which most components are learnt
-constexpr std::size_t kAtATime = 16;        // number of shapes in memory at once
+constexpr float kInterpolationTolerance_mm = 0.025F;
+constexpr float kShared_mm = 2.0F;           // coarse shapes only: finer ones differ between recordings
+constexpr std::size_t kMaxComponents = 64;   // limit of the pages' shader
+constexpr std::size_t kLearningShapes = 48;  // number of shapes from which most components are learnt
+constexpr std::size_t kShapesAtOnce = 16;    // number of shapes in memory at once
 constexpr std::size_t kToolColumns = 7;
 constexpr float kMillimetresAMetre = 1000.0F;
 
@@ -150,7 +150,7 @@ class FrameColumns {
 };
 
 /// Shapes of the organ at selected moments of a recording, so dense that interpolation between two neighbours
-/// deviates by at most kBetween_mm halfway.
+/// deviates by at most kInterpolationTolerance_mm halfway.
 class ShapeTrack {
  public:
   ShapeTrack(std::shared_ptr<const Scene> scene, TrialPlayback& playback)
@@ -185,8 +185,8 @@ class ShapeTrack {
                               ? pattern.detorsion->start.sign * pattern.detorsion->start.most_rad
                               : kBeyond * pattern.targetAngle_rad;
     std::vector<std::vector<float>> shapes;
-    for (std::size_t i = 0; i < kLearnt; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(kLearnt - 1);
+    for (std::size_t i = 0; i < kLearningShapes; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(kLearningShapes - 1);
       shapes.push_back(shapeOf(scene_->stateAt(share * to_rad)));
     }
     return shapes;
@@ -226,7 +226,7 @@ class ShapeTrack {
       }
       square = std::max(square, sum);
     }
-    if (square > kBetween_mm * kBetween_mm) {
+    if (square > kInterpolationTolerance_mm * kInterpolationTolerance_mm) {
       addBetween(before, middle);
       add(middle);
       addBetween(middle, after);
@@ -272,7 +272,7 @@ FoundShapes findShapes(ShapeTrack& track) {
   fitter.learn(shapes, kShared_mm);
   const std::size_t shared = fitter.basis().components();
   shapes.clear();
-  const std::size_t stride = std::max<std::size_t>(1, track.states() / kLearnt);
+  const std::size_t stride = std::max<std::size_t>(1, track.states() / kLearningShapes);
   for (std::size_t state = 0; state < track.states(); state += stride) {
     shapes.push_back(track.shape(state));
   }
@@ -280,7 +280,7 @@ FoundShapes findShapes(ShapeTrack& track) {
   std::vector<ShapeFitter::Fit> fits;
   for (std::size_t state = 0; state < track.states();) {
     shapes.clear();
-    for (; state < track.states() && shapes.size() < kAtATime; ++state) {
+    for (; state < track.states() && shapes.size() < kShapesAtOnce; ++state) {
       shapes.push_back(track.shape(state));
     }
     std::vector<ShapeFitter::Fit> some = fitter.fit(shapes);

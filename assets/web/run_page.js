@@ -30,7 +30,7 @@ export class RunPage {
     this.element.replaceChildren(
       h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
       h('div', { class: 'halves' }, h('div', { class: 'left' }, this.player.element),
-        h('div', { class: 'right scrolls', tabindex: '0' }, this.#told(), this.#twists(), this.#bookmarks(), this.#verdict())));
+        h('div', { class: 'right scrolls', tabindex: '0' }, this.#debriefing(), this.#twists(), this.#bookmarks(), this.#verdict())));
     this.#openRecording();
   }
   async #openRecording() {
@@ -65,7 +65,7 @@ export class RunPage {
   }
 
   /// The task, what was good and what to improve, with the window's sentences.
-  #told() {
+  #debriefing() {
     const { checks, strengths, weaknesses } = this.run.told;
     const finding = (one) => h('li', {}, this.#goTo(one.from_s), ' ', one.text, one.advice ? h('p', { class: 'advice' }, one.advice) : null);
     const list = (title, lines) => (lines.length === 0 ? null : h('section', { class: 'card' }, h('h2', {}, title), h('ul', { class: 'told' }, lines)));

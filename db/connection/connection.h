@@ -137,7 +137,7 @@ class Transaction {
  public:
   enum class Purpose {
     kChange,
-    kLook,  ///< read-only: a consistent snapshot that blocks nobody
+    kReadOnly,  ///< a consistent snapshot that blocks nobody
   };
   /// On SQLite kChange takes the write lock at once (BEGIN IMMEDIATE), so that it waits here, not halfway.
   explicit Transaction(Connection& connection, Purpose purpose = Purpose::kChange);

@@ -241,15 +241,15 @@ void ConnectionState::run(std::string_view sql) {
 
 void ConnectionState::begin(Transaction::Purpose purpose) {
   broken = false;
-  const bool looks = purpose == Transaction::Purpose::kLook;
+  const bool snapshot = purpose == Transaction::Purpose::kReadOnly;
   if (engine == Engine::kSqlite) {
-    run(readOnly || looks ? "BEGIN" : "BEGIN IMMEDIATE");
+    run(readOnly || snapshot ? "BEGIN" : "BEGIN IMMEDIATE");
     return;
   }
   if (!database_->transaction()) {
     fail("BEGIN", database_->lastError());
   }
-  if (looks) {
+  if (snapshot) {
     run("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");
   }
 }

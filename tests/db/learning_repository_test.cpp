@@ -119,18 +119,18 @@ TEST_F(LearningRepositoryTest, AnEntryIsClaimedOnceAndEndsInOneState) {
   EXPECT_EQ(outbox.keepStatement(due[0], "{}"), "{}");
   EXPECT_EQ(outbox.keepStatement(due[0], "other"), "{}");
   outbox.setDelivered(due[0], "[\"taken\"]", 5);
-  outbox.setLater(due[1], "[\"busy\"]", 6, 50);
-  EXPECT_EQ(outbox.newestTrouble(), "[\"busy\"]");
+  outbox.setRetry(due[1], "[\"busy\"]", 6, 50);
+  EXPECT_EQ(outbox.newestError(), "[\"busy\"]");
   EXPECT_TRUE(outbox.due(49, 10).empty());
   EXPECT_EQ(outbox.due(50, 10).size(), 1U);
-  outbox.setDead(due[1], "[\"no\"]", 7);
+  outbox.setRefused(due[1], "[\"no\"]", 7);
   EXPECT_EQ(outbox.counts().delivered, 1);
   EXPECT_EQ(outbox.counts().dead, 1);
   EXPECT_EQ(outbox.inState(LearningEventState::kDead, 10).at(0).answer, "[\"no\"]");
   EXPECT_EQ(outbox.retryAll(), 1);
   EXPECT_EQ(outbox.due(0, 10).size(), 1U);
-  outbox.setDead(due[1], "[\"no\"]", 7);
-  EXPECT_EQ(outbox.dropDead(), 1);
+  outbox.setRefused(due[1], "[\"no\"]", 7);
+  EXPECT_EQ(outbox.dropRefused(), 1);
   outbox.forget(due[0]);
   EXPECT_EQ(outbox.counts().delivered, 0);
 }

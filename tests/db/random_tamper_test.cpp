@@ -205,7 +205,7 @@ std::vector<std::string> contentOf(Connection& connection) {
       connection,
       "SELECT coalesce(type, '') || coalesce(name, '') || coalesce(sql, '') FROM sqlite_master ORDER BY 1",
       {}, readText);
-  const Transaction look(connection, Transaction::Purpose::kLook);
+  const Transaction look(connection, Transaction::Purpose::kReadOnly);
   for (SchemaTable& table : tablesInReferenceOrder(connection)) {
     std::erase_if(table.columns,
                   [&](const TableColumn& column) { return carriesNothing(table.name, column.name); });

@@ -33,7 +33,7 @@ LearningRecordsView learningRecords(SessionContext& session) {
   view.settings = lrsSettings(session);
   view.hasKey = stationLrsKey().has_value();
   view.counts = outbox.counts();
-  view.trouble = readSentence(outbox.newestTrouble());
+  view.trouble = readSentence(outbox.newestError());
   for (LearningEvent& event : outbox.inState(LearningEventState::kDead, kMaxShown)) {
     Text answer = readSentence(event.answer);
     view.dead.push_back({std::move(event), std::move(answer)});
@@ -53,7 +53,7 @@ std::int64_t retryLearningRecords(SessionContext& session) {
 std::int64_t dropLearningRecords(SessionContext& session) {
   session.require(Operation::kSettingsEdit);
   Transaction transaction(session.connection());
-  const std::int64_t dead = LearningRepository(session.connection()).dropDead();
+  const std::int64_t dead = LearningRepository(session.connection()).dropRefused();
   noteDone(session, "dropped", dead);
   transaction.commit();
   return dead;

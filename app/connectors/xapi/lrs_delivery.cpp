@@ -140,7 +140,7 @@ class Round {
       } catch (const DbError&) {
         throw;
       } catch (const Error& error) {
-        outbox_.setDead(event, storedSentence(error.happenedText()), now_());
+        outbox_.setRefused(event, storedSentence(error.happenedText()), now_());
         ++done_.dead;
         return;
       }
@@ -162,7 +162,7 @@ class Round {
         ++done_.delivered;
         return;
       case Fate::kDead:
-        outbox_.setDead(event, storedSentence(outcome.words), now_us);
+        outbox_.setRefused(event, storedSentence(outcome.words), now_us);
         ++done_.dead;
         return;
       case Fate::kLater:
@@ -170,7 +170,7 @@ class Round {
         const std::int64_t asked_us = retryAfter_us(outcome.after, now_us);
         const std::int64_t wait_us =
             std::max(asked_us, waitBeforeNextTry_us(event.tries + 1, statementId(event)));
-        outbox_.setLater(event, storedSentence(outcome.words), now_us, now_us + wait_us);
+        outbox_.setRetry(event, storedSentence(outcome.words), now_us, now_us + wait_us);
         ++done_.later;
         done_.stopped = outcome.fate == Fate::kLaterAndStop;
         return;

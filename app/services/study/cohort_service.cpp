@@ -65,7 +65,7 @@ std::set<CohortId> cohortsOfToday(SessionContext& session) {
   for (const CohortId& id : StudyRepository(session.connection()).cohortsAtWork(from_us, to_us)) {
     today.insert(id);
   }
-  for (const CohortId& id : SheetRepository(session.connection()).cohortsAwaited(from_us, to_us)) {
+  for (const CohortId& id : SheetRepository(session.connection()).cohortsWithRaterWork(from_us, to_us)) {
     today.insert(id);
   }
   return today;

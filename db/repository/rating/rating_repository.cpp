@@ -215,7 +215,7 @@ void RatingRepository::submit(std::span<const SubmittedMark> marks) {
 }
 
 std::vector<SubmittedMark> RatingRepository::marks(const CohortId& cohortId) const {
-  Transaction oneMoment(connection_, Transaction::Purpose::kLook);
+  Transaction oneMoment(connection_, Transaction::Purpose::kReadOnly);
   std::vector<SubmittedMark> marks =
       selectAll(connection_,
                 kMarkColumns +

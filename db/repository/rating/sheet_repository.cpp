@@ -328,7 +328,8 @@ std::optional<std::int64_t> SheetRepository::panelOpenedUtc_us(const EnrolmentId
   return first.size() < 2 ? std::nullopt : std::optional(*std::max_element(first.begin(), first.end()));
 }
 
-std::vector<CohortId> SheetRepository::cohortsAwaited(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
+std::vector<CohortId> SheetRepository::cohortsWithRaterWork(std::int64_t fromUtc_us,
+                                                            std::int64_t toUtc_us) const {
   return selectAll(
       connection_,
       "SELECT e.cohort_id FROM live_call c JOIN enrolment e ON e.id = c.enrolment_id WHERE NOT c.cancelled"

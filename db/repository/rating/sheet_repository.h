@@ -59,7 +59,8 @@ class SheetRepository {
                                                               const std::string& occasionCode) const;
 
   /// Cohorts with a call to the real arm in [from, to) or still open, or with outstanding sheets due by `to`.
-  [[nodiscard]] std::vector<CohortId> cohortsAwaited(std::int64_t fromUtc_us, std::int64_t toUtc_us) const;
+  [[nodiscard]] std::vector<CohortId> cohortsWithRaterWork(std::int64_t fromUtc_us,
+                                                           std::int64_t toUtc_us) const;
   /// Number of assigned sheets of a cohort that are not submitted.
   [[nodiscard]] std::int64_t openAssignments(const CohortId& cohortId) const;
 

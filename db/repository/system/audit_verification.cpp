@@ -120,7 +120,7 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
 
 std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyProgress& progress) {
   requireEveryRow(connection);
-  Transaction oneMoment(connection, Transaction::Purpose::kLook);
+  Transaction oneMoment(connection, Transaction::Purpose::kReadOnly);
   std::vector<AuditFinding> findings;
   SealVerification seals(connection, findings);
   checkChain(connection, seals, findings);

@@ -96,11 +96,12 @@ void LearningRepository::setDelivered(const LearningEvent& event, const std::str
   answered(event, LearningEventState::kDelivered, answer, now_us, now_us);
 }
 
-void LearningRepository::setDead(const LearningEvent& event, const std::string& answer, std::int64_t now_us) {
+void LearningRepository::setRefused(const LearningEvent& event, const std::string& answer,
+                                    std::int64_t now_us) {
   answered(event, LearningEventState::kDead, answer, now_us, now_us);
 }
 
-void LearningRepository::setLater(const LearningEvent& event, const std::string& answer, std::int64_t now_us,
+void LearningRepository::setRetry(const LearningEvent& event, const std::string& answer, std::int64_t now_us,
                                   std::int64_t nextTry_us) {
   answered(event, LearningEventState::kWaiting, answer, now_us, nextTry_us);
 }
@@ -133,7 +134,7 @@ std::vector<LearningEvent> LearningRepository::inState(LearningEventState state,
                    {storedText(state), limit}, eventOf);
 }
 
-std::string LearningRepository::newestTrouble() const {
+std::string LearningRepository::newestError() const {
   return selectFirst(connection_,
                      "SELECT answer FROM learning_event WHERE state = 'waiting' AND answer IS NOT NULL"
                      " ORDER BY answered_utc_us DESC LIMIT 1",
@@ -150,7 +151,7 @@ std::int64_t LearningRepository::retryAll() {
   return dead;
 }
 
-std::int64_t LearningRepository::dropDead() {
+std::int64_t LearningRepository::dropRefused() {
   return connection_.execute("DELETE FROM learning_event WHERE state = 'dead'");
 }
 

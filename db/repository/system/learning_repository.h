@@ -38,8 +38,8 @@ class LearningRepository {
   [[nodiscard]] std::optional<LearningFacts> facts(const LearningEvent& event) const;
   /// Record the outcome of an attempt: delivered, refused for good, or to be retried at `nextTry_us`.
   void setDelivered(const LearningEvent& event, const std::string& answer, std::int64_t now_us);
-  void setDead(const LearningEvent& event, const std::string& answer, std::int64_t now_us);
-  void setLater(const LearningEvent& event, const std::string& answer, std::int64_t now_us,
+  void setRefused(const LearningEvent& event, const std::string& answer, std::int64_t now_us);
+  void setRetry(const LearningEvent& event, const std::string& answer, std::int64_t now_us,
                 std::int64_t nextTry_us);
   /// Removes an entry whose event no longer exists.
   void forget(const LearningEvent& event);
@@ -48,11 +48,11 @@ class LearningRepository {
   /// Returns entries in a state, most recently answered first; at most `limit`.
   [[nodiscard]] std::vector<LearningEvent> inState(LearningEventState state, std::int64_t limit) const;
   /// Returns the newest answer to a pending entry; empty: none was tried.
-  [[nodiscard]] std::string newestTrouble() const;
+  [[nodiscard]] std::string newestError() const;
   /// Makes all pending and permanently refused entries due now. Returns how many had been refused.
   std::int64_t retryAll();
   /// Drops permanently refused entries. Returns their number.
-  std::int64_t dropDead();
+  std::int64_t dropRefused();
 
  private:
   void answered(const LearningEvent& event, LearningEventState state, const std::string& answer,

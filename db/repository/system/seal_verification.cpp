@@ -88,7 +88,7 @@ void SealVerification::compareRows() {
 
 void SealVerification::readSchemaRows() {
   Connection fresh = freshRecord();
-  const Transaction look(fresh, Transaction::Purpose::kLook);
+  const Transaction look(fresh, Transaction::Purpose::kReadOnly);
   for (const std::string_view table : kGrowingSeeds) {
     forEachSealable(fresh, *sealRuleOf(table),
                     [&](const SealShape& shape, std::span<const Value> row, const std::string& seal) {

@@ -46,7 +46,7 @@ TEST_P(LrsFault, LosesNothingAndDoublesNothing) {
   EXPECT_EQ(first.delivered, 0);
   EXPECT_EQ(first.later, 1) << "one try tells that the store takes nothing";
   EXPECT_EQ(centre.counts().waiting, 2);
-  EXPECT_FALSE(LearningRepository(centre.connection()).newestTrouble().empty());
+  EXPECT_FALSE(LearningRepository(centre.connection()).newestError().empty());
   const std::string kept = [&] {
     for (const LearningEvent& event : centre.outbox()) {
       if (!event.statement.empty()) {
