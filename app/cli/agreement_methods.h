@@ -15,7 +15,6 @@ namespace torsio::cli {
 // Output of `torsio agreement --method`, one function per method; docs/cli.md lists the keys. Private to
 // app/cli.
 
-/// Options of the methods.
 struct AgreementOptions {
   std::vector<double> categories;       ///< kappa: all categories in order; empty: the scores that occur
   std::string disagreement;             ///< kappa: file with custom disagreements; empty: none

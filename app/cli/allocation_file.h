@@ -14,7 +14,6 @@ namespace torsio::cli {
 // Files of torsio allocate: its input, and the allocation that it writes and --replay reads. Private to
 // app/cli's .cpp files.
 
-/// A design and the persons to allocate.
 struct AllocationOrder {
   AllocationDesign design;
   bool jointLeftovers = true;

@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A parsed head.
 struct HeadLine {
   std::string words{};  ///< format, version, records, hash
   std::int64_t utc_us = 0;

@@ -29,7 +29,6 @@ struct GroupRequest {
 /// Holm, and by `adjustment` if different; intervals are not adjusted unless their name says so.
 void addGroupTests(nlohmann::ordered_json& out, const std::vector<std::string>& names, const Groups& groups,
                    const GroupRequest& request);
-/// Returns a difference tested for equivalence.
 [[nodiscard]] nlohmann::ordered_json equivalenceJson(double difference, double error, double df,
                                                      double margin);
 /// Options of comparisons of subjects with scores at two occasions.

@@ -21,7 +21,6 @@ struct ModelArguments {
 /// Adds these options, except for G; `arguments` must outlive the command.
 void addModelOptions(CLI::App& command, ModelArguments& arguments);
 
-/// Returns the resulting choice.
 [[nodiscard]] ModelChoice modelChoice(const ModelArguments& arguments);
 
 }  // namespace torsio::cli

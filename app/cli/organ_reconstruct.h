@@ -7,7 +7,6 @@ class App;
 
 namespace torsio::cli {
 
-/// Adds `organ reconstruct`.
 void addOrganReconstruct(CLI::App& organ);
 
 }  // namespace torsio::cli

@@ -18,7 +18,6 @@ enum class RodEnds {
   kClampedFree,    ///< lower face held; one section rotated about its tangent, otherwise free
 };
 
-/// Input of rodTwist().
 struct RodTwistRequest {
   RodEnds ends = RodEnds::kClampedTurned;
   double shearModulus_Pa = 0.0;
@@ -41,7 +40,6 @@ struct TwistReference {
   std::vector<double> turn_rad;  ///< rotation of the lattice sections
 };
 
-/// Result of rodTwist().
 struct RodTwistResult {
   std::vector<double> nodeArcs_m;  ///< of the nodes of the rod
   std::vector<double> arcs_m;      ///< of the sections of the lattice

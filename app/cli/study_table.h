@@ -36,7 +36,6 @@ struct Study {
 /// subject at an occasion (by a rater) and for a subject in two groups.
 [[nodiscard]] Study readStudy(const CsvTable& table);
 
-/// Returns the scores at one occasion, by group.
 [[nodiscard]] Groups scoresAt(const Study& study, const std::string& occasion);
 
 /// Subjects of one group with a score at every requested occasion.
@@ -45,7 +44,6 @@ struct CompleteSubjects {
   std::vector<std::string> names;           ///< of these subjects
   std::vector<std::string> leftOut;         ///< subjects of the group that lack some of these scores
 };
-/// Returns the subjects of `group` with scores at all `occasions`.
 [[nodiscard]] CompleteSubjects completeSubjects(const Study& study, std::size_t group,
                                                 const std::vector<std::string>& occasions);
 

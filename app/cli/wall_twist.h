@@ -14,7 +14,6 @@ struct WallTwistRequest {
   bool sealed = false;           ///< the gas cannot escape while the organ is twisted
 };
 
-/// Result of wallTwist().
 struct WallTwistResult {
   double torque_Nm = 0.0;      ///< with folds; same sign as the angle
   double pressure_Pa = 0.0;    ///< at this angle

@@ -17,9 +17,7 @@ struct HttpRequest {
   std::string address{};  ///< of the peer, from the socket
   bool encrypted = false;
 
-  /// Returns a header; empty if absent.
   [[nodiscard]] std::string header(const std::string& name) const;
-  /// Returns the value of a cookie; empty if absent.
   [[nodiscard]] std::string cookie(const std::string& name) const;
 };
 

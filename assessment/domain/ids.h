@@ -5,7 +5,6 @@
 
 namespace torsio {
 
-// People.
 using PersonId = Id<struct PersonIdTag>;
 using TraineeId = PersonId;  ///< a person with a row in table trainee
 using RaterId = PersonId;    ///< a person with a row in table rater

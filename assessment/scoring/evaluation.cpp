@@ -22,7 +22,6 @@ void addFlag(std::vector<std::string>& flags, const std::string& flag) {
   }
 }
 
-/// Evaluates one model.
 class ModelSolver {
  public:
   ModelSolver(const EvaluationInstrument& instrument, const ModelRatings& ratings,

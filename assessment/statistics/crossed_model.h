@@ -9,7 +9,6 @@
 
 namespace torsio {
 
-/// One mark of a rater for a target.
 struct CrossedMark {
   std::size_t target = 0;
   std::size_t rater = 0;

@@ -54,7 +54,6 @@ inline constexpr std::size_t kMinAttempts = 8;
                                                       std::span<const double> value,
                                                       bool asymptoteNotNegative = true);
 
-/// Evaluates the curve at t.
 [[nodiscard]] double learningCurveAt(const LearningCurve& curve, double t);
 /// Returns the confidence band of the mean at t, by the delta method.
 [[nodiscard]] Interval learningBandAt(const LearningCurve& curve, double t,

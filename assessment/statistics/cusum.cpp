@@ -149,7 +149,6 @@ class SumStates {
     }
   }
 
-  /// Adds probability at 0.
   void enter(double share) { atZero_ += share; }
 
   /// Makes one attempt, down with probability `downRate`, and returns the probability of reaching the limit.

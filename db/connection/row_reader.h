@@ -36,7 +36,6 @@ class RowReader {
 
   /// True if the next column is null; takes none.
   [[nodiscard]] bool nextIsNull() const;
-  /// Skips columns.
   void skip(int columns);
   /// True if every column was taken.
   [[nodiscard]] bool atEnd() const { return column_ == row_.columnCount(); }

@@ -18,7 +18,6 @@ int traineesFor(std::int64_t count) {
   return static_cast<int>(200'000 / count);
 }
 
-/// Attempts of a trainee with this failure rate.
 std::vector<bool> attempts(Random& random, double failureRate, std::int64_t count) {
   std::vector<bool> failed;
   for (std::int64_t i = 0; i < count; ++i) {

@@ -25,7 +25,6 @@ using ::testing::Not;
 using testing::scored;
 using testing::textOfAll;
 
-/// The cohort of only these trainees.
 CohortInputs only(const std::set<std::string>& kept) {
   CohortInputs in = losing([&](const TrainingMark& mark) { return !kept.contains(mark.trainee); });
   std::erase_if(in.trainees, [&](const CohortTrainee& trainee) { return !kept.contains(trainee.code); });

@@ -40,7 +40,6 @@ class QueryPlanTest : public DatabaseTest {
     }
   }
 
-  /// Plans of all statements prepared by `list`.
   static std::vector<std::string> plansOf(Connection& connection, const std::function<void()>& list) {
     std::vector<std::string> statements;
     connection.observeStatements([&](std::string_view sql) { statements.emplace_back(sql); });

@@ -58,7 +58,6 @@ class TamperTest : public DatabaseTest {
     RatingRepository(*connection_, "ward").submit(std::span(&mark, 1));
     markId_ = mark.id;
   }
-  /// A mark of one of the two trainees.
   [[nodiscard]] SubmittedMark markOf(std::size_t trainee) {
     SubmittedMark mark;
     mark.id = sample_->ids.newUuid();

@@ -32,7 +32,6 @@ struct Identity {
   std::string externalId{};  ///< staff or student number; unique
 };
 
-/// A person who trains.
 struct Trainee {
   Person person{};
   std::string handedness{};  ///< "left", "right" or empty
@@ -45,7 +44,6 @@ struct SeniorityClass {
   std::int64_t position = 0;
 };
 
-/// A person who scores.
 struct Rater {
   Person person{};
   std::string classCode{};

@@ -27,7 +27,6 @@ inline constexpr auto kPersonRequestKinds = std::to_array<Term<PersonRequestKind
 static_assert(isWholeTable(kPersonRequestKinds, PersonRequestKind::kEnd),
               "each kind has one row, at its own place");
 
-/// Outcome of a request.
 enum class PersonRequestAnswer : std::uint8_t { kDone, kDeclined, kTakenBack };
 inline constexpr std::array<Term<PersonRequestAnswer>, 3> kPersonRequestAnswers{{
     {PersonRequestAnswer::kDone, "done", Text::tr("done")},
@@ -38,7 +37,6 @@ inline constexpr std::array<Term<PersonRequestAnswer>, 3> kPersonRequestAnswers{
   return kPersonRequestAnswers;
 }
 
-/// One request of one person.
 struct PersonRequest {
   std::string id{};
   PersonId personId{};

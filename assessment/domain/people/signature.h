@@ -10,7 +10,6 @@
 
 namespace torsio {
 
-/// Meaning of a signature.
 enum class SignatureMeaning : std::uint8_t { kScored, kAmended, kFroze };
 inline constexpr std::array<Term<SignatureMeaning>, 3> kSignatureMeanings{{
     {SignatureMeaning::kScored, "scored", Text::tr("I scored this case")},
@@ -21,7 +20,6 @@ inline constexpr std::array<Term<SignatureMeaning>, 3> kSignatureMeanings{{
   return kSignatureMeanings;
 }
 
-/// Kinds of signed objects.
 enum class SignedKind : std::uint8_t { kTrainingMark, kEvaluationMark, kFrozenDataset };
 inline constexpr std::array<Term<SignedKind>, 3> kSignedKinds{{
     {SignedKind::kTrainingMark, "training_mark", Text::tr("mark")},

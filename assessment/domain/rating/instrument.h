@@ -20,7 +20,6 @@ struct ScoreScale {
 /// 1e6.
 void validateScale(const ScoreScale& scale);
 
-/// True if `steps` lies on the scale.
 [[nodiscard]] constexpr bool isOnScale(std::int64_t steps, const ScoreScale& scale) noexcept {
   return steps >= scale.lo && steps <= scale.hi;
 }

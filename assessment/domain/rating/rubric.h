@@ -19,7 +19,6 @@ struct RubricAnchor {
 /// Weight of a row unless the author chooses another.
 inline constexpr std::int64_t kDefaultWeight_milli = 1000;
 
-/// One row of a rubric.
 struct RubricLine {
   std::string code{};  ///< "proficiency"
   std::string label{};

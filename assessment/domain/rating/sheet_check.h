@@ -31,10 +31,8 @@ enum class AnswerFault {
   kContradicts,   ///< both a score and a reason for a missing one
   kOutsideScale,  ///< a score off its scale
 };
-/// Checks one answer against its scale.
 [[nodiscard]] AnswerFault faultOf(const SheetAnswer& answer, const ScoreScale& scale) noexcept;
 
-/// One row of a sheet with its answer.
 struct SheetLine {
   std::string code{};  ///< of the rubric's row; kOverallRow: the overall mark
   ScoreScale scale{};

@@ -3,7 +3,6 @@
 
 namespace torsio {
 
-/// State of the sheet of an assignment.
 enum class SheetState {
   kOpen,       ///< assigned, nothing entered
   kDraft,      ///< begun, not submitted

@@ -67,7 +67,6 @@ inline constexpr std::array<Term<PersonState>, 3> kPersonStates{{
     {PersonState::kErased, "erased", Text::tr("erased"), "the identity is gone for good; marks stay"},
 }};
 
-/// State of an enrolment.
 enum class EnrolmentState : std::uint8_t { kEnrolled, kCompleted, kWithdrawn };
 inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
     {EnrolmentState::kEnrolled, "enrolled", Text::tr("enrolled"), "takes part"},

@@ -10,7 +10,6 @@
 
 namespace torsio {
 
-/// Current state of a station.
 struct StationState {
   std::string station{};
   TrialId trialId{};  ///< running there; empty: none

@@ -11,7 +11,6 @@
 
 namespace torsio {
 
-/// A column of a row for insertIdempotent().
 struct IdempotentColumn {
   /// Role of a column when a row is inserted again.
   enum class Kind {

@@ -56,7 +56,6 @@ class SealShape {
 /// Formats a key: "a/7/0.25".
 [[nodiscard]] std::string keyText(std::span<const Value> key);
 
-/// Returns the values of the current row.
 [[nodiscard]] std::vector<Value> valuesOf(const Statement& row);
 [[nodiscard]] std::vector<std::string> columnNamesOf(const Statement& row);
 

@@ -35,7 +35,6 @@ struct GivenValues {
   std::vector<Value> bound;
 };
 
-/// A row touched by the transaction.
 struct TouchedRow {
   const SealRule* rule = nullptr;
   std::vector<Value> key;

@@ -29,7 +29,6 @@ struct SealedSecret {
   std::string hash{};
 };
 
-/// A valid kiosk code.
 struct KioskCodeRow {
   UserId userId{};
   std::int64_t madeUtc_us = 0;
@@ -51,7 +50,6 @@ class AccessRepository {
   /// True if one of the user's roles permits the operation; never for unknown or disabled users.
   [[nodiscard]] bool allowed(const UserId& userId, const std::string& operation) const;
 
-  /// True for an account of the demonstration.
   [[nodiscard]] bool isOfDemonstration(const UserId& userId) const;
   /// Returns all logins, in order.
   [[nodiscard]] std::vector<std::string> logins() const;

@@ -48,7 +48,6 @@ class PeopleRepository {
 
   [[nodiscard]] std::optional<Identity> identity(const PersonId& personId) const;
 
-  /// Adds or replaces the identity.
   void setIdentity(const Identity& identity);
   /// Finds a person by staff or student number.
   [[nodiscard]] std::optional<Identity> identityByExternalId(const std::string& externalId) const;

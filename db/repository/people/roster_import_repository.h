@@ -14,7 +14,6 @@ namespace torsio {
 /// What makes a person a trainee or a rater.
 enum class PersonPart { kTrainee, kRater };
 
-/// An imported roster.
 struct StoredRosterImport {
   std::string id{};
   std::string kind{};        ///< "trainees", "raters"
@@ -32,7 +31,6 @@ struct StoredRosterPerson {
   std::string afterJson{};
 };
 
-/// A row that refers to a person.
 struct HangingRow {
   std::string personCode{};
   std::string table{};

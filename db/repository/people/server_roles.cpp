@@ -64,7 +64,6 @@ constexpr std::array kStationRights{
     StationRight{"learning_event", kAll},
     StationRight{"record_copy", kChange},
     StationRight{"seal_salt", kAll},
-    // Drafts.
     StationRight{"curriculum_draft", kChange},
     StationRight{"mark_draft", kAll},
     StationRight{"mark_draft_row", kAll},

@@ -91,7 +91,6 @@ void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::
   }
 }
 
-/// Returns the version of a stored mark.
 std::optional<std::int64_t> versionOf(Connection& connection, const MarkId& markId) {
   return selectFirst(connection, "SELECT version FROM training_mark WHERE id = ?", {markId}, readInt64);
 }

@@ -82,7 +82,6 @@ void checkKinds(Connection& connection, std::vector<AuditFinding>& findings) {
   }
 }
 
-/// An ended trial and its trainee (empty: none).
 struct EndedTrial {
   std::string id;
   std::string traineeId;

@@ -15,7 +15,6 @@ class Connection;
 /// Phases of a copy, in order.
 enum class CopyPhase { kVerifying, kCopying, kComparing, kVerifyingCopy };
 
-/// Progress of a copy.
 struct CopyStep {
   CopyPhase phase = CopyPhase::kVerifying;
   std::string table{};    ///< while copying and comparing
@@ -28,7 +27,6 @@ using CopyProgress = std::function<void(const CopyStep& step)>;
 /// True if the record holds nothing but the migrations' rows. Requires the schema.
 [[nodiscard]] bool isEmptyRecord(Connection& connection);
 
-/// Result of a copy.
 struct CopyReport {
   std::vector<TableDigest> tables;  ///< parents first; identical on both sides
   std::int64_t rows = 0;

@@ -16,7 +16,6 @@ struct TableColumn {
   bool boolean = false;  ///< SQLite returns such a value as 0 or 1
 };
 
-/// Columns of a table that refer to another one.
 struct TableReference {
   std::vector<std::string> columns;
   std::string parent;

@@ -10,7 +10,6 @@
 
 namespace torsio::test {
 
-/// Output of one run of the program.
 struct ProgramRun {
   int code = -1;
   std::string out;

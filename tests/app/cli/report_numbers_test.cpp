@@ -40,7 +40,6 @@ using test::runTorsio;
 void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   const CohortNumbers report(folder / "out" / "cohort.csv");
 
-  // Evaluation of the models.
   writeFileAtomically(folder / "ratings.csv", report.ratings());
   const ProgramRun evaluated = runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
                                              " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",

@@ -48,7 +48,6 @@ inline std::string named(const char* letter, std::size_t i) {
   return letter + std::to_string(i);
 }
 
-/// Adds a line of values to a table.
 inline void addRow(std::string& table, const std::vector<std::string>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     table += (i == 0 ? "" : ",") + values[i];

@@ -37,7 +37,6 @@ using torsio::testing::WebClient;
 
 using namespace std::chrono_literals;
 
-/// A free port of this machine.
 std::uint16_t freePort() {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in at{};

@@ -22,7 +22,6 @@ namespace torsio::testing {
 /// Password of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
 
-/// Gives everybody of a centre kWebPassword.
 inline void setWebPasswords(ReviewCentre& centre) {
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   for (const UserAccount& user : access.users()) {

@@ -31,7 +31,6 @@ class WebClient {
   /// Sends JSON by PUT or POST, like a page of the desk.
   [[nodiscard]] WebAnswer send(const std::string& method, const std::string& path,
                                const nlohmann::json& body);
-  /// Sends raw bytes and returns the answer.
   [[nodiscard]] WebAnswer raw(const std::string& bytes) const;
   /// Signs in; false if refused.
   bool signIn(const std::string& login, const std::string& password);

@@ -22,7 +22,6 @@ namespace {
 using torsio::testing::WebAnswer;
 using torsio::testing::WebClient;
 
-/// Echoes the request.
 void echo(HttpRequest request, const HttpServer::Reply& reply) {
   reply({.body = request.method + " " + request.path + " " + request.body});
 }
