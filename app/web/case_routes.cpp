@@ -27,7 +27,7 @@ using nlohmann::json;
 
 constexpr std::size_t kBytesOfACharacter = 4;
 
-/// Returns the case of a handle; an unknown handle and one of another session are treated alike (404).
+/// Returns the case of a handle; an unknown handle and one of another session are answered alike.
 AssignmentId caseOf(const Call& call) {
   const auto found = call.session->caseOf(call.parts.front());
   if (!found) {

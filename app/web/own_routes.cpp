@@ -119,8 +119,7 @@ HttpResponse answerOwn(Call& call) {
                      {"runs", std::move(runs)}});
 }
 
-/// Returns the trainee's trial of a handle; an unknown handle and one of another session are treated alike
-/// (404).
+/// Returns the trainee's trial of a handle; an unknown handle and one of another session are answered alike.
 TrialId runOf(const Call& call) {
   const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kRun, 0) != 0) {

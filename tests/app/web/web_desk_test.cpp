@@ -266,7 +266,7 @@ TEST(WebDesk, NoByteRevealsTheTrainee) {
   }
 }
 
-TEST(WebDesk, AnotherUsersCaseIsNotFound) {
+TEST(WebDesk, AnotherUsersCaseIsAnsweredLikeAMissingOne) {
   const Served served;
   WebClient one = served.physician(0);
   WebClient two = served.physician(1);
