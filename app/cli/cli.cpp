@@ -79,6 +79,7 @@ void buildProgram(CLI::App& program) {
   addReplay(program);
   addReport(program);
   addSection(program);
+  addSettings(program);
 #ifndef _WIN32
   addServe(program);
 #endif

@@ -33,6 +33,7 @@ void addPower(CLI::App& program);
 void addRecord(CLI::App& program);
 void addReplay(CLI::App& program);
 void addSection(CLI::App& program);
+void addSettings(CLI::App& program);
 void addServe(CLI::App& program);
 void addStandardSetting(CLI::App& program);
 void addTracker(CLI::App& program);

@@ -6,8 +6,8 @@
 
 #include "app/services/access/access_service.h"
 #include "app/services/access/browser_sessions.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
-#include "app/services/access/settings_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "app/web/web_texts.h"

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/person_text.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
@@ -86,7 +87,7 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   }
   const UserAccount user = userOf(entrance(session), result.userId);
   // Where each signature asks for the password, the one of the sign-in is good for none.
-  const bool signs = !practiceOnly && signMinutes(session.connectionWithoutRight()) > 0;
+  const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
@@ -161,7 +162,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   StudyRepository(session.connectionWithoutRight())
       .setCentre({session.ids().newUuid(), first.centre, now_us, false});
   SettingRepository settings(session.connectionWithoutRight());
-  settings.set("language", first.language, now_us);
+  settings.set(kLanguage.name, first.language, now_us);
   const UserId userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},
                  password);

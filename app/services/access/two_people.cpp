@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/invitations.h"
 #include "db/connection/connection.h"
@@ -13,7 +14,6 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/duty_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 
 namespace torsio {
@@ -236,7 +236,7 @@ SecondPersonNeeded::SecondPersonNeeded(DutyAct act, std::string subject)
       subject_(std::move(subject)) {}
 
 bool needsTwoPeople(Connection& connection) {
-  return SettingRepository(connection).value(kTwoPeopleSetting).value_or("yes") != "no";
+  return centreSetting<kTwoPeople>(connection);
 }
 
 bool isGuardedRole(const std::string& role) {
@@ -322,12 +322,7 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
     requireRightTo(session, request.act);
     Transaction transaction(session.connection());
     confirm(session, request);
-    SettingRepository(session.connection()).set(kTwoPeopleSetting, "no", session.now_us());
-    session.note({.action = AuditAction::kSettingChange,
-                  .objectKind = AuditObject::kSetting,
-                  .objectId = kTwoPeopleSetting,
-                  .newJson = nlohmann::json{{"value", "no"}}.dump(),
-                  .reason = request.reason});
+    keepCentreSetting(session, kTwoPeople, "no", request.reason);
     transaction.commit();
     return {};
   }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
@@ -21,21 +22,11 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 
 namespace torsio {
 
 namespace {
-
-std::optional<double> numberIn(const std::string& text) {
-  double number = 0.0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
-    return std::nullopt;
-  }
-  return number;
-}
 
 std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
   nlohmann::json json;
@@ -72,31 +63,9 @@ void requireCalled(SessionContext& session, const Assignment& assignment) {
 
 ViewingRules viewingRules(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
-  ViewingRules rules;
-  SettingRepository settings(session.connection());
-  if (const auto text = settings.value("review.minimum_watched_percent")) {
-    const auto percent = numberIn(*text);
-    if (percent && *percent >= 0.0 && *percent <= 100.0) {
-      rules.minimumWatched = *percent / 100.0;
-    }
-  }
-  if (const auto text = settings.value("review.speeds")) {
-    std::vector<double> speeds;
-    std::string rest = *text;
-    while (!rest.empty()) {
-      const std::size_t comma = std::min(rest.find(','), rest.size());
-      const auto speed = numberIn(rest.substr(0, comma));
-      rest.erase(0, comma + 1);
-      if (speed && *speed >= 0.1 && *speed <= 4.0) {
-        speeds.push_back(*speed);
-      }
-    }
-    std::sort(speeds.begin(), speeds.end());
-    if (!speeds.empty()) {
-      rules.speeds = std::move(speeds);
-    }
-  }
-  return rules;
+  Connection& connection = session.connection();
+  return {.minimumWatched = centreSetting<kMinimumWatched_percent>(connection) / 100.0,
+          .speeds = centreSetting<kPlaybackSpeeds>(connection)};
 }
 
 KeptAt keptAt(SessionContext& session) {

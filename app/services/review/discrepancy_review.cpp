@@ -2,10 +2,10 @@
 #include "app/services/review/discrepancy_review.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
@@ -18,7 +18,6 @@
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -26,17 +25,6 @@ namespace torsio {
 namespace {
 
 constexpr double kRounding = 1e-9;  // marks are decimal steps
-
-double threshold_points(Connection& connection) {
-  const auto text = SettingRepository(connection).value("review.alignment_points");
-  double points = kDiscrepancyThreshold_points;
-  if (!text) {
-    return points;
-  }
-  const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
-  const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
-  return sound ? points : kDiscrepancyThreshold_points;
-}
 
 std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
   if (row == kOverallRow) {
@@ -115,7 +103,7 @@ std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
   DeskRepository desk(session.connection());
   const RubricRepository rubrics(session.connection());
   DiscrepancyRepository decisions(session.connection());
-  const double threshold = threshold_points(session.connection());
+  const double threshold = centreSetting<kDiscrepancy_points>(session.connection());
   const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
   for (const Assignment& assignment : desk.committed(rater)) {

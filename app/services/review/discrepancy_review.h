@@ -35,9 +35,6 @@ struct DiscrepancyCase {
   std::string reason{};
 };
 
-/// How far own mark and mean of the others must lie apart: setting "review.alignment_points".
-inline constexpr double kDiscrepancyThreshold_points = 2.0;
-
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
 /// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
 [[nodiscard]] std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/recording/recording_host.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/training/trainee_record.h"
@@ -17,7 +18,6 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/tick_period.h"
@@ -331,12 +331,12 @@ std::vector<ConsentDecision> ownConsents(SessionContext& session) {
 
 bool gradesWithMouse(SessionContext& session) {
   session.require(Operation::kPractice);
-  return SettingRepository(session.connection()).value("graded_with_mouse") == "yes";
+  return centreSetting<kGradedWithMouse>(session.connection());
 }
 
 bool soundsAtLimit(SessionContext& session) {
   session.require(Operation::kPractice);
-  return SettingRepository(session.connection()).value("sound_at_limit") == "yes";
+  return centreSetting<kSoundAtLimit>(session.connection());
 }
 
 bool RunSession::firstEver() const noexcept {

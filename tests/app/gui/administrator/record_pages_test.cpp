@@ -29,9 +29,9 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
@@ -206,7 +206,7 @@ TEST(RosterPage, MarksAllWhoAreChosenAsGoneAndTakesThemBack) {
 
 TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
   AdministratorDesk office;
-  setCentreSetting(office.centre.as("administrator"), kKioskCodesSetting, "yes");
+  setCentreSetting<kKioskCodes>(office.centre.as("administrator"), true);
   auto page = office.open<UsersPage>("administrator");
   const std::filesystem::path file = office.centre.folder() / "cards.pdf";
   answer([&file](QDialog& dialog) {

@@ -17,9 +17,9 @@
 #include "app/services/access/access_service.h"
 #include "app/services/access/audit_service.h"
 #include "app/services/access/browser_sessions.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/copies.h"
@@ -169,7 +169,6 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path folder) {
          (void)copyDatabase(w, (folder / kNoSuch / "a.sqlite").string());
        }},
-      {O::kSettingsEdit, "setSignMinutes", [](SessionContext& w, Path) { setSignMinutes(w, -1); }},
       {O::kUserManage, "resetPassword",
        [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},
@@ -204,14 +203,17 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](SessionContext& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecords", [](SessionContext& w, Path) { lockRecords(w, {}, ""); }},
-      {O::kSettingsEdit, "setCentreSetting", [](SessionContext& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kSettingsEdit, "changeCentreSetting",
+       [](SessionContext& w, Path) { changeCentreSetting(w, kSignMinutes, "-1"); }},
+      {O::kSettingsEdit, "setCentreSettingNamed",
+       [](SessionContext& w, Path) { setCentreSettingNamed(w, "", ""); }},
+      {O::kSettingsEdit, "storedCentreSetting",
+       [](SessionContext& w, Path) { (void)storedCentreSetting(w, kSignMinutes); }},
       {O::kSettingsEdit, "setCentreName", [](SessionContext& w, Path) { setCentreName(w, ""); }},
       {O::kSettingsEdit, "setCentreIdleLimits",
        [](SessionContext& w, Path) { setCentreIdleLimits(w, 0, 0); }},
       {O::kUserManage, "simulatedPerson",
        [](SessionContext& w, Path) { (void)simulatedPerson(w, SimulatedRole::kPhysician); }},
-      {O::kSettingsEdit, "setSoundAtLimit", [](SessionContext& w, Path) { setSoundAtLimit(w, true); }},
-      {O::kSettingsEdit, "setGradedWithMouse", [](SessionContext& w, Path) { setGradedWithMouse(w, false); }},
       {O::kUserManage, "setUserRoles", [](SessionContext& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
       {O::kAuditView, "auditActors", [](SessionContext& w, Path) { (void)auditActors(w); }},
       {O::kPersonViewCoded, "consentHistory",

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/blinded_case.h"
 #include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"
@@ -168,6 +169,8 @@ TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
   EXPECT_TRUE(discrepancyCases(*first).empty());  // nothing lies apart any more
+  setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
+  EXPECT_FALSE(discrepancyCases(*first).empty());
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
   EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
 }
