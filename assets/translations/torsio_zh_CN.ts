@@ -2946,10 +2946,6 @@
         <translation>请先锁定方案并分组</translation>
     </message>
     <message>
-        <source>Lock after %1 to %2 minutes, and warn at least one minute before</source>
-        <translation>锁定时间为 %1 至 %2 分钟，并至少提前一分钟提醒</translation>
-    </message>
-    <message>
         <source>Lock one first</source>
         <translation>请先锁定一个方案</translation>
     </message>
@@ -5410,10 +5406,6 @@
         <translation>器官两端不连通或重合</translation>
     </message>
     <message>
-        <source>the value is too long</source>
-        <translation>该值过长</translation>
-    </message>
-    <message>
         <source>the vendor&apos;s library %1 is loaded</source>
         <translation>厂商程序库 %1 已加载</translation>
     </message>
@@ -5590,10 +5582,6 @@
         <translation>这些评分已提交</translation>
     </message>
     <message>
-        <source>these minutes make no sense</source>
-        <translation>分钟数不合理</translation>
-    </message>
-    <message>
         <source>this belongs to somebody else</source>
         <translation>这属于其他人</translation>
     </message>
@@ -5644,10 +5632,6 @@
     <message>
         <source>an identity is erased with its retention, not by hand</source>
         <translation>身份信息随保存期限删除，不可手工删除</translation>
-    </message>
-    <message>
-        <source>this is no name of a setting</source>
-        <translation>没有该设置名称</translation>
     </message>
     <message>
         <source>this is the last administrator who can sign in</source>
@@ -11486,14 +11470,6 @@
         <translation>设备的驱动程序没有响应</translation>
     </message>
     <message>
-        <source>signatures</source>
-        <translation>签名</translation>
-    </message>
-    <message>
-        <source>Choose 0 to %1 minutes</source>
-        <translation>请选择 0 到 %1 分钟</translation>
-    </message>
-    <message>
         <source>Then try again</source>
         <translation>然后重试</translation>
     </message>
@@ -11620,14 +11596,6 @@
     <message>
         <source>Two people for passwords, roles, erasing, restoring and the allocation</source>
         <translation>密码、角色、删除、恢复与启封分组须两人共同完成</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>需要</translation>
-    </message>
-    <message>
-        <source>switched off by the centre</source>
-        <translation>已由中心关闭</translation>
     </message>
     <message>
         <source>Marks signed with a password</source>
@@ -18626,6 +18594,66 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>longest turn without a rest &lt;= stage + 15 degrees</source>
         <translation>未停歇的最大复位转角 &lt;= 阶段 + 15 度</translation>
+    </message>
+    <message>
+        <source>Choose yes or no</source>
+        <translation>请选择 yes 或 no</translation>
+    </message>
+    <message>
+        <source>Enter a whole number from %1 to %2</source>
+        <translation>请输入 %1 到 %2 的整数</translation>
+    </message>
+    <message>
+        <source>Enter a number from %1 to %2</source>
+        <translation>请输入 %1 到 %2 的数</translation>
+    </message>
+    <message>
+        <source>Write speeds from %1 to %2 like 0.5,1,1.5</source>
+        <translation>请写 %1 到 %2 的速度，如 0.5,1,1.5</translation>
+    </message>
+    <message>
+        <source>the warning would come after the lock</source>
+        <translation>警告会晚于锁定</translation>
+    </message>
+    <message>
+        <source>Warn at least one minute before</source>
+        <translation>警告须至少提前一分钟</translation>
+    </message>
+    <message>
+        <source>this is no valid value of the setting</source>
+        <translation>该设置不接受这个值</translation>
+    </message>
+    <message>
+        <source>there is no such setting</source>
+        <translation>没有这项设置</translation>
+    </message>
+    <message>
+        <source>torsio settings list shows them all</source>
+        <translation>torsio settings list 会列出所有设置</translation>
+    </message>
+    <message>
+        <source>this setting needs more than one value</source>
+        <translation>这项设置需要不止一个值</translation>
+    </message>
+    <message>
+        <source>Set it by: %1</source>
+        <translation>请通过 %1 设置</translation>
+    </message>
+    <message>
+        <source>Share of a recording that a rater must have watched</source>
+        <translation>评分者必须观看的录制比例</translation>
+    </message>
+    <message>
+        <source>Playback speeds that raters may use</source>
+        <translation>评分者可用的播放速度</translation>
+    </message>
+    <message>
+        <source>Distance from the other raters&apos; mean that calls for a discrepancy review</source>
+        <translation>与其他评分者均值相差多少须进行评分分歧复核</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 分</translation>
     </message>
 </context>
 <context>
@@ -29746,6 +29774,30 @@ T-02,master,17</translation>
     <message>
         <source>Enter the name of your centre.</source>
         <translation>请输入贵中心的名称。</translation>
+    </message>
+    <message>
+        <source>Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.</source>
+        <translation>请写 0.1 到 4 的速度，以逗号分隔：0.5, 1, 1.5。1 为原速。</translation>
+    </message>
+    <message>
+        <source>Raters &amp;must watch</source>
+        <translation>评分者必须观看(&amp;M)</translation>
+    </message>
+    <message>
+        <source>at spee&amp;ds</source>
+        <translation>播放速度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Discrepanc&amp;y review from</source>
+        <translation>评分分歧复核起点(&amp;Y)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> 分</translation>
     </message>
 </context>
 <context>

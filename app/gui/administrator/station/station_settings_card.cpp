@@ -192,8 +192,8 @@ void StationSettingsCard::retranslate() {
   cards_->setText(
       tr("&Kiosks admit trainees by the code on their card, without a password (from their next start)"));
   nameField(watchedLabel_, tr("Raters &must watch"));
-  nameField(speedsLabel_, tr("at s&peeds"));
-  nameField(apartLabel_, tr("Discrepancy re&view from"));
+  nameField(speedsLabel_, tr("at spee&ds"));
+  nameField(apartLabel_, tr("Discrepanc&y review from"));
   watched_->setSuffix(tr(" %"));
   apart_->setSuffix(tr(" points"));
   nameField(signLabel_, tr("One password &entry signs for"));
