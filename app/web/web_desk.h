@@ -64,6 +64,7 @@ class WebDesk {
   void leaveHashing();
   /// Makes the picture of a case likely to be opened next, if the picture thread is idle.
   void prepare(const Actor& actor, const AssignmentId& assignmentId);
+  [[nodiscard]] const PageFiles& pages() const noexcept { return pages_; }
   [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
 
  private:
