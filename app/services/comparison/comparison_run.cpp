@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "assessment/statistics/descriptive.h"
 #include "sim/baseline/lattice_update.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
@@ -28,12 +29,6 @@ constexpr double kMaxTorque_Nm = 100.0;
 
 double secondsSince(RunClock::time_point start) {
   return std::chrono::duration<double>(RunClock::now() - start).count();
-}
-
-double medianOf(std::vector<double> values) {
-  TORSIO_EXPECTS(!values.empty());
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 void checkOptions(const ComparisonOptions& options) {

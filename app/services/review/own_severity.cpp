@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/mark.h"
+#include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/reliability.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -14,10 +14,6 @@
 namespace torsio {
 
 namespace {
-
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// Own mark and mean of the others in points; empty when either is missing.
 std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const std::string& rater) {

@@ -8,6 +8,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/reference_run.h"
+#include "assessment/statistics/descriptive.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
@@ -78,17 +79,14 @@ bool RaterCalibration::complete() const noexcept {
                      [](const CalibrationRun& run) { return run.own_steps.has_value(); });
 }
 
-std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
-  double sum = 0.0;
-  std::size_t n = 0;
+std::optional<double> RaterCalibration::meanOffset_points() const {
+  std::vector<double> offsets;
   for (const CalibrationRun& run : runs) {
-    if (!run.offset_points) {
-      continue;
+    if (run.offset_points) {
+      offsets.push_back(*run.offset_points);
     }
-    sum += *run.offset_points;
-    ++n;
   }
-  return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
+  return offsets.empty() ? std::nullopt : std::optional(meanOf(offsets));
 }
 
 RaterCalibration raterCalibration(SessionContext& session) {
