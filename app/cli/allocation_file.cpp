@@ -17,9 +17,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Input = nlohmann::json;
 
-const std::vector<std::string> kAllocationMethods = {"complete permutation", "permuted blocks",
-                                                     "stratified blocks", "minimisation"};
-const std::vector<std::string> kImbalances = {"range", "variance"};
+template <class Value>
+Value choice(JsonFields& fields, const char* name) {
+  std::vector<std::string> words;
+  for (const Term<Value>& term : termsOf(Value{})) {
+    words.emplace_back(term.stored);
+  }
+  return static_cast<Value>(fields.choice(name, words, 0));
+}
 
 Input parsed(const std::string& file) {
   try {
@@ -84,7 +89,7 @@ std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& wh
 AllocationDesign designOf(JsonFields& fields) {
   AllocationDesign design;
   design.studyId = fields.text("study");
-  design.method = static_cast<AllocationMethod>(fields.choice("method", kAllocationMethods, 0));
+  design.method = choice<AllocationMethod>(fields, "method");
   design.arms = as<std::vector<std::string>>(fields, "arms");
   if (fields.has("participants")) {
     design.participants = count(fields, "participants");
@@ -106,7 +111,7 @@ AllocationDesign designOf(JsonFields& fields) {
                     Text::verbatim("Give 0.5, 0.6, 0.7, 0.8 or 0.9"));
     }
   }
-  design.imbalance = static_cast<Imbalance>(fields.choice("imbalance", kImbalances, 0));
+  design.imbalance = choice<Imbalance>(fields, "imbalance");
   if (fields.has("stratum_totals")) {
     JsonFields totals(fields.child("stratum_totals"), fields.where() + ", stratum_totals");
     for (const auto& [name, value] : fields.child("stratum_totals").items()) {
@@ -119,7 +124,7 @@ AllocationDesign designOf(JsonFields& fields) {
 Json designJson(const AllocationDesign& design) {
   Json out;
   out["study"] = design.studyId;
-  out["method"] = kAllocationMethods.at(static_cast<std::size_t>(design.method));
+  out["method"] = storedText(design.method);
   out["arms"] = design.arms;
   out["participants"] = design.participants;
   out["block_sizes"] = design.blockSizes;
@@ -128,7 +133,7 @@ Json designJson(const AllocationDesign& design) {
     out["factors"].push_back({{"name", factor.name}, {"levels", factor.levels}});
   }
   out["best_arm_probability"] = static_cast<double>(design.bestArm_tenths) / 10.0;
-  out["imbalance"] = kImbalances.at(static_cast<std::size_t>(design.imbalance));
+  out["imbalance"] = storedText(design.imbalance);
   out["stratum_totals"] = Json::object();
   for (const auto& [name, total] : design.stratumTotals) {
     out["stratum_totals"][name] = total;

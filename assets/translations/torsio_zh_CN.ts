@@ -157,50 +157,6 @@
         <translation>学员</translation>
     </message>
     <message>
-        <source>on the simulator</source>
-        <translation>在模拟器上</translation>
-    </message>
-    <message>
-        <source>on the real arm</source>
-        <translation>在实物手臂上</translation>
-    </message>
-    <message>
-        <source>rest</source>
-        <translation>休息</translation>
-    </message>
-    <message>
-        <source>came late</source>
-        <translation>迟到</translation>
-    </message>
-    <message>
-        <source>did not come</source>
-        <translation>缺席</translation>
-    </message>
-    <message>
-        <source>device failed</source>
-        <translation>设备故障</translation>
-    </message>
-    <message>
-        <source>swapped with somebody</source>
-        <translation>与他人互换</translation>
-    </message>
-    <message>
-        <source>phase cut short</source>
-        <translation>阶段提前结束</translation>
-    </message>
-    <message>
-        <source>phase too long</source>
-        <translation>阶段超时</translation>
-    </message>
-    <message>
-        <source>rest too long</source>
-        <translation>休息超时</translation>
-    </message>
-    <message>
-        <source>something else</source>
-        <translation>其他</translation>
-    </message>
-    <message>
         <source>Log time</source>
         <translation>登记时间</translation>
     </message>
@@ -263,14 +219,6 @@
     <message>
         <source>Swap</source>
         <translation>互换</translation>
-    </message>
-    <message>
-        <source>trained before scoring</source>
-        <translation>评分前已训练</translation>
-    </message>
-    <message>
-        <source>trained outside the plan</source>
-        <translation>计划外训练</translation>
     </message>
 </context>
 <context>
@@ -1612,18 +1560,6 @@
         <translation>训练后</translation>
     </message>
     <message>
-        <source>enrolled</source>
-        <translation>已登记</translation>
-    </message>
-    <message>
-        <source>completed</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>withdrew</source>
-        <translation>已退出</translation>
-    </message>
-    <message>
         <source>sex</source>
         <translation>性别</translation>
     </message>
@@ -1702,26 +1638,6 @@
     <message>
         <source>taken back</source>
         <translation>已收回</translation>
-    </message>
-    <message>
-        <source>published, not begun</source>
-        <translation>已发布，未启用</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>进行中</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>已关闭</translation>
-    </message>
-    <message>
-        <source>simulator</source>
-        <translation>模拟器</translation>
-    </message>
-    <message>
-        <source>real arm</source>
-        <translation>实物手臂</translation>
     </message>
     <message>
         <source>Simple randomisation into equal groups (as in the paper)</source>
@@ -8372,14 +8288,6 @@
     <message>
         <source>Graded</source>
         <translation>计分</translation>
-    </message>
-    <message>
-        <source>virtual</source>
-        <translation>虚拟</translation>
-    </message>
-    <message>
-        <source>real</source>
-        <translation>真实</translation>
     </message>
     <message>
         <source>enrolled</source>
@@ -18654,6 +18562,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1 points</source>
         <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>simulator</source>
+        <translation>模拟器</translation>
+    </message>
+    <message>
+        <source>real arm</source>
+        <translation>实物手臂</translation>
     </message>
 </context>
 <context>

@@ -191,7 +191,7 @@ void addSafeguards(SessionContext& session, const FreezeId& frozenId, const Trai
                                  .trainee = mark.traineeCode,
                                  .occasion = textOf(mark.occasionCode),
                                  .version = mark.version,
-                                 .meaning = termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label,
+                                 .meaning = labelOf(one.meaning),
                                  .reason = one.reason,
                                  .signedUtc_us = one.signedUtc_us});
   }
@@ -204,8 +204,7 @@ void addSafeguards(SessionContext& session, const FreezeId& frozenId, const Trai
     const Signature& one = found->second;
     inputs.provenance.emplace_back(
         Text::tr("Signature of the frozen data set"),
-        Text::tr("%1, %2", Text(termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label),
-                 formatUtc(one.signedUtc_us)));
+        Text::tr("%1, %2", Text(labelOf(one.meaning)), formatUtc(one.signedUtc_us)));
   }
 }
 

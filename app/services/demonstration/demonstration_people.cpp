@@ -126,7 +126,7 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
   LockedDesign stored;
   stored.id = ids.newUuid();
   stored.cohortId = study.cohortId;
-  stored.algorithm = "complete permutation";
+  stored.algorithm = storedText(design.method);
   stored.algorithmVersion = kAllocationVersion;
   stored.parametersJson = R"({"arms":3,"ratio":[1,1,1]})";
   stored.generator = kAllocationGenerator;

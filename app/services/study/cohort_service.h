@@ -86,13 +86,10 @@ void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const 
 struct NewDeviation {
   CohortId cohortId{};
   EnrolmentId enrolmentId{};  ///< empty: the whole cohort
-  std::string kind{};         ///< one of deviationKinds()
+  std::string kind{};         ///< stored text of a DeviationKind
   std::string description{};
   std::int64_t happenedUtc_us = 0;  ///< 0: now
 };
-/// "late", "absent", "device failed", "swapped", "phase cut short", "phase too long", "rest too long",
-/// "other".
-[[nodiscard]] const std::vector<std::string>& deviationKinds();
 /// Audited. kStudySetup.
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation);
 /// What happened to several at once: all are noted or none. As reportDeviation().

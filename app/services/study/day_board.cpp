@@ -395,7 +395,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
        {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)}) {
     reportDeviation(session, {.cohortId = cohortId,
                               .enrolmentId = id,
-                              .kind = "swapped",
+                              .kind = std::string(storedText(DeviationKind::kSwapped)),
                               .description = "turn swapped with " + codes.at(other) +
                                              (reason.empty() ? "" : ": " + reason)});
   }

@@ -2,11 +2,10 @@
 #include "app/services/study/draw_field.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
-#include "app/services/study/allocation_design.h"
+#include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -80,33 +79,6 @@ AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
     design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
   }
   return design;
-}
-
-std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
-  std::vector<AllocationEntry> drawn;
-  for (const AllocationEntry& record : records) {
-    if (record.overrideReason.empty()) {
-      drawn.push_back(record);
-    }
-  }
-  return drawn;
-}
-
-std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    refuse(Text::tr("the sealed seed cannot be read"), designId, Text::tr("Verify the database"));
-  }
-  return seed;
-}
-
-std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId) {
-  std::map<std::string, std::string> codes;
-  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
-    codes[enrolment.id] = enrolment.traineeCode;
-  }
-  return codes;
 }
 
 }  // namespace torsio

@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/services/scoring/stored_allocation.h"
 #include "app/services/study/allocation_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/cohort.h"
 
 namespace torsio {
-
-class StudyRepository;
 
 /// A cohort as the draw sees it.
 struct DrawField {
@@ -35,12 +34,5 @@ struct DrawField {
 /// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
 /// drawn by.
 [[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
-
-/// Gives the records that were drawn, without those that were moved by hand.
-[[nodiscard]] std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records);
-/// Reads a seed as it is stored. Throws Error{kBadData} naming the design.
-[[nodiscard]] std::uint64_t seedFrom(const std::string& text, const DesignId& designId);
-/// Gives the codes of a cohort's trainees by the ids of their enrolments.
-[[nodiscard]] std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId);
 
 }  // namespace torsio

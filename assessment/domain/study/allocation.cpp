@@ -22,20 +22,6 @@ constexpr const char* kLeftovers = "leftovers";  // the list that fills the inco
   throw Error(ErrorCode::kBadParameter, what, Text::tr("allocation design"), remedy);
 }
 
-const char* methodText(AllocationMethod method) {
-  switch (method) {
-    case AllocationMethod::kCompletePermutation:
-      return "complete permutation";
-    case AllocationMethod::kPermutedBlocks:
-      return "permuted blocks";
-    case AllocationMethod::kStratifiedBlocks:
-      return "stratified blocks";
-    case AllocationMethod::kMinimisation:
-      return "minimisation";
-  }
-  return "";
-}
-
 template <class Numbers>
 void appendNumbers(std::string& text, const Numbers& numbers) {
   for (const auto number : numbers) {
@@ -139,7 +125,7 @@ std::string designText(const AllocationDesign& design) {
   text += "; study ";
   text += design.studyId;
   text += "; ";
-  text += methodText(design.method);
+  text += storedText(design.method);
   text += "; arms";
   for (const std::string& arm : design.arms) {
     text += " [" + arm + "]";
@@ -161,7 +147,7 @@ std::string designText(const AllocationDesign& design) {
   text += "; best arm ";
   text += std::to_string(design.bestArm_tenths);
   text += "/10 by ";
-  text += design.imbalance == Imbalance::kRange ? "range" : "variance";
+  text += storedText(design.imbalance);
   text += "; ";
   text += kAllocationGenerator;
   return text;
