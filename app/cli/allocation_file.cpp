@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio::cli {
@@ -30,8 +30,7 @@ Input parsed(const std::string& file) {
   try {
     return Input::parse(readFile(file));
   } catch (const Input::parse_error& error) {
-    throw Error(ErrorCode::kBadData, "this is not JSON: " + std::string(error.what()), file,
-                Text::verbatim("Correct the file"));
+    refuse("this is not JSON: " + std::string(error.what()), file, Text::verbatim("Correct the file"));
   }
 }
 
@@ -263,8 +262,8 @@ KeptAllocation readAllocation(const std::string& file) {
   JsonFields fields(json, file);
   const std::string version = fields.text("version");
   if (version != kAllocationVersion) {
-    throw Error(ErrorCode::kBadData, "allocations of version \"" + version + "\" cannot be repeated", file,
-                "This program repeats " + std::string(kAllocationVersion));
+    refuse("allocations of version \"" + version + "\" cannot be repeated", file,
+           "This program repeats " + std::string(kAllocationVersion));
   }
   JsonFields designFields(fields.child("design"), file + ", design");
   KeptAllocation kept;

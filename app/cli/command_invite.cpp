@@ -14,6 +14,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -34,8 +35,8 @@ std::vector<UserId> idsOf(SessionContext& session, const std::vector<std::string
     const auto found = std::find_if(accounts.begin(), accounts.end(),
                                     [&](const UserAccount& user) { return user.login == login; });
     if (found == accounts.end()) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("there is no such user"), login,
-                  Text::verbatim("Write the sign-in name as the list of users shows it"));
+      refuseParameter(Text::verbatim("there is no such user"), login,
+                      Text::verbatim("Write the sign-in name as the list of users shows it"));
     }
     ids.push_back(found->id);
   }

@@ -16,6 +16,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -36,8 +37,7 @@ UserAccount userOf(const AccessRepository& access, const UserId& userId) {
       return user;
     }
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such user"), userId,
-              Text::tr("Choose one from the list"));
+  refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
 }
 
 /// Somebody must be left who can let others in.
@@ -49,8 +49,8 @@ void keepAnAdministrator(SessionContext& session, const std::string& withoutUser
   if (remains) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("this is the last administrator who can sign in"), "",
-              Text::tr("Make somebody else an administrator first"));
+  refuseParameter(Text::tr("this is the last administrator who can sign in"), "",
+                  Text::tr("Make somebody else an administrator first"));
 }
 
 const char* failureName(SignIn outcome) {
@@ -106,20 +106,18 @@ std::string rolesJson(const std::vector<std::string>& roles) {
 void requireNoAccount(SessionContext& session, const PersonId& personId) {
   const std::string login = personId.empty() ? std::string() : repository(session).loginOf(personId);
   if (!login.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("this person has the account %1 already", login),
-                Text::tr("user"), Text::tr("Give that account the role, or switch it on again"));
+    refuse(Text::tr("this person has the account %1 already", login), Text::tr("user"),
+           Text::tr("Give that account the role, or switch it on again"));
   }
 }
 
 /// A sign-in name that everybody can read and type.
 void requireLegible(const std::string& login) {
   if (login.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the account has no sign-in name"), Text::tr("login"),
-                Text::tr("Enter one"));
+    refuseParameter(Text::tr("the account has no sign-in name"), Text::tr("login"), Text::tr("Enter one"));
   }
   if (const Text flaw = flawOf(login, kLongestLogin); !flaw.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the sign-in name %1", flaw), Text::tr("login"),
-                Text::tr("Type it again"));
+    refuseParameter(Text::tr("the sign-in name %1", flaw), Text::tr("login"), Text::tr("Type it again"));
   }
 }
 
@@ -128,9 +126,8 @@ void requireUnlikeOthers(const AccessRepository& access, const std::string& logi
   const std::string likeness = likenessOf(login);
   for (const std::string& other : access.logins()) {
     if (other != login && likenessOf(other) == likeness) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
-                  Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
+      refuseParameter(Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
+                      Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
     }
   }
 }
@@ -143,12 +140,12 @@ bool needsFirstRun(Connection& connection) {
 
 void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.centre.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the centre has no name"), Text::tr("centre"),
-                Text::tr("Enter the name of your centre"));
+    refuseParameter(Text::tr("the centre has no name"), Text::tr("centre"),
+                    Text::tr("Enter the name of your centre"));
   }
   if (first.login.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the administrator has no sign-in name"),
-                Text::tr("login"), Text::tr("Enter one"));
+    refuseParameter(Text::tr("the administrator has no sign-in name"), Text::tr("login"),
+                    Text::tr("Enter one"));
   }
   requireLegible(first.login);
   AccessRepository access = entrance(session);
@@ -192,8 +189,8 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
                 Text::tr("Try again"));
   }
   if (newPassword == oldPassword) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the new password is the old one"), Text::tr("password"),
-                Text::tr("Choose another one"));
+    refuseParameter(Text::tr("the new password is the old one"), Text::tr("password"),
+                    Text::tr("Choose another one"));
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
   Transaction transaction(session.connectionWithoutRight());
@@ -234,11 +231,11 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
             .roles = user.roles,
             .passwordShownUtc_us = kNoPasswordToShow};
   }
-  throw Error(ErrorCode::kBadParameter,
-              physician ? Text::tr("there is no simulated physician here")
-                        : Text::tr("there is no simulated trainee here"),
-              Text::tr("people"),
-              Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
+  refuseParameter(
+      physician ? Text::tr("there is no simulated physician here")
+                : Text::tr("there is no simulated trainee here"),
+      Text::tr("people"),
+      Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
 }
 
 void signOut(SessionContext& session) {

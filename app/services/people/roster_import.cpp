@@ -16,7 +16,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -234,11 +234,11 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
     if (row.status != RosterStatus::kError) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, row.problem, Text::tr("%1, line %2", file.name, row.line), row.remedy);
+    refuse(row.problem, Text::tr("%1, line %2", file.name, row.line), row.remedy);
   }
   if (now.fingerprint != fingerprint) {
-    throw Error(ErrorCode::kBadData, Text::tr("the record has changed since the preview"), file.name,
-                Text::tr("Check the preview again"));
+    refuse(Text::tr("the record has changed since the preview"), file.name,
+           Text::tr("Check the preview again"));
   }
   if (kind == RosterKind::kRaters) {
     ensureRaterClasses(session);

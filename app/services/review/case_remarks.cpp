@@ -11,7 +11,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -34,9 +34,8 @@ std::vector<CaseRemark> caseRemarks(SessionContext& session, const AssignmentId&
 void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, const CaseRemark& remark) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
-    throw Error(ErrorCode::kBadData, Text::tr("this case has no recording to score"),
-                Text::tr("case %1", assignment.caseLabel),
-                Text::tr("Write it into the comment of the sheet"));
+    refuse(Text::tr("this case has no recording to score"), Text::tr("case %1", assignment.caseLabel),
+           Text::tr("Write it into the comment of the sheet"));
   }
   requireWords(remark.text, kLongestRemark, Text::tr("case %1", assignment.caseLabel));
   const auto header = TrialRepository(session.connection()).find(assignment.trialId);
@@ -66,8 +65,8 @@ void editCaseRemark(SessionContext& session, const AssignmentId& assignmentId, c
   RemarkRepository remarks(session.connection());
   const std::optional<Remark> remark = remarks.find(remarkId);
   if (!remark || assignment.trialId.empty() || remark->trialId != assignment.trialId) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this case has no such remark"),
-                Text::tr("case %1", assignment.caseLabel), Text::tr("Open the case again"));
+    refuseParameter(Text::tr("this case has no such remark"), Text::tr("case %1", assignment.caseLabel),
+                    Text::tr("Open the case again"));
   }
   requireWords(text, kLongestRemark, Text::tr("case %1", assignment.caseLabel));
   reviseRemark(session, *remark, text);

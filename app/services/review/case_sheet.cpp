@@ -22,7 +22,7 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -53,9 +53,9 @@ void requireSheetWords(const Sheet& sheet, const std::string& label) {
 void requireCalled(SessionContext& session, const Assignment& assignment) {
   if (assignment.trialId.empty() &&
       !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("this case has not been called to the real arm yet"),
-                Text::tr("case %1", assignment.caseLabel),
-                Text::tr("Its sheet opens by itself when an administrator calls it"));
+    refuse(Text::tr("this case has not been called to the real arm yet"),
+           Text::tr("case %1", assignment.caseLabel),
+           Text::tr("Its sheet opens by itself when an administrator calls it"));
   }
 }
 
@@ -142,14 +142,12 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
   const Text where = Text::tr("case %1", opened.shown.label);
   if (check.watchedTooLittle) {
-    throw Error(
-        ErrorCode::kBadData,
-        Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
-        where, Text::tr("Play the rest before you submit"));
+    refuse(Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+           where, Text::tr("Play the rest before you submit"));
   }
   if (check.speedNotAllowed) {
-    throw Error(ErrorCode::kBadData, Text::tr("the recording was played at a speed that is not allowed"),
-                where, Text::tr("Play it again at an allowed speed"));
+    refuse(Text::tr("the recording was played at a speed that is not allowed"), where,
+           Text::tr("Play it again at an allowed speed"));
   }
   const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
@@ -170,20 +168,19 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("changing a submitted mark needs a reason"), where,
-                Text::tr("Write why you change it"));
+    refuseParameter(Text::tr("changing a submitted mark needs a reason"), where,
+                    Text::tr("Write why you change it"));
   }
   requireWords(reason, kLongestReason, Text::tr("case %1", assignment.caseLabel));
   requireSheetWords(sheet, assignment.caseLabel);
   SheetRepository sheets(session.connection());
   if (!sheets.submitted(assignmentId)) {
-    throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,
-                Text::tr("Fill it in and submit it"));
+    refuse(Text::tr("this sheet is not submitted yet"), where, Text::tr("Fill it in and submit it"));
   }
   if (panel == PanelMarks::kUnseen &&
       sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("the marks of the panel are open now"), where,
-                Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
+    refuse(Text::tr("the marks of the panel are open now"), where,
+           Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
   }
   Transaction transaction(session.connection());
   const MarkId markId = session.ids().newUuid();

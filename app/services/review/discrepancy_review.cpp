@@ -18,7 +18,7 @@
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -72,8 +72,8 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("not everybody has submitted this case yet"),
-                Text::tr("case %1", found.caseLabel), Text::tr("Wait until all have committed"));
+    refuse(Text::tr("not everybody has submitted this case yet"), Text::tr("case %1", found.caseLabel),
+           Text::tr("Wait until all have committed"));
   }
   return found;
 }
@@ -92,8 +92,8 @@ void requireReason(const std::string& reason, const std::string& label) {
   if (!reason.empty()) {
     return requireWords(reason, kLongestReason, Text::tr("case %1", label));
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("a reason is needed"), Text::tr("case %1", label),
-              Text::tr("Write it in a few words"));
+  refuseParameter(Text::tr("a reason is needed"), Text::tr("case %1", label),
+                  Text::tr("Write it in a few words"));
 }
 
 }  // namespace

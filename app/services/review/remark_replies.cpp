@@ -6,7 +6,7 @@
 #include "assessment/domain/rating/remark.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -30,8 +30,7 @@ void markReplyRead(SessionContext& session, const std::string& replyId, std::int
   if (std::none_of(mine.begin(), mine.end(), [&](const RemarkReply& one) {
         return one.id == replyId && version >= 1 && version <= one.version;
       })) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such answer"), replyId,
-                Text::tr("Open the list again"));
+    refuseParameter(Text::tr("there is no such answer"), replyId, Text::tr("Open the list again"));
   }
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())

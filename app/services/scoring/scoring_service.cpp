@@ -20,7 +20,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -107,8 +107,7 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
   EvaluationRepository repository(connection);
   const auto campaign = repository.campaign(campaignId);
   if (!campaign) {
-    throw Error(ErrorCode::kBadData, Text::tr("no evaluation campaign has this id"), campaignId,
-                Text::tr("List the campaigns first"));
+    refuse(Text::tr("no evaluation campaign has this id"), campaignId, Text::tr("List the campaigns first"));
   }
   ReadCampaign read{{*campaign, {}, {}, {}, {}}, {}};
   for (const EvaluationMark& mark : repository.marks(campaignId)) {

@@ -44,8 +44,8 @@ std::string factorValue(const Trainee& trainee, const std::string& factor) {
   if (factor == "handedness") {
     return trainee.handedness;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("people cannot be balanced by \"%1\"", factor),
-              Text::tr("allocation"), Text::tr("Choose sex, level, experience or handedness"));
+  refuseParameter(Text::tr("people cannot be balanced by \"%1\"", factor), Text::tr("allocation"),
+                  Text::tr("Choose sex, level, experience or handedness"));
 }
 
 std::string designJson(const AllocationDesign& design) {

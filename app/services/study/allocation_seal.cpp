@@ -92,8 +92,7 @@ std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& co
     }
   }
   if (cards.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("nobody is allocated yet"), cohortId,
-                Text::tr("Lock a design and allocate first"));
+    refuse(Text::tr("nobody is allocated yet"), cohortId, Text::tr("Lock a design and allocate first"));
   }
   session.note({.action = AuditAction::kAllocationCards,
                 .objectKind = AuditObject::kAllocationDesign,

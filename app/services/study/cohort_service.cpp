@@ -35,7 +35,7 @@ void checkName(StudyRepository& study, const CohortId& own, const std::string& n
 
 void checkNewCohort(const NewCohort& cohort) {
   const auto bad = [](const Text& what, const Text& remedy) {
-    throw Error(ErrorCode::kBadParameter, what, Text::tr("cohort"), remedy);
+    refuseParameter(what, Text::tr("cohort"), remedy);
   };
   if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
     bad(Text::tr("the cohort has no groups"),

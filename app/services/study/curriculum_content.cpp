@@ -10,6 +10,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/json_fields.h"
 
@@ -227,8 +228,7 @@ json parsed(const std::string& text, const std::string& name) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no JSON: %1", problem.what()), name,
-                Text::tr("Correct the text"));
+    refuse(Text::tr("is no JSON: %1", problem.what()), name, Text::tr("Correct the text"));
   }
 }
 

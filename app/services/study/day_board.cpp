@@ -22,7 +22,7 @@
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -377,8 +377,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
                const EnrolmentId& otherEnrolmentId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
-    throw Error(ErrorCode::kBadData, Text::tr("nobody swaps with themselves"), cohortId,
-                Text::tr("Choose another trainee"));
+    refuse(Text::tr("nobody swaps with themselves"), cohortId, Text::tr("Choose another trainee"));
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
@@ -387,8 +386,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {
     if (!codes.contains(id)) {
-      throw Error(ErrorCode::kBadData, Text::tr("this trainee is not in the cohort"), id,
-                  Text::tr("Choose one from the list"));
+      refuse(Text::tr("this trainee is not in the cohort"), id, Text::tr("Choose one from the list"));
     }
   }
   for (const auto& [id, other] :

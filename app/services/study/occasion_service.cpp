@@ -5,7 +5,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/study/occasion_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -17,16 +17,14 @@ Occasions knownOccasions(SessionContext& session) {
 Occasion addOccasion(SessionContext& session, const std::string& label) {
   session.require(Operation::kCurriculumEdit);
   if (label.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the occasion has no name"), Text::tr("occasion"),
-                Text::tr("Enter one"));
+    refuseParameter(Text::tr("the occasion has no name"), Text::tr("occasion"), Text::tr("Enter one"));
   }
   Transaction transaction(session.connection());
   OccasionRepository repository(session.connection());
   const Occasions known = repository.all();
   for (const Occasion& other : known) {
     if (other.label == label) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("another occasion has this name"), label,
-                  Text::tr("Choose another name"));
+      refuseParameter(Text::tr("another occasion has this name"), label, Text::tr("Choose another name"));
     }
   }
   std::size_t number = known.size() + 1;
