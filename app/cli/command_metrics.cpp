@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"

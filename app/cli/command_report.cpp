@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_report.h"
+#include "app/cli/commands.h"
 
 #include <iostream>
 #include <memory>

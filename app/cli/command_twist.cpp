@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/model_option.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
 #include "app/cli/twist_json.h"

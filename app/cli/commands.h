@@ -32,6 +32,7 @@ void addOrgan(CLI::App& program);
 void addPower(CLI::App& program);
 void addRecord(CLI::App& program);
 void addReplay(CLI::App& program);
+void addReport(CLI::App& program);
 void addSection(CLI::App& program);
 void addSettings(CLI::App& program);
 void addServe(CLI::App& program);
@@ -39,5 +40,6 @@ void addStandardSetting(CLI::App& program);
 void addTracker(CLI::App& program);
 void addTwist(CLI::App& program);
 void addXapi(CLI::App& program);
+
 
 }  // namespace torsio::cli

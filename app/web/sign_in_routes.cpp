@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/services/access/access_service.h"
-#include "app/services/access/browser_sessions.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/web/router.h"

@@ -11,11 +11,11 @@
 #include <string>
 
 #include "app/outputs/wording/wording.h"
+#include "app/web/case_picture.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
 #include "app/web/organ_shelf.h"
 #include "app/web/page_files.h"
-#include "app/web/picture_cache.h"
 #include "app/web/router.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/account.h"

@@ -18,7 +18,7 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/demonstration/demonstration_accounts.h"
+#include "app/services/demonstration/demonstration_people.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/record_privacy.h"

@@ -13,7 +13,6 @@
 #include "app/services/demonstration/demonstration_untwisting.h"
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
-#include "app/services/recording/expert_run.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/pipeline.h"
 #include "app/services/recording/trial_digests.h"

@@ -12,7 +12,6 @@
 #include "app/services/scoring/stored_allocation.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/draw_field.h"
-#include "app/services/study/drawn_seed.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/cohort.h"

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/study/curriculum_ids.h"
+#include "app/services/study/curriculum_content.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"

@@ -7,9 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "app/services/devices/servo_labels.h"
-#include "app/services/devices/station_device.h"
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/devices/device_readiness.h"
+#include "app/services/scoring/scoring_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_plan.h"
 #include "assessment/domain/ids.h"
@@ -399,6 +398,30 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
   }
   swapSlots(session, cohortId, enrolmentId, otherEnrolmentId);
   transaction.commit();
+}
+
+Text alertText(const DayAlert& alert, const std::string& since, const Text& occasion) {
+  using Kind = DayAlert::Kind;
+  switch (alert.kind) {
+    case Kind::kTrialOpen:
+      return Text::tr("%1 was recording at %2, which does not answer since %3. Go and look.", alert.subject,
+                      alert.station, since);
+    case Kind::kStationSilent:
+      return Text::tr("%1 does not answer since %2.", alert.subject, since);
+    case Kind::kDeviceUnfit:
+      return Text::tr("%1: the device is not fit for graded runs: %2.", alert.subject, alert.reason);
+    case Kind::kServoUneven:
+      return Text::tr("%1, last run: %2. %3.", alert.subject, alert.reason, alert.remedy);
+    case Kind::kSlotOverdue:
+      return Text::tr("%1 was expected at %2, %3, and has not begun.", alert.subject, since, alert.station);
+    case Kind::kRestTooLong:
+      return Text::tr("%1 has rested longer than allowed.", alert.subject);
+    case Kind::kSheetsMissing:
+      return Text::tr("%1: sheets still missing: %2.", occasion, alert.count);
+    case Kind::kNoGroup:
+      return Text::tr("Trainees without a group: %1. Draw them under Allocation.", alert.count);
+  }
+  return {};
 }
 
 }  // namespace torsio

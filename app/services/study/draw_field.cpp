@@ -7,8 +7,10 @@
 
 #include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/core/digest.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {
@@ -79,6 +81,27 @@ AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
     design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
   }
   return design;
+}
+
+std::uint64_t drawSeed(IdSource& ids) {
+  // 122 random bits of a UUID, spread over 64 by the hash.
+  Digest digest;
+  digest.update(ids.newUuid());
+  const Digest::Value value = digest.value();
+  std::uint64_t seed = 0;
+  for (std::size_t i = 0; i < sizeof(seed); ++i) {
+    seed = seed << 8U | value[i];
+  }
+  return seed;
+}
+
+std::string drawSalt(IdSource& ids) {
+  // Three UUIDs hold 366 random bits.
+  Digest digest;
+  for (int i = 0; i < 3; ++i) {
+    digest.update(ids.newUuid());
+  }
+  return digest.hex();
 }
 
 }  // namespace torsio

@@ -14,6 +14,8 @@
 
 namespace torsio {
 
+class IdSource;
+
 /// A cohort as the draw sees it.
 struct DrawField {
   Cohort cohort;
@@ -34,5 +36,12 @@ struct DrawField {
 /// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
 /// drawn by.
 [[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
+
+/// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
+/// to the services that draw.
+[[nodiscard]] std::uint64_t drawSeed(IdSource& ids);
+
+/// 256 bits for a commitment (seedCommitment), from the same source.
+[[nodiscard]] std::string drawSalt(IdSource& ids);
 
 }  // namespace torsio

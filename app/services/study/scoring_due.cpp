@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/scoring/scoring_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/study/cohort.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
-#include "app/services/recording/recording_host.h"
+#include "app/services/recording/recording_spec.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/connectors/mail/mail_settings.h"
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "db/connection/row_reader.h"

@@ -38,7 +38,6 @@
 #include "app/services/people/person_requests.h"
 #include "app/services/serving/review_desk.h"
 #include "app/services/study/cohort_service.h"
-#include "app/services/study/occasion_service.h"
 #include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/domain/study/allocation_entry.h"

@@ -12,7 +12,6 @@
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/evaluation_form.h"
-#include "app/services/review/own_severity.h"
 #include "app/services/review/rater_calibration.h"
 #include "app/services/review/review_queue.h"
 #include "assessment/domain/rating/campaign.h"
