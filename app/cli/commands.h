@@ -41,5 +41,4 @@ void addTracker(CLI::App& program);
 void addTwist(CLI::App& program);
 void addXapi(CLI::App& program);
 
-
 }  // namespace torsio::cli
