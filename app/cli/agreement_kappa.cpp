@@ -8,7 +8,7 @@
 
 #include "app/cli/agreement_methods.h"
 #include "app/cli/json_output.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -24,22 +24,20 @@ class CategoryList {
   CategoryList(const RatingGrid& grid, const AgreementOptions& options)
       : values_(options.categories.empty() ? distinctScores(grid) : options.categories) {
     if (values_.size() > kMaxKappaCategories) {
-      throw Error(
-          ErrorCode::kBadData, std::to_string(values_.size()) + " different scores are too many categories",
-          Text::verbatim("the ratings"),
-          Text::verbatim("Collapse them to at most %1, or use Krippendorff's alpha", kMaxKappaCategories));
+      refuse(std::to_string(values_.size()) + " different scores are too many categories",
+             Text::verbatim("the ratings"),
+             Text::verbatim("Collapse them to at most %1, or use Krippendorff's alpha", kMaxKappaCategories));
     }
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (std::find(values_.begin(), value, *value) != value) {
-        throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " appears twice",
-                    Text::verbatim("--categories"), Text::verbatim("Name every category once"));
+        refuseParameter("the category " + shown(*value) + " appears twice", Text::verbatim("--categories"),
+                        Text::verbatim("Name every category once"));
       }
     }
     for (const double score : distinctScores(grid)) {
       if (!find(score)) {
-        throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is not one of the categories",
-                    Text::verbatim("--categories"),
-                    Text::verbatim("Name every category that raters could give"));
+        refuse("the score " + shown(score) + " is not one of the categories", Text::verbatim("--categories"),
+               Text::verbatim("Name every category that raters could give"));
       }
     }
   }
@@ -91,10 +89,9 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
   for (std::size_t i = 0; i < categories.size(); ++i) {
     for (std::size_t j = i + 1; j < categories.size(); ++j) {
       if (!weights[i][j]) {
-        throw Error(ErrorCode::kBadData,
-                    "no disagreement of " + CategoryList::shown(categories.values()[i]) + " and " +
-                        CategoryList::shown(categories.values()[j]),
-                    table.name(), Text::verbatim("Give one for each pair of categories"));
+        refuse("no disagreement of " + CategoryList::shown(categories.values()[i]) + " and " +
+                   CategoryList::shown(categories.values()[j]),
+               table.name(), Text::verbatim("Give one for each pair of categories"));
       }
       out.at(i, j) = out.at(j, i) = *weights[i][j];
     }

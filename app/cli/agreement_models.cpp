@@ -10,7 +10,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rasch.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -30,28 +30,26 @@ struct Scale {
 Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
   const std::vector<double> scores = distinctScores(grid);
   if (scores.empty()) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("every score is missing"), Text::verbatim("the ratings"),
-                Text::verbatim("Give scores"));
+    refuse(Text::verbatim("every score is missing"), Text::verbatim("the ratings"),
+           Text::verbatim("Give scores"));
   }
   for (const double score : scores) {
     if (score != std::floor(score) || std::abs(score) > kLargestScore) {
-      throw Error(ErrorCode::kBadData,
-                  "the score " + Json(score).dump() + " is not a whole number up to a million",
-                  Text::verbatim("the ratings"),
-                  Text::verbatim("Give categories in whole numbers; collapse finer steps first"));
+      refuse("the score " + Json(score).dump() + " is not a whole number up to a million",
+             Text::verbatim("the ratings"),
+             Text::verbatim("Give categories in whole numbers; collapse finer steps first"));
     }
   }
   const Scale scale{options.lowest.value_or(static_cast<std::int64_t>(scores.front())),
                     options.highest.value_or(static_cast<std::int64_t>(scores.back()))};
   if (static_cast<double>(scale.lowest) > scores.front() ||
       static_cast<double>(scale.highest) < scores.back()) {
-    throw Error(ErrorCode::kBadData,
-                "scores run from " + Json(scores.front()).dump() + " to " + Json(scores.back()).dump(),
-                Text::verbatim("--lowest, --highest"), Text::verbatim("Give a scale that holds them all"));
+    refuse("scores run from " + Json(scores.front()).dump() + " to " + Json(scores.back()).dump(),
+           Text::verbatim("--lowest, --highest"), Text::verbatim("Give a scale that holds them all"));
   }
   if (scale.highest - scale.lowest >= kMaxCategories) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("the scale has more than 100 categories"),
-                Text::verbatim("--lowest, --highest"), Text::verbatim("Collapse categories first"));
+    refuse(Text::verbatim("the scale has more than 100 categories"), Text::verbatim("--lowest, --highest"),
+           Text::verbatim("Collapse categories first"));
   }
   return scale;
 }
@@ -181,8 +179,8 @@ Json facetStudyJson(const CsvTable& table, const FacetDesign& design, const std:
 /// Throws for an option about a facet that the table does not have.
 void refuseWithout(const CsvTable& table, const std::vector<double>& numbers, const std::string& column) {
   if (!numbers.empty() && !table.has(column)) {
-    throw Error(ErrorCode::kBadParameter, "the table has no column \"" + column + "\"", "--" + column + "s",
-                Text::verbatim("Add the column or leave the option out"));
+    refuseParameter("the table has no column \"" + column + "\"", "--" + column + "s",
+                    Text::verbatim("Add the column or leave the option out"));
   }
 }
 
@@ -214,9 +212,9 @@ Json generalizabilityJson(const CsvTable& table, const AgreementOptions& options
   refuseWithout(table, options.occasions, "occasion");
   refuseWithout(table, options.tasks, "task");
   if (table.has("occasion") && table.has("task")) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("the table has both occasions and tasks"), table.name(),
-                Text::verbatim("Keep one of the two columns: occasions are crossed with raters, tasks have "
-                               "raters of their own"));
+    refuse(Text::verbatim("the table has both occasions and tasks"), table.name(),
+           Text::verbatim("Keep one of the two columns: occasions are crossed with raters, tasks have "
+                          "raters of their own"));
   }
   if (table.has("occasion")) {
     return facetStudyJson(table,

@@ -4,10 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <system_error>
 #include <utility>
+#include <vector>
 
-#include "sim/core/error.h"
+#include "app/services/maintenance/signing_key.h"
+#include "app/services/maintenance/station_anchor.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio::cli {
@@ -17,16 +24,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Input = nlohmann::json;
 
-const std::vector<std::string> kAllocationMethods = {"complete permutation", "permuted blocks",
-                                                     "stratified blocks", "minimisation"};
-const std::vector<std::string> kImbalances = {"range", "variance"};
+template <class Value>
+Value choice(JsonFields& fields, const char* name) {
+  std::vector<std::string> words;
+  for (const Term<Value>& term : termsOf(Value{})) {
+    words.emplace_back(term.stored);
+  }
+  return static_cast<Value>(fields.choice(name, words, 0));
+}
 
 Input parsed(const std::string& file) {
   try {
     return Input::parse(readFile(file));
   } catch (const Input::parse_error& error) {
-    throw Error(ErrorCode::kBadData, "this is not JSON: " + std::string(error.what()), file,
-                Text::verbatim("Correct the file"));
+    refuse("this is not JSON: " + std::string(error.what()), file, Text::verbatim("Correct the file"));
   }
 }
 
@@ -84,7 +95,7 @@ std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& wh
 AllocationDesign designOf(JsonFields& fields) {
   AllocationDesign design;
   design.studyId = fields.text("study");
-  design.method = static_cast<AllocationMethod>(fields.choice("method", kAllocationMethods, 0));
+  design.method = choice<AllocationMethod>(fields, "method");
   design.arms = as<std::vector<std::string>>(fields, "arms");
   if (fields.has("participants")) {
     design.participants = count(fields, "participants");
@@ -106,7 +117,7 @@ AllocationDesign designOf(JsonFields& fields) {
                     Text::verbatim("Give 0.5, 0.6, 0.7, 0.8 or 0.9"));
     }
   }
-  design.imbalance = static_cast<Imbalance>(fields.choice("imbalance", kImbalances, 0));
+  design.imbalance = choice<Imbalance>(fields, "imbalance");
   if (fields.has("stratum_totals")) {
     JsonFields totals(fields.child("stratum_totals"), fields.where() + ", stratum_totals");
     for (const auto& [name, value] : fields.child("stratum_totals").items()) {
@@ -119,7 +130,7 @@ AllocationDesign designOf(JsonFields& fields) {
 Json designJson(const AllocationDesign& design) {
   Json out;
   out["study"] = design.studyId;
-  out["method"] = kAllocationMethods.at(static_cast<std::size_t>(design.method));
+  out["method"] = storedText(design.method);
   out["arms"] = design.arms;
   out["participants"] = design.participants;
   out["block_sizes"] = design.blockSizes;
@@ -128,7 +139,7 @@ Json designJson(const AllocationDesign& design) {
     out["factors"].push_back({{"name", factor.name}, {"levels", factor.levels}});
   }
   out["best_arm_probability"] = static_cast<double>(design.bestArm_tenths) / 10.0;
-  out["imbalance"] = kImbalances.at(static_cast<std::size_t>(design.imbalance));
+  out["imbalance"] = storedText(design.imbalance);
   out["stratum_totals"] = Json::object();
   for (const auto& [name, total] : design.stratumTotals) {
     out["stratum_totals"][name] = total;
@@ -258,8 +269,8 @@ KeptAllocation readAllocation(const std::string& file) {
   JsonFields fields(json, file);
   const std::string version = fields.text("version");
   if (version != kAllocationVersion) {
-    throw Error(ErrorCode::kBadData, "allocations of version \"" + version + "\" cannot be repeated", file,
-                "This program repeats " + std::string(kAllocationVersion));
+    refuse("allocations of version \"" + version + "\" cannot be repeated", file,
+           "This program repeats " + std::string(kAllocationVersion));
   }
   JsonFields designFields(fields.child("design"), file + ", design");
   KeptAllocation kept;
@@ -283,6 +294,128 @@ KeptAllocation readAllocation(const std::string& file) {
     kept.countsFit = Input(armCounts(allocation)) == fields.child("counts");
   }
   return kept;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A parsed head.
+struct HeadLine {
+  std::string words{};  ///< format, version, records, hash
+  std::int64_t utc_us = 0;
+  std::string publicKey{};
+  std::string signature{};
+  bool isSigned = false;  ///< there are more than four words, complete or not
+
+  [[nodiscard]] std::string signedText() const { return words + " " + std::to_string(utc_us); }
+};
+
+HeadLine headLineOf(const std::string& line) {
+  constexpr int kUnsignedWords = 4;
+  std::istringstream in(line);
+  HeadLine head;
+  std::string word;
+  for (int i = 0; i < kUnsignedWords && in >> word; ++i) {
+    head.words += (i > 0 ? " " : "") + word;
+  }
+  head.isSigned = !(in >> std::ws).eof();
+  std::string more;
+  in >> head.utc_us >> head.publicKey >> head.signature;
+  if (in >> more) {
+    head.signature.clear();  // something was appended
+  }
+  return head;
+}
+
+/// The expected signing key, and the keys before and after it.
+struct Expected {
+  std::string root{};  ///< public part; empty: none
+  bool named = false;  ///< given by the command, not taken from the station
+  std::vector<KeyReplacement> replacements{};
+};
+
+Expected expectedOf(const HeadKeys& keys) {
+  Expected expected;
+  const StationAnchor station = stationAnchor();
+  expected.named = !keys.key.empty() || !keys.publicKey.empty();
+  const std::filesystem::path file = expected.named ? std::filesystem::path(keys.key) : station.key;
+  const auto add = [&expected](const std::filesystem::path& from) {
+    for (KeyReplacement& made : replacementsIn(from)) {
+      expected.replacements.push_back(std::move(made));
+    }
+  };
+  expected.root = file.empty() ? keys.publicKey : publicOf(readKey(file));
+  if (!file.empty()) {
+    add(file);
+  }
+  std::error_code ignored;
+  if (!keys.witness.empty()) {
+    add(keys.witness);
+  } else if (std::filesystem::is_regular_file(station.witness, ignored)) {
+    add(station.witness);
+  }
+  return expected;
+}
+
+constexpr const char* kUnsigned =
+    "this head is not signed: anybody who has the file has seed and salt, and can write another one that "
+    "repeats";
+constexpr const char* kUnknownKey =
+    "the signature is genuine, but no key was given and this station has none: anybody who rewrites the file "
+    "can sign it with their own key; give --public-key as published by its owner";
+constexpr const char* kGenuine = "nobody without this key can have rewritten the file";
+
+}  // namespace
+
+std::string signedAllocationHead(const std::string& head, const std::string& key, std::int64_t now_us) {
+  if (key.empty()) {
+    return head;
+  }
+  const SecretKey secret = readKey(key);
+  HeadLine line;
+  line.words = head;
+  line.utc_us = now_us;
+  return line.signedText() + " " + publicOf(secret) + " " + signedWith(secret, line.signedText());
+}
+
+std::string unsignedAllocationHead(const std::string& line) {
+  return headLineOf(line).words;
+}
+
+SignatureFinding checkSignatures(const std::string& fileHead, const std::string& keptHead,
+                                 const HeadKeys& keys) {
+  const Expected expected = expectedOf(keys);
+  const TrustedKeys trusted(expected.root, expected.replacements, &KeyReplacement::utc_us);
+  SignatureFinding finding;
+  std::optional<HeadLine> shown;
+  for (const std::string& text : {fileHead, keptHead}) {
+    const HeadLine head = headLineOf(text);
+    if (!head.isSigned || !finding.flaw.empty()) {
+      continue;
+    }
+    shown = head;
+    if (trusted.asksForSignatures()) {
+      finding.flaw = trusted.flawOf(head.signedText(), head.signature, head.publicKey, head.utc_us);
+    } else if (!genuine(head.signedText(), head.signature, head.publicKey)) {
+      finding.flaw = "the signature of the head is not genuine";
+    }
+  }
+  finding.isSigned = shown.has_value();
+  if (!shown && expected.named) {
+    finding.flaw = "the head is not signed, although a signing key was given";
+  }
+  const bool known = trusted.asksForSignatures();
+  const std::string good = known ? kGenuine : kUnknownKey;
+  const std::string said = shown ? good : kUnsigned;
+  const std::string state = known ? "genuine" : "genuine, key not known";
+  const std::string sound = shown ? state : "none";
+  finding.json["state"] = finding.flaw.empty() ? sound : "wrong";
+  finding.json["key"] = shown ? Json(shown->publicKey) : Json();
+  finding.json["signed_utc_us"] = shown ? Json(shown->utc_us) : Json();
+  finding.json["compared_with"] = expected.root.empty() ? Json() : Json(expected.root);
+  finding.json["means"] = finding.flaw.empty() ? said : finding.flaw;
+  return finding;
 }
 
 }  // namespace torsio::cli

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
-#include "app/cli/command_report.h"
 #include "app/cli/commands.h"
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
@@ -79,6 +78,7 @@ void buildProgram(CLI::App& program) {
   addReplay(program);
   addReport(program);
   addSection(program);
+  addSettings(program);
 #ifndef _WIN32
   addServe(program);
 #endif

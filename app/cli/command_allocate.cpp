@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/allocation_file.h"
-#include "app/cli/allocation_head.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/services/maintenance/signing_key.h"

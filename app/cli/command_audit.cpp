@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/station_anchor.h"

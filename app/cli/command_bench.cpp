@@ -12,6 +12,7 @@
 #include "app/cli/commands.h"
 #include "app/services/base/assets.h"
 #include "assessment/results/number_format.h"
+#include "assessment/statistics/descriptive.h"
 #include "sim/baseline/grasped_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/rod/rod_bench.h"
@@ -40,9 +41,8 @@ void addGraspedModels(std::vector<TissueBenchRow>& rows) {
       organ->turnTo(kGraspTurn_rad * frame / kGraspFrames);
       times_us.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begun).count());
     }
-    std::sort(times_us.begin(), times_us.end());
     const std::string id(tissueModelId(model));
-    rows.push_back({.name = id + "_frame_median", .value = times_us[times_us.size() / 2], .unit = "us"});
+    rows.push_back({.name = id + "_frame_median", .value = medianOf(times_us), .unit = "us"});
     rows.push_back({.name = id + "_torque", .value = organ->torque_Nm(), .unit = "N m"});
   }
 }

@@ -15,6 +15,7 @@
 #include "app/services/base/csv_table.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -71,8 +72,8 @@ void comparePaired(const CompareArguments& arguments) {
   noteIgnoredColumns(table);
   const Study study = readStudy(table);
   if (study.occasions.size() < 2) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("a paired comparison needs two occasions"), table.name(),
-                Text::verbatim("Give the scores of at least two occasions"));
+    refuse(Text::verbatim("a paired comparison needs two occasions"), table.name(),
+           Text::verbatim("Give the scores of at least two occasions"));
   }
   Json out{{"paired", arguments.paired}};
   out["groups"] = pairedJson(study, kPairedTests.at(arguments.paired), arguments.request.seed);
@@ -90,8 +91,8 @@ std::string occasionOr(const Study& study, const CsvTable& table, const std::str
     return otherwise;
   }
   if (std::find(study.occasions.begin(), study.occasions.end(), wanted) == study.occasions.end()) {
-    throw Error(ErrorCode::kBadParameter, "the table has no occasion \"" + wanted + "\"", table.name(),
-                Text::verbatim("Give one of its occasions after %1", option));
+    refuseParameter("the table has no occasion \"" + wanted + "\"", table.name(),
+                    Text::verbatim("Give one of its occasions after %1", option));
   }
   return wanted;
 }
@@ -106,16 +107,15 @@ CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Stu
   request.residuals = arguments.residuals;
   if (arguments.lowest) {
     if (!(*arguments.lowest < *arguments.highest)) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("the lowest mark is not below the highest"),
-                  Text::verbatim("compare-groups"),
-                  Text::verbatim("Give for example --lowest 1 --highest 10"));
+      refuseParameter(Text::verbatim("the lowest mark is not below the highest"),
+                      Text::verbatim("compare-groups"),
+                      Text::verbatim("Give for example --lowest 1 --highest 10"));
     }
     request.scale = Interval{*arguments.lowest, *arguments.highest};
   }
   if (!arguments.covariate.empty() && request.covariate == request.outcome) {
-    throw Error(ErrorCode::kBadParameter,
-                "the scores at \"" + request.outcome + "\" cannot adjust themselves", table.name(),
-                Text::verbatim("Give two occasions after --occasion and --covariate"));
+    refuseParameter("the scores at \"" + request.outcome + "\" cannot adjust themselves", table.name(),
+                    Text::verbatim("Give two occasions after --occasion and --covariate"));
   }
   if (arguments.covariate.empty() && study.occasions.size() > 1 && request.covariate != request.outcome) {
     std::cerr << "torsio: " << table.name() << ": \"" << request.outcome << "\" is adjusted for \""

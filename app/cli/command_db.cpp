@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/progress_line.h"
 #include "app/services/maintenance/anchor.h"
@@ -16,7 +15,7 @@
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/record_restore.h"
-#include "app/services/maintenance/server_preparation.h"
+#include "app/services/maintenance/server_move.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/results/number_format.h"

@@ -17,6 +17,7 @@
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_resampling.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -104,8 +105,8 @@ EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
     }
     constexpr std::size_t kLetters = 26;
     if (weights.size() > kLetters) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("there are more than 26 rater classes"),
-                  Text::verbatim("--class-weights"), Text::verbatim("Give fewer classes"));
+      refuseParameter(Text::verbatim("there are more than 26 rater classes"),
+                      Text::verbatim("--class-weights"), Text::verbatim("Give fewer classes"));
     }
     for (std::size_t c = 0; c < weights.size(); ++c) {
       RaterClass& raterClass = instrument.classes[c];

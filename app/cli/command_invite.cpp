@@ -8,12 +8,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/maintenance_options.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/invitations.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -34,8 +34,8 @@ std::vector<UserId> idsOf(SessionContext& session, const std::vector<std::string
     const auto found = std::find_if(accounts.begin(), accounts.end(),
                                     [&](const UserAccount& user) { return user.login == login; });
     if (found == accounts.end()) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("there is no such user"), login,
-                  Text::verbatim("Write the sign-in name as the list of users shows it"));
+      refuseParameter(Text::verbatim("there is no such user"), login,
+                      Text::verbatim("Write the sign-in name as the list of users shows it"));
     }
     ids.push_back(found->id);
   }

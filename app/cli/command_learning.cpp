@@ -18,6 +18,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -250,11 +251,9 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
           ? arguments.limit
           : chooseLcCusumLimit(arguments.adequate, arguments.inadequate, longest, arguments.falsePass);
   if (!limit) {
-    throw Error(ErrorCode::kBadData,
-                "no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
-                    " in so few attempts",
-                table.name(),
-                Text::verbatim("Record more attempts, or give --limit or a larger --false-pass"));
+    refuse("no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
+               " in so few attempts",
+           table.name(), Text::verbatim("Record more attempts, or give --limit or a larger --false-pass"));
   }
   const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
   Json out{{"kind", "pass/fail"}};
@@ -277,10 +276,9 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
 
 void runLearning(const LearningArguments& arguments) {
   if (!(arguments.adequate < arguments.inadequate)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::verbatim("the adequate failure rate must be below the inadequate one"),
-                "--adequate " + std::to_string(arguments.adequate),
-                Text::verbatim("Give for example 0.1 and 0.2"));
+    refuseParameter(Text::verbatim("the adequate failure rate must be below the inadequate one"),
+                    "--adequate " + std::to_string(arguments.adequate),
+                    Text::verbatim("Give for example 0.1 and 0.2"));
   }
   if (arguments.target.has_value() != arguments.sigma.has_value()) {
     throw Error(ErrorCode::kUsage, Text::verbatim("a CUSUM of values needs both --target and --sigma"),

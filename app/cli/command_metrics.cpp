@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
@@ -18,8 +18,8 @@
 #include "assessment/attempt/force_felt.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/core/angle.h"
-#include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
+#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
@@ -178,8 +178,8 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
   if (scene.organHash != header.organHash) {
-    throw Error(ErrorCode::kBadData, Text::verbatim("this is not the organ on which the run was recorded"),
-                "run " + header.trialId, Text::verbatim("Give the mesh file of the recording with --organ"));
+    refuse(Text::verbatim("this is not the organ on which the run was recorded"), "run " + header.trialId,
+           Text::verbatim("Give the mesh file of the recording with --organ"));
   }
   return scene;
 }

@@ -11,6 +11,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/power.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 
@@ -65,9 +66,8 @@ void requireTwoOfThree(const PowerArguments& arguments) {
                 Text::verbatim("Give exactly two of --n, --effect and --power"));
   }
   if (arguments.power && *arguments.power <= arguments.alpha) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power up to alpha needs no trainees"),
-                Text::verbatim("--power"),
-                "Give a power above " + Json(arguments.alpha).dump() + ", for example 0.8");
+    refuseParameter(Text::verbatim("a power up to alpha needs no trainees"), Text::verbatim("--power"),
+                    "Give a power above " + Json(arguments.alpha).dump() + ", for example 0.8");
   }
 }
 

@@ -9,13 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
 #include "app/services/maintenance/record_privacy.h"
 #include "app/services/recording/pipeline.h"
-#include "app/services/recording/recording_host.h"
-#include "app/services/recording/trial_store.h"
+#include "app/services/recording/recording_spec.h"
 #include "app/services/recording/unstored_trials.h"
 #include "sim/core/clock.h"
 #include "sim/core/tissue_model.h"

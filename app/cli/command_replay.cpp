@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
+#include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
 #include "app/services/recording/replay_service.h"
 #include "sim/core/error.h"

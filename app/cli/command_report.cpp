@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/command_report.h"
-
 #include <iostream>
 #include <memory>
 #include <string>
@@ -8,8 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/database_option.h"
+#include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/outputs/report/cell_trace.h"
 
 namespace torsio::cli {

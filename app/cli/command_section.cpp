@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"
@@ -45,13 +46,12 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
   for (const std::array<double, 2>& point : points) {
     const std::optional<SectionField::Value> value = field.at(point);
     if (!value) {
-      throw Error(ErrorCode::kBadParameter,
-                  field.elements.empty()
-                      ? Text::verbatim("boundary elements compute nothing inside the section")
-                      : Text::verbatim("the point lies outside the section"),
-                  "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
-                  field.elements.empty() ? Text::verbatim("Use --method fem")
-                                         : Text::verbatim("Give a point in the material"));
+      refuseParameter(field.elements.empty()
+                          ? Text::verbatim("boundary elements compute nothing inside the section")
+                          : Text::verbatim("the point lies outside the section"),
+                      "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
+                      field.elements.empty() ? Text::verbatim("Use --method fem")
+                                             : Text::verbatim("Give a point in the material"));
     }
     all.push_back({{"x", point[0]},
                    {"y", point[1]},

@@ -21,7 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
+#include "app/cli/maintenance_options.h"
 #include "app/services/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
+#include "app/cli/maintenance_options.h"
 #include "app/connectors/tracker/instrument_outlet.h"
 #include "app/connectors/tracker/tracker_choice.h"
 #include "app/connectors/tracker/tracker_link.h"

@@ -14,13 +14,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/model_option.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
 #include "app/cli/twist_json.h"
 #include "app/cli/wall_twist.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
@@ -62,9 +62,8 @@ double graspOf(const TwistArguments& arguments, const Scene& scene) {
   const double whole = arguments.ends.empty() ? scene.pattern.graspArc : 1.0;
   const double grasp = arguments.grasp.value_or(whole);
   if (!(grasp > 0.0 && grasp <= 1.0)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::verbatim("the grasp must lie in (0, 1], as a fraction of the organ's length"),
-                "--grasp " + std::to_string(grasp), Text::verbatim("Give a fraction such as 0.8"));
+    refuseParameter(Text::verbatim("the grasp must lie in (0, 1], as a fraction of the organ's length"),
+                    "--grasp " + std::to_string(grasp), Text::verbatim("Give a fraction such as 0.8"));
   }
   return grasp;
 }
@@ -74,9 +73,9 @@ double angleOf_rad(const TwistArguments& arguments, const Scene& scene) {
       arguments.angle_deg ? radians(*arguments.angle_deg) : scene.pattern.targetAngle_rad;
   constexpr double kLargestAngle_deg = 3600.0;
   if (!(std::abs(angle_rad) <= radians(kLargestAngle_deg))) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the angle must lie within 3600 degrees"),
-                "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)),
-                Text::verbatim("Give the angle in degrees"));
+    refuseParameter(Text::verbatim("the angle must lie within 3600 degrees"),
+                    "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)),
+                    Text::verbatim("Give the angle in degrees"));
   }
   return angle_rad;
 }
@@ -284,8 +283,9 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
 double pressureOf_Pa(const char* option, double pressure_mmHg) {
   constexpr double kMaxPressure_mmHg = 100.0;
   if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMaxPressure_mmHg)) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
-                option + (" " + std::to_string(pressure_mmHg)), Text::verbatim("Give 0 for an empty organ"));
+    refuseParameter(Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
+                    option + (" " + std::to_string(pressure_mmHg)),
+                    Text::verbatim("Give 0 for an empty organ"));
   }
   return pressure_mmHg * kPascalsPerMmHg;
 }

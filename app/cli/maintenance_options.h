@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/services/maintenance/maintainer.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/text.h"
 
 namespace CLI {
@@ -33,5 +33,25 @@ CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const cha
 /// --with-password-fd.
 void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options);
 void addSecondPerson(CLI::App& command, MaintenanceOptions& options);
+
+/// The --database option as typed.
+struct DatabaseOption {
+  std::string address = "torsio.sqlite";
+  bool askPassword = false;
+
+  /// Returns the locator; asks for the server's password at the terminal, once, if requested by the option.
+  [[nodiscard]] std::string locator() const;
+
+ private:
+  mutable std::string asked_;  // with the typed password
+};
+
+/// Adds --database and --ask-server-password. Rejects a password in the address, since every user of the
+/// machine can read the command line.
+CLI::Option* addDatabaseOption(CLI::App& command, DatabaseOption& option);
+
+/// Adds an argument that is such an address.
+CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std::string& address,
+                                 const std::string& description);
 
 }  // namespace torsio::cli

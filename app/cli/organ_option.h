@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/model_choice.h"
 #include "sim/scene/scene.h"
 
 namespace CLI {
@@ -32,5 +33,18 @@ void addOrganOptions(CLI::App& command, OrganArguments& arguments);
 /// Converts the options to a scene request. Throws Error{kUsage} for a name that is neither a scene nor a
 /// file.
 [[nodiscard]] SceneRequest sceneRequest(const OrganArguments& arguments);
+
+/// Options that modify the twist model of a pattern.
+struct ModelArguments {
+  std::string interpolation;  ///< of the paper: "angle", "components" (Eq. 15); empty: not given
+  std::string drift;          ///< of kriging: "constant" (Eq. 16), "linear"; empty: not given
+  ModelChoice choice;         ///< other options
+};
+
+/// Adds these options, except for G; `arguments` must outlive the command.
+void addModelOptions(CLI::App& command, ModelArguments& arguments);
+
+/// Returns the resulting choice.
+[[nodiscard]] ModelChoice modelChoice(const ModelArguments& arguments);
 
 }  // namespace torsio::cli

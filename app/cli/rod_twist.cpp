@@ -9,7 +9,7 @@
 #include "sim/baseline/reference_solid.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/core/angle.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"
@@ -77,10 +77,9 @@ void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
     const double length_m = arcs_m[i + 1] - arcs_m[i];
     const double own_rad = length_m * rodStrain(length_m, pose.nodes[i], pose.nodes[i + 1]).curvature_per_m.z;
     if (std::abs(turns_rad[i + 1] - turns_rad[i] - own_rad) > kPi) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::verbatim("the twist gathers in one place: more than half a turn within %1 mm",
-                                 std::to_string(1000.0 * length_m)),
-                  "--angle " + std::to_string(degrees(angle_rad)), Text::verbatim("Twist less far."));
+      refuseParameter(Text::verbatim("the twist gathers in one place: more than half a turn within %1 mm",
+                                     std::to_string(1000.0 * length_m)),
+                      "--angle " + std::to_string(degrees(angle_rad)), Text::verbatim("Twist less far."));
     }
   }
 }
@@ -120,16 +119,17 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const std::size_t turned = nearestNode(organ.arcs_m, grasp_m);
   const double halfWidth_m = request.jaw ? 0.5 * organ.radii_m[turned] : 0.0;
   if (organ.arcs_m[turned] - halfWidth_m <= organ.arcs_m[0]) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the jaw would reach the clamped face"),
-                "--grasp " + std::to_string(request.grasp), Text::verbatim("Grip further away from it."));
+    refuseParameter(Text::verbatim("the jaw would reach the clamped face"),
+                    "--grasp " + std::to_string(request.grasp), Text::verbatim("Grip further away from it."));
   }
   const TurnedRod solved = solveTurned(rod, {.angle_rad = request.angle_rad,
                                              .node = static_cast<int>(turned),
                                              .holdsPlace = !free,
                                              .halfWidth_m = halfWidth_m});
   if (!solved.balance.converged) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the rod finds no pose at rest at this angle"),
-                "--angle " + std::to_string(degrees(request.angle_rad)), Text::verbatim("Twist less far."));
+    refuseParameter(Text::verbatim("the rod finds no pose at rest at this angle"),
+                    "--angle " + std::to_string(degrees(request.angle_rad)),
+                    Text::verbatim("Twist less far."));
   }
   requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
   RodTwistResult result;

@@ -13,6 +13,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/wall_places.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"
@@ -106,8 +107,7 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
   result.pressure_Pa =
       request.sealed ? organ.sealedPressure_Pa(rod.angle_rad, request.pressure_Pa) : request.pressure_Pa;
   if (result.pressure_Pa > content.highestPressure_Pa) {
-    throw Error(
-        ErrorCode::kBadParameter,
+    refuseParameter(
         Text::verbatim("a sealed organ would come under more than %1 mmHg, which is beyond the wall's law",
                        std::to_string(content.highestPressure_Pa / kPascalsPerMmHg)),
         Text::verbatim("--sealed"), Text::verbatim("Turn less far, or leave out --sealed."));

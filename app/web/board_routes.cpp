@@ -5,7 +5,6 @@
 
 #include <QDateTime>
 
-#include "app/services/study/alert_labels.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/scoring_plan.h"

@@ -9,7 +9,7 @@
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::web {
@@ -165,8 +165,8 @@ Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric) {
     const auto sameCode = [&read](const auto& other) { return other.code == read.code; };
     if (std::none_of(rubric.rows.begin(), rubric.rows.end(), sameCode) ||
         std::any_of(sheet.rows.begin(), sheet.rows.end(), sameCode)) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"),
-                  read.code, Text::tr("Load the page again"));
+      refuseParameter(Text::tr("the page sent something that cannot be used"), read.code,
+                      Text::tr("Load the page again"));
     }
     sheet.rows.push_back(std::move(read));
   }

@@ -17,6 +17,7 @@
 #include "assessment/domain/rating/written_words.h"
 #include "db/connection/db_error.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::web {
@@ -175,8 +176,7 @@ HttpResponse answerOrgan(Call& call) {
 HttpResponse answerShelf(Call& call) {
   const auto bytes = call.desk.shelf().find(call.parts.front());
   if (bytes == nullptr) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is nothing at this address"), "",
-                Text::tr("Load the page again"));
+    refuse(Text::tr("there is nothing at this address"), "", Text::tr("Load the page again"));
   }
   HttpResponse response = binaryAnswer(call, *bytes);
   response.headers.front().second = "private, max-age=604800, immutable";

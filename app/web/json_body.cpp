@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio::web {
 
@@ -12,8 +12,8 @@ namespace {
 constexpr int kDeepest = 16;
 
 [[noreturn]] void refuseField(const std::string& field) {
-  throw Error(ErrorCode::kBadParameter, Text::tr("the page sent something that cannot be used"), field,
-              Text::tr("Load the page again"));
+  refuseParameter(Text::tr("the page sent something that cannot be used"), field,
+                  Text::tr("Load the page again"));
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <list>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "app/web/shapes/shape_basis.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::web {
@@ -42,5 +44,12 @@ class OrganShelf {
   std::list<Skin> skins_;                                           // newest first
   std::map<std::string, std::weak_ptr<const std::string>> bodies_;  // by name
 };
+
+/// Makes what pages draw an organ and the instrument from, independent of the recording: a gzipped
+/// BinaryContainer (docs/server.md describes the arrays) with surface, colour, and the shapes of `basis`,
+/// those of the scene's pattern. Reproducible. Throws Error{kFileMissing}, {kBadMesh} for the instrument's
+/// files.
+[[nodiscard]] std::string organBody(const Scene& scene, const ShapeBasis& basis,
+                                    const std::filesystem::path& assets);
 
 }  // namespace torsio::web

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/web/page_files.h"
 
+#include <cctype>
+
 #include "app/web/binary_container.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -23,6 +25,22 @@ std::string typeOf(const std::filesystem::path& file) {
                                                             {".frag", "text/plain; charset=utf-8"}};
   const auto found = kTypes.find(file.extension().string());
   return found == kTypes.end() ? std::string() : found->second;
+}
+
+/// Adds what t('...') or t("...") says in a script; such a literal has no backslash.
+void addSentences(const std::string& script, std::set<std::string>& sentences) {
+  for (std::size_t at = script.find("t("); at != std::string::npos; at = script.find("t(", at + 1)) {
+    const char before = at == 0 ? ' ' : script[at - 1];
+    const std::size_t begin = script.find_first_not_of(" \t\r\n", at + 2);
+    const bool own = std::isalnum(static_cast<unsigned char>(before)) == 0 && before != '_' && before != '$';
+    if (!own || begin == std::string::npos || (script[begin] != '\'' && script[begin] != '"')) {
+      continue;
+    }
+    const std::size_t end = script.find(script[begin], begin + 1);
+    if (end != std::string::npos) {
+      sentences.insert(script.substr(begin + 1, end - begin - 1));
+    }
+  }
 }
 
 }  // namespace
@@ -51,6 +69,9 @@ void PageFiles::add(const std::filesystem::path& path, const std::string& addres
   Digest digest;
   digest.update(std::string_view(file.bytes));
   file.tag = '"' + digest.hex().substr(0, kTagDigits) + '"';
+  if (path.extension() == ".js") {
+    addSentences(file.bytes, sentences_);
+  }
   files_.emplace(address, std::move(file));
 }
 

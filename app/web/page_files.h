@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/web/http_message.h"
@@ -18,6 +19,8 @@ class PageFiles {
   explicit PageFiles(const std::filesystem::path& assets);
   /// Returns the answer to a page request; empty for an unknown address. "/" and "/join" are the main page.
   [[nodiscard]] std::optional<HttpResponse> answer(const HttpRequest& request) const;
+  /// The English sentences of the pages: the literals of t() in their scripts.
+  [[nodiscard]] const std::set<std::string>& sentences() const noexcept { return sentences_; }
 
  private:
   struct File {
@@ -29,6 +32,7 @@ class PageFiles {
   void add(const std::filesystem::path& path, const std::string& address);
 
   std::map<std::string, File> files_;  // by address
+  std::set<std::string> sentences_;
 };
 
 /// Puts the bytes into the response, plain or gzipped, as the browser accepts.

@@ -9,7 +9,6 @@
 
 #include "app/services/base/assets.h"
 #include "app/services/review/discrepancy_review.h"
-#include "app/services/review/own_severity.h"
 #include "app/services/review/rater_calibration.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"

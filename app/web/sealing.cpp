@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLongestPassword_bytes = 1024;
 
 Text meaningText(SignatureMeaning meaning) {
-  return termsOf(meaning)[static_cast<std::size_t>(meaning)].label;
+  return labelOf(meaning);
 }
 
 /// Checks the password sent with a sealing act. Empty answer: continue.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/access_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "sim/core/refusal.h"

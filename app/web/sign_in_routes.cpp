@@ -5,12 +5,10 @@
 #include <string>
 
 #include "app/services/access/access_service.h"
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
-#include "app/services/access/settings_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "app/web/web_texts.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::web {
@@ -174,8 +172,8 @@ HttpResponse answerMe(Call& call) {
 
 HttpResponse answerTexts(Call& call) {
   json texts = json::object();
-  for (const Text& text : webTexts()) {
-    texts[text.pattern()] = call.wording(text).toStdString();
+  for (const std::string& sentence : call.desk.pages().sentences()) {
+    texts[sentence] = call.wording(sentence).toStdString();
   }
   std::string language = "en";
   json languages = json::array();

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "app/services/access/browser_sessions.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"

@@ -11,11 +11,11 @@
 #include <string>
 
 #include "app/outputs/wording/wording.h"
+#include "app/web/case_picture.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
 #include "app/web/organ_shelf.h"
 #include "app/web/page_files.h"
-#include "app/web/picture_cache.h"
 #include "app/web/router.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/account.h"
@@ -64,6 +64,7 @@ class WebDesk {
   void leaveHashing();
   /// Makes the picture of a case likely to be opened next, if the picture thread is idle.
   void prepare(const Actor& actor, const AssignmentId& assignmentId);
+  [[nodiscard]] const PageFiles& pages() const noexcept { return pages_; }
   [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
 
  private:

@@ -9,22 +9,15 @@
 #include "assessment/results/foreign_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
+#include "assessment/statistics/descriptive.h"
 #include "sim/core/load_decimals.h"
 
 namespace torsio {
 
 namespace {
 
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum / static_cast<double>(values.size());
-}
-
 Text meanOrDash(const std::vector<double>& values, int decimals) {
-  return values.empty() ? Text::tr("not recorded") : Text(formatFixed(mean(values), decimals));
+  return values.empty() ? Text::tr("not recorded") : Text(formatFixed(meanOf(values), decimals));
 }
 
 ReportTable trialsByPhase(const CohortInputs& in) {

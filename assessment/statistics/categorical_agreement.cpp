@@ -9,8 +9,8 @@
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
 #include "assessment/statistics/ratio_differences.h"
-#include "sim/core/error.h"
 #include "sim/core/random.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -372,10 +372,9 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
       disagreements[j] += count * (m - count);
     }
     if (sum != m) {
-      throw Error(ErrorCode::kBadData,
-                  Text::verbatim("the subjects were not all rated by the same number of raters"),
-                  Text::verbatim("row %1", i + 1),
-                  Text::verbatim("Use Krippendorff's alpha for incomplete ratings."));
+      refuse(Text::verbatim("the subjects were not all rated by the same number of raters"),
+             Text::verbatim("row %1", i + 1),
+             Text::verbatim("Use Krippendorff's alpha for incomplete ratings."));
     }
     out.observed += (squares - m) / (m * (m - 1.0)) / n;
   }

@@ -10,6 +10,7 @@
 #include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/rating_scale.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -315,9 +316,8 @@ void requireCategories(const CategoryRatings& ratings, int highest) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
     for (const std::optional<int>& mark : ratings[n]) {
       if (mark && (*mark < 0 || *mark > highest)) {
-        throw Error(ErrorCode::kBadData, Text::verbatim("a rating lies outside the categories"),
-                    Text::verbatim("person %1", n + 1),
-                    Text::verbatim("Give categories from 0 to %1.", highest));
+        refuse(Text::verbatim("a rating lies outside the categories"), Text::verbatim("person %1", n + 1),
+               Text::verbatim("Give categories from 0 to %1.", highest));
       }
     }
   }

@@ -157,50 +157,6 @@
         <translation>学员</translation>
     </message>
     <message>
-        <source>on the simulator</source>
-        <translation>在模拟器上</translation>
-    </message>
-    <message>
-        <source>on the real arm</source>
-        <translation>在实物手臂上</translation>
-    </message>
-    <message>
-        <source>rest</source>
-        <translation>休息</translation>
-    </message>
-    <message>
-        <source>came late</source>
-        <translation>迟到</translation>
-    </message>
-    <message>
-        <source>did not come</source>
-        <translation>缺席</translation>
-    </message>
-    <message>
-        <source>device failed</source>
-        <translation>设备故障</translation>
-    </message>
-    <message>
-        <source>swapped with somebody</source>
-        <translation>与他人互换</translation>
-    </message>
-    <message>
-        <source>phase cut short</source>
-        <translation>阶段提前结束</translation>
-    </message>
-    <message>
-        <source>phase too long</source>
-        <translation>阶段超时</translation>
-    </message>
-    <message>
-        <source>rest too long</source>
-        <translation>休息超时</translation>
-    </message>
-    <message>
-        <source>something else</source>
-        <translation>其他</translation>
-    </message>
-    <message>
         <source>Log time</source>
         <translation>登记时间</translation>
     </message>
@@ -263,14 +219,6 @@
     <message>
         <source>Swap</source>
         <translation>互换</translation>
-    </message>
-    <message>
-        <source>trained before scoring</source>
-        <translation>评分前已训练</translation>
-    </message>
-    <message>
-        <source>trained outside the plan</source>
-        <translation>计划外训练</translation>
     </message>
 </context>
 <context>
@@ -1612,18 +1560,6 @@
         <translation>训练后</translation>
     </message>
     <message>
-        <source>enrolled</source>
-        <translation>已登记</translation>
-    </message>
-    <message>
-        <source>completed</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>withdrew</source>
-        <translation>已退出</translation>
-    </message>
-    <message>
         <source>sex</source>
         <translation>性别</translation>
     </message>
@@ -1702,26 +1638,6 @@
     <message>
         <source>taken back</source>
         <translation>已收回</translation>
-    </message>
-    <message>
-        <source>published, not begun</source>
-        <translation>已发布，未启用</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>进行中</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>已关闭</translation>
-    </message>
-    <message>
-        <source>simulator</source>
-        <translation>模拟器</translation>
-    </message>
-    <message>
-        <source>real arm</source>
-        <translation>实物手臂</translation>
     </message>
     <message>
         <source>Simple randomisation into equal groups (as in the paper)</source>
@@ -2944,10 +2860,6 @@
     <message>
         <source>Lock a design and allocate first</source>
         <translation>请先锁定方案并分组</translation>
-    </message>
-    <message>
-        <source>Lock after %1 to %2 minutes, and warn at least one minute before</source>
-        <translation>锁定时间为 %1 至 %2 分钟，并至少提前一分钟提醒</translation>
     </message>
     <message>
         <source>Lock one first</source>
@@ -5410,10 +5322,6 @@
         <translation>器官两端不连通或重合</translation>
     </message>
     <message>
-        <source>the value is too long</source>
-        <translation>该值过长</translation>
-    </message>
-    <message>
         <source>the vendor&apos;s library %1 is loaded</source>
         <translation>厂商程序库 %1 已加载</translation>
     </message>
@@ -5590,10 +5498,6 @@
         <translation>这些评分已提交</translation>
     </message>
     <message>
-        <source>these minutes make no sense</source>
-        <translation>分钟数不合理</translation>
-    </message>
-    <message>
         <source>this belongs to somebody else</source>
         <translation>这属于其他人</translation>
     </message>
@@ -5644,10 +5548,6 @@
     <message>
         <source>an identity is erased with its retention, not by hand</source>
         <translation>身份信息随保存期限删除，不可手工删除</translation>
-    </message>
-    <message>
-        <source>this is no name of a setting</source>
-        <translation>没有该设置名称</translation>
     </message>
     <message>
         <source>this is the last administrator who can sign in</source>
@@ -8388,14 +8288,6 @@
     <message>
         <source>Graded</source>
         <translation>计分</translation>
-    </message>
-    <message>
-        <source>virtual</source>
-        <translation>虚拟</translation>
-    </message>
-    <message>
-        <source>real</source>
-        <translation>真实</translation>
     </message>
     <message>
         <source>enrolled</source>
@@ -11486,14 +11378,6 @@
         <translation>设备的驱动程序没有响应</translation>
     </message>
     <message>
-        <source>signatures</source>
-        <translation>签名</translation>
-    </message>
-    <message>
-        <source>Choose 0 to %1 minutes</source>
-        <translation>请选择 0 到 %1 分钟</translation>
-    </message>
-    <message>
         <source>Then try again</source>
         <translation>然后重试</translation>
     </message>
@@ -11620,14 +11504,6 @@
     <message>
         <source>Two people for passwords, roles, erasing, restoring and the allocation</source>
         <translation>密码、角色、删除、恢复与启封分组须两人共同完成</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>需要</translation>
-    </message>
-    <message>
-        <source>switched off by the centre</source>
-        <translation>已由中心关闭</translation>
     </message>
     <message>
         <source>Marks signed with a password</source>
@@ -18626,6 +18502,74 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>longest turn without a rest &lt;= stage + 15 degrees</source>
         <translation>未停歇的最大复位转角 &lt;= 阶段 + 15 度</translation>
+    </message>
+    <message>
+        <source>Choose yes or no</source>
+        <translation>请选择 yes 或 no</translation>
+    </message>
+    <message>
+        <source>Enter a whole number from %1 to %2</source>
+        <translation>请输入 %1 到 %2 的整数</translation>
+    </message>
+    <message>
+        <source>Enter a number from %1 to %2</source>
+        <translation>请输入 %1 到 %2 的数</translation>
+    </message>
+    <message>
+        <source>Write speeds from %1 to %2 like 0.5,1,1.5</source>
+        <translation>请写 %1 到 %2 的速度，如 0.5,1,1.5</translation>
+    </message>
+    <message>
+        <source>the warning would come after the lock</source>
+        <translation>警告会晚于锁定</translation>
+    </message>
+    <message>
+        <source>Warn at least one minute before</source>
+        <translation>警告须至少提前一分钟</translation>
+    </message>
+    <message>
+        <source>this is no valid value of the setting</source>
+        <translation>该设置不接受这个值</translation>
+    </message>
+    <message>
+        <source>there is no such setting</source>
+        <translation>没有这项设置</translation>
+    </message>
+    <message>
+        <source>torsio settings list shows them all</source>
+        <translation>torsio settings list 会列出所有设置</translation>
+    </message>
+    <message>
+        <source>this setting needs more than one value</source>
+        <translation>这项设置需要不止一个值</translation>
+    </message>
+    <message>
+        <source>Set it by: %1</source>
+        <translation>请通过 %1 设置</translation>
+    </message>
+    <message>
+        <source>Share of a recording that a rater must have watched</source>
+        <translation>评分者必须观看的录制比例</translation>
+    </message>
+    <message>
+        <source>Playback speeds that raters may use</source>
+        <translation>评分者可用的播放速度</translation>
+    </message>
+    <message>
+        <source>Distance from the other raters&apos; mean that calls for a discrepancy review</source>
+        <translation>与其他评分者均值相差多少须进行评分分歧复核</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>simulator</source>
+        <translation>模拟器</translation>
+    </message>
+    <message>
+        <source>real arm</source>
+        <translation>实物手臂</translation>
     </message>
 </context>
 <context>
@@ -29059,38 +29003,6 @@ Leave it empty to remove it.</source>
         <translation>鼠标和键盘</translation>
     </message>
     <message>
-        <source>Bring the jaw to the marked band</source>
-        <translation>将钳口移到标记的环带处</translation>
-    </message>
-    <message>
-        <source>Touching. Hold the first button of the stylus to grip</source>
-        <translation>已接触。按住操作笔的第一个按钮以夹持</translation>
-    </message>
-    <message>
-        <source>Holding. Move the stylus round to twist; release the button to open the jaw</source>
-        <translation>已夹持。引导操作笔绕行以扭转；松开按钮即松开组织</translation>
-    </message>
-    <message>
-        <source>The tissue returns to rest</source>
-        <translation>组织正在恢复</translation>
-    </message>
-    <message>
-        <source>%1 mm to the surface. Wheel: closer</source>
-        <translation>距表面 %1 mm。滚轮：靠近</translation>
-    </message>
-    <message>
-        <source>Bring the jaw to the marked band. Wheel: depth, right drag: turn the view</source>
-        <translation>将钳口移到标记带。滚轮：深度；右键拖动：转动视图</translation>
-    </message>
-    <message>
-        <source>Touching. Hold the left button or Space to grip</source>
-        <translation>已接触。按住左键或空格键夹持</translation>
-    </message>
-    <message>
-        <source>Holding. Drag, or press Q and E, to twist; release the button to open the jaw</source>
-        <translation>已夹持。拖动或按 Q、E 键扭转；松开按键即松开组织</translation>
-    </message>
-    <message>
         <source>%1 – Torsio</source>
         <translation>%1 – Torsio</translation>
     </message>
@@ -29101,454 +29013,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>Record</source>
         <translation>录制</translation>
-    </message>
-    <message>
-        <source>Open organ</source>
-        <translation>打开器官</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>毫米</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>厘米</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>米</translation>
-    </message>
-    <message>
-        <source>The file&apos;s numbers are</source>
-        <translation>文件中的数值单位为</translation>
-    </message>
-    <message>
-        <source>Nothing has been recorded yet.</source>
-        <translation>尚无录制内容。</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>回放</translation>
-    </message>
-    <message>
-        <source>Torsio</source>
-        <translation>Torsio</translation>
-    </message>
-    <message>
-        <source>Move the instrument</source>
-        <translation>移动器械</translation>
-    </message>
-    <message>
-        <source>Mouse, or arrow keys</source>
-        <translation>鼠标或方向键</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>深度</translation>
-    </message>
-    <message>
-        <source>Wheel, or Page Up and Page Down</source>
-        <translation>滚轮，或 Page Up、Page Down 键</translation>
-    </message>
-    <message>
-        <source>Grip</source>
-        <translation>夹持</translation>
-    </message>
-    <message>
-        <source>Left button or Space (hold), G (keep)</source>
-        <translation>左键或空格键（按住），G 键（保持）</translation>
-    </message>
-    <message>
-        <source>Twist what is held</source>
-        <translation>扭转所夹组织</translation>
-    </message>
-    <message>
-        <source>Drag, Shift + wheel, or Q and E</source>
-        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
-    </message>
-    <message>
-        <source>Tilt the instrument</source>
-        <translation>倾斜器械</translation>
-    </message>
-    <message>
-        <source>A, D, W, S</source>
-        <translation>A、D、W、S</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>松开</translation>
-    </message>
-    <message>
-        <source>Release the button, or Esc</source>
-        <translation>松开按键，或按 Esc</translation>
-    </message>
-    <message>
-        <source>Bookmark</source>
-        <translation>书签</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Turn the view</source>
-        <translation>转动视图</translation>
-    </message>
-    <message>
-        <source>Right drag, or Ctrl + arrow keys</source>
-        <translation>右键拖动，或 Ctrl + 方向键</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>平移视图</translation>
-    </message>
-    <message>
-        <source>Middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>Ctrl + wheel, or + and −</source>
-        <translation>Ctrl + 滚轮，或 + 和 −</translation>
-    </message>
-    <message>
-        <source>Controls</source>
-        <translation>操作方法</translation>
-    </message>
-    <message>
-        <source>About Torsio</source>
-        <translation>关于 Torsio</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;Training and assessment of surgical twist skills.&lt;/p&gt;&lt;p&gt;A training tool; not a medical device.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;外科扭转技能的培训与评估。&lt;/p&gt;&lt;p&gt;培训工具，不是医疗器械。&lt;/p&gt;&lt;p&gt;自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Open organ…</source>
-        <translation>打开器官…</translation>
-    </message>
-    <message>
-        <source>Use your own mesh instead of a shipped organ</source>
-        <translation>使用自己的网格代替自带器官</translation>
-    </message>
-    <message>
-        <source>Picture…</source>
-        <translation>图片…</translation>
-    </message>
-    <message>
-        <source>Save the scene as a PNG picture</source>
-        <translation>将场景保存为 PNG 图片</translation>
-    </message>
-    <message>
-        <source>Film strip…</source>
-        <translation>连续画面…</translation>
-    </message>
-    <message>
-        <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
-        <translation>把 0、30、60……度时的扭转，或正在回放的录制，保存为一张图片</translation>
-    </message>
-    <message>
-        <source>Restart the exercise and record it</source>
-        <translation>重新开始练习并录制</translation>
-    </message>
-    <message>
-        <source>Replay…</source>
-        <translation>回放…</translation>
-    </message>
-    <message>
-        <source>Release the tissue; it returns to rest</source>
-        <translation>松开组织，使其恢复</translation>
-    </message>
-    <message>
-        <source>Restart exercise</source>
-        <translation>重新开始练习</translation>
-    </message>
-    <message>
-        <source>Start the exercise again</source>
-        <translation>从头开始练习</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>正面</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>从正面观察</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>侧面</translation>
-    </message>
-    <message>
-        <source>Look from the patient&apos;s left side</source>
-        <translation>从患者左侧观察</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>上方</translation>
-    </message>
-    <message>
-        <source>Look from the head</source>
-        <translation>从头侧观察</translation>
-    </message>
-    <message>
-        <source>Whole organ</source>
-        <translation>整个器官</translation>
-    </message>
-    <message>
-        <source>Show the whole organ</source>
-        <translation>显示整个器官</translation>
-    </message>
-    <message>
-        <source>Lattice</source>
-        <translation>网格线</translation>
-    </message>
-    <message>
-        <source>Show ridges and sections on the tissue</source>
-        <translation>在组织上显示脊线和截面</translation>
-    </message>
-    <message>
-        <source>Wireframe</source>
-        <translation>线框</translation>
-    </message>
-    <message>
-        <source>Show the edges of the surface</source>
-        <translation>显示表面的边</translation>
-    </message>
-    <message>
-        <source>Shear stress</source>
-        <translation>剪应力</translation>
-    </message>
-    <message>
-        <source>Colour the tissue by its shear stress</source>
-        <translation>按剪应力为组织着色</translation>
-    </message>
-    <message>
-        <source>Markers</source>
-        <translation>标记点</translation>
-    </message>
-    <message>
-        <source>Show the marker points of the organ</source>
-        <translation>显示器官的标记点</translation>
-    </message>
-    <message>
-        <source>Target pose</source>
-        <translation>目标姿态</translation>
-    </message>
-    <message>
-        <source>Show the pose to reach as a film over the organ</source>
-        <translation>以半透明形式显示需要达到的姿态</translation>
-    </message>
-    <message>
-        <source>Keys…</source>
-        <translation>按键…</translation>
-    </message>
-    <message>
-        <source>Assign the movements of the instrument to other keys</source>
-        <translation>将器械动作改到其他按键</translation>
-    </message>
-    <message>
-        <source>How mouse and keys move the instrument</source>
-        <translation>如何用鼠标和键盘移动器械</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>As fine as this computer can draw smoothly</source>
-        <translation>在本机流畅的前提下尽量精细</translation>
-    </message>
-    <message>
-        <source>Fast</source>
-        <translation>快速</translation>
-    </message>
-    <message>
-        <source>Fewer effects, more pictures a second</source>
-        <translation>效果较少，帧率更高</translation>
-    </message>
-    <message>
-        <source>Fine</source>
-        <translation>精细</translation>
-    </message>
-    <message>
-        <source>Shadow, ambient occlusion and antialiasing</source>
-        <translation>阴影、环境光遮蔽和抗锯齿</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>画质</translation>
-    </message>
-    <message>
-        <source>More</source>
-        <translation>更多</translation>
-    </message>
-    <message>
-        <source>More commands</source>
-        <translation>更多命令</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>深色</translation>
-    </message>
-    <message>
-        <source>Dark colours for a dark room</source>
-        <translation>适合暗室的深色</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>全屏</translation>
-    </message>
-    <message>
-        <source>Fill the whole screen</source>
-        <translation>铺满整个屏幕</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>退出</translation>
-    </message>
-    <message>
-        <source>End the program</source>
-        <translation>结束程序</translation>
-    </message>
-    <message>
-        <source>Version and licence</source>
-        <translation>版本与许可证</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Exercise</source>
-        <translation>练习(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>torsio.png</source>
-        <translation>torsio.png</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG 图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
-        <source>There is no picture to capture here</source>
-        <translation>此处没有可截取的画面</translation>
-    </message>
-    <message>
-        <source>Stop the recording before you save a film strip.</source>
-        <translation>请先停止录制，再保存连续画面。</translation>
-    </message>
-    <message>
-        <source>Save film strip</source>
-        <translation>保存连续画面</translation>
-    </message>
-    <message>
-        <source>film-strip.png</source>
-        <translation>film-strip.png</translation>
-    </message>
-    <message>
-        <source>Compare models</source>
-        <translation>模型对比</translation>
-    </message>
-    <message>
-        <source>Twist this organ by the twist model, finite elements and springs under one torque</source>
-        <translation>在同一扭矩下用扭转模型、有限元和弹簧扭转该器官</translation>
-    </message>
-    <message>
-        <source>Touching. Close the jaw to grip</source>
-        <translation>已接触。闭合钳口以夹持</translation>
-    </message>
-    <message>
-        <source>Holding. Turn the jaw to twist; open it to release</source>
-        <translation>已夹持。转动钳口以扭转；张开即释放</translation>
-    </message>
-    <message>
-        <source>Replay of a recorded run</source>
-        <translation>正在回放已录制的操作</translation>
-    </message>
-    <message>
-        <source>● Recording  %1</source>
-        <translation>● 正在录制  %1</translation>
-    </message>
-    <message>
-        <source>Look at a recorded run again</source>
-        <translation>重新观看已录制的操作</translation>
-    </message>
-    <message>
-        <source>Recorded run</source>
-        <translation>已录制的操作</translation>
-    </message>
-    <message>
-        <source>Best</source>
-        <translation>最佳</translation>
-    </message>
-    <message>
-        <source>The finest shadow and edges; needs a graphics card</source>
-        <translation>最细腻的阴影和边缘；需要显卡</translation>
-    </message>
-    <message>
-        <source>%1   %2, %3   %4</source>
-        <translation>%1   %2，%3   %4</translation>
-    </message>
-    <message>
-        <source>%1 after %2</source>
-        <translation>%2 后：%1</translation>
-    </message>
-    <message>
-        <source>Organs and meshes (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
-        <translation>器官和网格 (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Import an organ…</source>
-        <translation>导入器官…</translation>
-    </message>
-    <message>
-        <source>Make an organ from your own mesh or scan: view it, check it, save it</source>
-        <translation>用您自己的网格或扫描制作器官：查看、检验、保存</translation>
-    </message>
-    <message>
-        <source>Instrument…</source>
-        <translation>器械…</translation>
-    </message>
-    <message>
-        <source>Show your own instrument; the force felt remains that of the exercise</source>
-        <translation>显示您自己的器械；手感仍是练习中的</translation>
-    </message>
-    <message>
-        <source>Instrument</source>
-        <translation>器械</translation>
-    </message>
-    <message>
-        <source>Instruments (*.json)</source>
-        <translation>器械 (*.json)</translation>
     </message>
 </context>
 <context>
@@ -29746,6 +29210,30 @@ T-02,master,17</translation>
     <message>
         <source>Enter the name of your centre.</source>
         <translation>请输入贵中心的名称。</translation>
+    </message>
+    <message>
+        <source>Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.</source>
+        <translation>请写 0.1 到 4 的速度，以逗号分隔：0.5, 1, 1.5。1 为原速。</translation>
+    </message>
+    <message>
+        <source>Raters &amp;must watch</source>
+        <translation>评分者必须观看(&amp;M)</translation>
+    </message>
+    <message>
+        <source>at spee&amp;ds</source>
+        <translation>播放速度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Discrepanc&amp;y review from</source>
+        <translation>评分分歧复核起点(&amp;Y)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> 分</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of the pages. English is the literal of t() in the sources; app/web/web_texts.cpp lists them, and the
-// server sends translations.
+// The sentences of the pages. English stands in the sources as a literal of t() without a backslash: the server reads
+// it there, and assets/translations/renew does for the translators.
 
 const kStored = 'torsio.language';
 let texts = {};

@@ -8,7 +8,7 @@
 #include <QUrl>
 #include <QUrlQuery>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -56,34 +56,30 @@ std::string listOf(const std::array<std::string_view, Count>& names) {
   return list;
 }
 
-[[noreturn]] void refuse(const Text& what, const std::string& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
 void requireKnown(const std::string& name) {
   if (name == "password" || name == "sslpassword") {
-    refuse(Text::tr("an address does not hold the parameter %1", name), name,
-           Text::tr("Write the password to the password file of your account (~/.pgpass)"));
+    refuseParameter(Text::tr("an address does not hold the parameter %1", name), name,
+                    Text::tr("Write the password to the password file of your account (~/.pgpass)"));
   }
   if (std::find(kServerParameters.begin(), kServerParameters.end(), name) == kServerParameters.end()) {
-    refuse(Text::tr("unknown connection parameter %1", name), name,
-           Text::tr("Known are schema, %1", listOf(kServerParameters)));
+    refuseParameter(Text::tr("unknown connection parameter %1", name), name,
+                    Text::tr("Known are schema, %1", listOf(kServerParameters)));
   }
 }
 
 void requireValue(const ServerParameter& parameter) {
   if (parameter.value.empty()) {
-    refuse(Text::tr("connection parameter %1 has no value", parameter.name), parameter.name,
-           Text::tr("Give it one, or leave it out"));
+    refuseParameter(Text::tr("connection parameter %1 has no value", parameter.name), parameter.name,
+                    Text::tr("Give it one, or leave it out"));
   }
   if (parameter.value.find_first_of(std::string(";\0\n\r", 4)) != std::string::npos) {
-    refuse(Text::tr("the value of connection parameter %1 cannot be used", parameter.name), parameter.name,
-           Text::tr("Choose a name or a path without semicolons and line breaks"));
+    refuseParameter(Text::tr("the value of connection parameter %1 cannot be used", parameter.name),
+                    parameter.name, Text::tr("Choose a name or a path without semicolons and line breaks"));
   }
   if (parameter.name == "sslmode" &&
       std::find(kTlsModes.begin(), kTlsModes.end(), parameter.value) == kTlsModes.end()) {
-    refuse(Text::tr("sslmode cannot be %1", parameter.value), parameter.name,
-           Text::tr("Choose one of %1", listOf(kTlsModes)));
+    refuseParameter(Text::tr("sslmode cannot be %1", parameter.value), parameter.name,
+                    Text::tr("Choose one of %1", listOf(kTlsModes)));
   }
 }
 
@@ -94,8 +90,8 @@ void readParameters(const QUrl& url, Locator& locator) {
     const bool twice = parameter.name == "schema" ? std::exchange(schemaGiven, true)
                                                   : !locator.parameter(parameter.name).empty();
     if (twice) {
-      refuse(Text::tr("connection parameter %1 is given twice", parameter.name), parameter.name,
-             Text::tr("Leave one out"));
+      refuseParameter(Text::tr("connection parameter %1 is given twice", parameter.name), parameter.name,
+                      Text::tr("Leave one out"));
     }
     if (parameter.name == "schema") {
       locator.schema = parameter.value;
@@ -135,8 +131,7 @@ Locator parseLocator(const std::string& text) {
   Locator locator;
   if (!text.starts_with("postgresql://") && !text.starts_with("postgres://")) {
     if (text.empty()) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("no database was named"), "",
-                  Text::tr("Give the path of a database file"));
+      refuseParameter(Text::tr("no database was named"), "", Text::tr("Give the path of a database file"));
     }
     locator.file = text;
     return locator;
@@ -152,12 +147,12 @@ Locator parseLocator(const std::string& text) {
   locator.port = url.port(service ? 0 : locator.port);
   if (!url.isValid() || url.hasFragment() ||
       (!service && (locator.host.empty() || locator.database.empty()))) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("not a PostgreSQL address"), Text::tr("database"),
-                Text::tr("Write it as postgresql://user@host:port/database?sslmode=verify-full"));
+    refuseParameter(Text::tr("not a PostgreSQL address"), Text::tr("database"),
+                    Text::tr("Write it as postgresql://user@host:port/database?sslmode=verify-full"));
   }
   if (!plainName(locator.schema)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("schema name is not allowed"), locator.shown(),
-                Text::tr("Use lower-case letters, digits and underscores only"));
+    refuseParameter(Text::tr("schema name is not allowed"), locator.shown(),
+                    Text::tr("Use lower-case letters, digits and underscores only"));
   }
   return locator;
 }

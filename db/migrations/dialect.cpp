@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -21,7 +21,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }
 
 [[noreturn]] void bad(const Text& what, const std::string& where) {
-  throw Error(ErrorCode::kBadData, what, where, Text::tr("Correct the migration file"));
+  refuse(what, where, Text::tr("Correct the migration file"));
 }
 
 Statements appendOnlySupport(Engine engine) {

@@ -20,6 +20,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 // Outside any namespace, as Qt requires: a static library registers its resources only on request.
 static void registerMigrationFiles() {
@@ -105,8 +106,7 @@ std::string headValue(const std::string& text, const std::string& key, const std
       return line.substr(start.size());
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("the line \"%1...\" is missing", start), name,
-              Text::tr("Add it"));
+  refuse(Text::tr("the line \"%1...\" is missing", start), name, Text::tr("Add it"));
 }
 
 void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options) {
@@ -175,8 +175,8 @@ Migration parseMigration(const std::string& name, const std::string& text) {
     step.version = std::stoll(name.substr(0, 4));
     step.compatibleFrom = std::stoll(headValue(step.sql, "compatible_from", name));
   } catch (const std::logic_error&) {
-    throw Error(ErrorCode::kBadData, Text::tr("number of the step or of compatible_from cannot be read"),
-                name, Text::tr("Name it NNNN_what.sql and write -- compatible_from: N"));
+    refuse(Text::tr("number of the step or of compatible_from cannot be read"), name,
+           Text::tr("Name it NNNN_what.sql and write -- compatible_from: N"));
   }
   step.description = headValue(step.sql, "description", name);
   Digest digest;

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/services/comparison/machine_facts.h"
+#include "app/services/comparison/comparison_run.h"
 #include "sim/baseline/lattice_update.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/scene/scene.h"

@@ -19,7 +19,7 @@
 
 #include <QCoreApplication>
 
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/access_service.h"
 #include "app/services/base/assets.h"
 #include "app/services/base/build_info.h"
 #include "app/web/http_server.h"

@@ -13,12 +13,13 @@
 
 #include <QCoreApplication>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/two_people.h"
 #include "app/services/base/assets.h"
+#include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/rater_calibration.h"
-#include "app/services/review/remark_replies.h"
 #include "app/services/review/review_queue.h"
 #include "app/services/study/scoring_plan.h"
 #include "app/web/http_server.h"
@@ -116,7 +117,7 @@ int main(int argc, char** argv) {
                      {"FEM", "finite elements", "M", 2, {}}};
   campaign.raters = {{centre.raterId(0), "chief", "PM,FEM"}};
   EvaluationRepository(centre.connection()).addCampaign(campaign);
-  SettingRepository(centre.connection()).set(kTwoPeopleSetting, "no", 0);
+  SettingRepository(centre.connection()).set(kTwoPeople.name, "no", 0);
   // Uses the server's clock: the centre's is frozen.
   SessionContext inviting({centre.locator(), "station", centre.administrator()->actor()});
   const std::vector<UserId> invited{centre.physician(1)->actor().userId};

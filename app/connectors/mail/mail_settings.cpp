@@ -7,23 +7,21 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "db/connection/connection.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kMailSetting = "mail_server";
 constexpr std::array kEncryptions{"starttls", "tls", "none"};  // as MailEncryption
 
 }  // namespace
 
 std::optional<MailSettings> mailSettings(SessionContext& session) {
   session.require(Operation::kStudySetup);
-  const std::string stored = SettingRepository(session.connection()).value(kMailSetting).value_or("");
+  const std::string stored = centreSetting<kMailServer>(session.connection());
   const nlohmann::json json = nlohmann::json::parse(stored, nullptr, false);
   if (!json.is_object() || json.value("host", "").empty()) {
     return std::nullopt;
@@ -44,7 +42,7 @@ void setMailSettings(SessionContext& session, const MailSettings& settings) {
   session.require(Operation::kSettingsEdit);
   const std::string& host = settings.server.host;
   if (host.empty()) {
-    setCentreSetting(session, kMailSetting, "");
+    setCentreSetting<kMailServer>(session, "");
     return;
   }
   if (std::any_of(host.begin(), host.end(), [](unsigned char letter) { return std::isspace(letter) != 0; })) {
@@ -53,8 +51,8 @@ void setMailSettings(SessionContext& session, const MailSettings& settings) {
   }
   checkAddress(settings.from);
   requireProtectedWay(settings.server);
-  setCentreSetting(
-      session, kMailSetting,
+  setCentreSetting<kMailServer>(
+      session,
       nlohmann::json{{"host", host},
                      {"port", settings.server.port},
                      {"encryption", kEncryptions[static_cast<std::size_t>(settings.server.encryption)]},

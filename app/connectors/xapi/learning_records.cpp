@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/base/stored_sentence.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/learning_repository.h"
@@ -18,10 +19,7 @@ namespace {
 constexpr std::int64_t kMaxShown = 1'000;
 
 void noteDone(const SessionContext& session, const char* what, std::int64_t count) {
-  session.note({.action = AuditAction::kSettingChange,
-                .objectKind = AuditObject::kSetting,
-                .objectId = kLearningSetting,
-                .newJson = nlohmann::json{{what, count}}.dump()});
+  noteSetting(session, kLearningSetting, nullptr, {{what, count}});
 }
 
 }  // namespace

@@ -10,11 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/tables/pseudonyms.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/base/this_computer.h"
 #include "assessment/domain/people/learning_event.h"
 #include "db/connection/connection.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
 #include "sim/core/private_files.h"
 #include "sim/core/refusal.h"
@@ -24,8 +23,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kServerSetting = "learning_record_store";
 
 /// Beside the other settings of this account.
 fs::path keyFile() {
@@ -51,14 +48,13 @@ void requireAddress(const std::string& address, bool protectedWay) {
 }  // namespace
 
 std::optional<LrsIdentity> lrsIdentity(Connection& connection) {
-  const SettingRepository stored(connection);
   const nlohmann::json json =
-      nlohmann::json::parse(stored.value(kServerSetting).value_or(""), nullptr, false);
+      nlohmann::json::parse(centreSetting<kLearningRecordStore>(connection), nullptr, false);
   if (!json.is_object()) {
     return std::nullopt;
   }
   LrsIdentity identity;
-  identity.settings.on = stored.value(kLearningSetting).value_or("") == "yes";
+  identity.settings.on = centreSetting<kLearningRecords>(connection);
   identity.settings.endpoint = json.value("endpoint", "");
   identity.settings.homePage = json.value("home_page", "");
   identity.accountKey = json.value("account_key", "");
@@ -84,9 +80,9 @@ void setLrsSettings(SessionContext& session, const LrsSettings& settings) {
     const nlohmann::json json{{"endpoint", settings.endpoint},
                               {"home_page", settings.homePage},
                               {"account_key", known ? known->accountKey : Pseudonyms::freshKey()}};
-    setCentreSetting(session, kServerSetting, json.dump());
+    setCentreSetting<kLearningRecordStore>(session, json.dump());
   }
-  setCentreSetting(session, kLearningSetting, settings.on ? "yes" : "no");
+  setCentreSetting<kLearningRecords>(session, settings.on);
   transaction.commit();
 }
 

@@ -92,7 +92,7 @@ class SignDialog : public QDialog {
 }  // namespace
 
 QString labelOf(SignatureMeaning meaning) {
-  return toQString(Text(termsOf(meaning)[static_cast<std::size_t>(meaning)].label));
+  return toQString(labelOf(meaning));
 }
 
 bool readyToSign(QWidget* parent, ShellContext& shell, const QString& meaning) {

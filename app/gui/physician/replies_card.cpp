@@ -14,7 +14,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/review/remark_replies.h"
+#include "app/services/review/case_remarks.h"
 
 namespace torsio::gui {
 

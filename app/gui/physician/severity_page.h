@@ -5,7 +5,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/review/own_severity.h"
+#include "app/services/review/discrepancy_review.h"
 
 class QLabel;
 

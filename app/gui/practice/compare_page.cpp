@@ -29,6 +29,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/picture.h"
+#include "assessment/statistics/descriptive.h"
 #include "sim/core/angle.h"
 #include "sim/core/load_decimals.h"
 
@@ -43,12 +44,6 @@ constexpr int kSteps = 1000;
 constexpr double kBeyondTarget = 1.2;
 constexpr std::size_t kTimesKept = 31;
 constexpr int kStripFrames = 5;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -273,7 +268,7 @@ void ComparePage::show(Side& side) {
   const OrganState state = scene.stateForTorque(torque_Nm_);
   side.angle->setText(tr("Angle  %1\u00b0").arg(numberText(degrees(state.twist.graspAngle_rad), 1)));
   side.shear->setText(tr("Largest shear  %1 kPa").arg(numberText(scene.peakShear_Pa(state) / 1000.0, 2)));
-  side.time->setText(tr("Computed in %1 \u00b5s").arg(numberText(median(side.times_us), 0)));
+  side.time->setText(tr("Computed in %1 \u00b5s").arg(numberText(medianOf(side.times_us), 0)));
 }
 
 void ComparePage::captureFilmStrip() {

@@ -27,7 +27,6 @@
 #include "app/gui/widgets/signed_box.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/services/base/build_info.h"
-#include "app/services/comparison/comparison_files.h"
 #include "app/services/comparison/comparison_report.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"

@@ -13,7 +13,6 @@
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/widgets/child.h"
-#include "app/services/recording/trial_store.h"
 #include "app/services/recording/unstored_trials.h"
 #include "assessment/attempt/trial_listing.h"
 #include "sim/core/tick_period.h"

@@ -29,7 +29,7 @@
 #include "app/outputs/charts/typeface.h"
 #include "app/services/access/first_run.h"
 #include "app/services/base/assets.h"
-#include "app/services/demonstration/demonstration_accounts.h"
+#include "app/services/demonstration/demonstration_people.h"
 #include "assessment/domain/people/account.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"

@@ -22,7 +22,7 @@
 #include "app/services/access/first_run.h"
 #include "app/services/base/assets.h"
 #include "app/services/base/build_info.h"
-#include "app/services/recording/trial_store.h"
+#include "app/services/recording/unstored_trials.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 

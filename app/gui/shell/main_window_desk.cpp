@@ -17,7 +17,7 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/recording/station_writer.h"
 

@@ -15,10 +15,10 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
-#include "app/services/demonstration/demonstration_accounts.h"
+#include "app/services/demonstration/demonstration_people.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/record_privacy.h"
@@ -71,7 +71,7 @@ void MainWindow::openDatabase() {
     session_->setPasswordCost(setup_.passwordCost);
     const CentreSign sign = centreSign(session_->connectionWithoutRight());
     centre_ = toQString(sign.name);
-    cardsOpen_ = setup_.kiosk && kioskCodesAllowed(session_->connectionWithoutRight());
+    cardsOpen_ = setup_.kiosk && centreSetting<kKioskCodes>(session_->connectionWithoutRight());
     if (!preferences_.language({})) {
       if (const auto language = languageOf(toQString(sign.language))) {
         chooseLanguage(*language);
@@ -230,7 +230,8 @@ void MainWindow::setUp(const FirstRunChoice& choice) {
           startLine();
           centre_ = toQString(choice.first.centre);
           if (lookedAt_) {
-            setGradedWithMouse(*session_, true);  // a visitor has no device, and nothing counts
+            setCentreSetting<kGradedWithMouse>(*session_,
+                                               true);  // a visitor has no device, and nothing counts
             visitor_ = actor;
             visit_->setSeen(VisitedDesk::kAdministrator);
             enterDesk();

@@ -9,7 +9,7 @@
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/parking_place.h"
-#include "app/services/recording/recording_host.h"
+#include "app/services/recording/recording_spec.h"
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"

@@ -60,13 +60,12 @@ const PersonRequest* OwnRecordCard::waiting(PersonRequestKind kind) const {
 void OwnRecordCard::showState() {
   QStringList lines;
   for (const PersonRequest& one : own_) {
-    const QString what = toQString(Text(termsOf(one.kind)[static_cast<std::size_t>(one.kind)].label));
+    const QString what = toQString(labelOf(one.kind));
     const QString asked = dayText(one.askedUtc_us, locale());
     if (!one.answer) {
       lines << tr("You asked for %1 on %2; the centre has not answered yet.").arg(what, asked);
     } else if (*one.answer != PersonRequestAnswer::kTakenBack) {
-      const QString answer =
-          toQString(Text(termsOf(*one.answer)[static_cast<std::size_t>(*one.answer)].label));
+      const QString answer = toQString(labelOf(*one.answer));
       lines << tr("You asked for %1 on %2: %3. %4").arg(what, asked, answer, toQString(one.reason)).trimmed();
     }
   }

@@ -12,7 +12,6 @@
 #include "app/services/base/build_info.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/study/curriculum_content.h"
-#include "app/services/study/curriculum_ids.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/results/number_format.h"

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/scoring/scoring_service.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/results/shown_inputs.h"

@@ -14,7 +14,6 @@
 #include "app/services/base/csv_table.h"
 #include "app/services/recording/trial_digests.h"
 #include "app/services/scoring/cohort_inputs.h"
-#include "app/services/scoring/cohort_occasions.h"
 #include "app/services/scoring/scoring_service.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/rating/assignment.h"

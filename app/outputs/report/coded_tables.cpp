@@ -138,7 +138,7 @@ void addSignature(Cells& line, const std::map<std::string, Signature>& signature
     return;
   }
   const Signature& one = found->second;
-  const Phrase meaning = termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label;
+  const Phrase meaning = labelOf(one.meaning);
   line.insert(line.end(), {std::string(meaning.english()), mark.raterCode, formatUtc(one.signedUtc_us),
                            one.reason, formatUtc(one.passwordShownUtc_us)});
 }

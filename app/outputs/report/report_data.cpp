@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "app/services/access/two_people.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/scoring/cohort_inputs.h"
 #include "app/services/scoring/scoring_service.h"
 #include "app/services/study/allocation_service.h"
@@ -170,9 +170,8 @@ void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortIn
 void addSafeguards(SessionContext& session, const FreezeId& frozenId, const TrainingResult& training,
                    CohortInputs& inputs) {
   Connection& connection = session.connection();
-  inputs.provenance.emplace_back(
-      Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
-      needsTwoPeople(connection) ? Text::tr("needed") : Text::tr("switched off by the centre"));
+  const std::vector<std::pair<Text, Text>> settings = settingsInReport(connection);
+  inputs.provenance.insert(inputs.provenance.end(), settings.begin(), settings.end());
   SignatureRepository signatures(connection);
   const std::map<std::string, Signature> signedMarks = signatures.all(SignedKind::kTrainingMark);
   const std::vector<SubmittedMark>& marks = training.submitted;
@@ -192,7 +191,7 @@ void addSafeguards(SessionContext& session, const FreezeId& frozenId, const Trai
                                  .trainee = mark.traineeCode,
                                  .occasion = textOf(mark.occasionCode),
                                  .version = mark.version,
-                                 .meaning = termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label,
+                                 .meaning = labelOf(one.meaning),
                                  .reason = one.reason,
                                  .signedUtc_us = one.signedUtc_us});
   }
@@ -205,8 +204,7 @@ void addSafeguards(SessionContext& session, const FreezeId& frozenId, const Trai
     const Signature& one = found->second;
     inputs.provenance.emplace_back(
         Text::tr("Signature of the frozen data set"),
-        Text::tr("%1, %2", Text(termsOf(one.meaning)[static_cast<std::size_t>(one.meaning)].label),
-                 formatUtc(one.signedUtc_us)));
+        Text::tr("%1, %2", Text(labelOf(one.meaning)), formatUtc(one.signedUtc_us)));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/person_text.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
@@ -15,6 +16,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -35,8 +37,7 @@ UserAccount userOf(const AccessRepository& access, const UserId& userId) {
       return user;
     }
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such user"), userId,
-              Text::tr("Choose one from the list"));
+  refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
 }
 
 /// Somebody must be left who can let others in.
@@ -48,8 +49,8 @@ void keepAnAdministrator(SessionContext& session, const std::string& withoutUser
   if (remains) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("this is the last administrator who can sign in"), "",
-              Text::tr("Make somebody else an administrator first"));
+  refuseParameter(Text::tr("this is the last administrator who can sign in"), "",
+                  Text::tr("Make somebody else an administrator first"));
 }
 
 const char* failureName(SignIn outcome) {
@@ -86,7 +87,7 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   }
   const UserAccount user = userOf(entrance(session), result.userId);
   // Where each signature asks for the password, the one of the sign-in is good for none.
-  const bool signs = !practiceOnly && signMinutes(session.connectionWithoutRight()) > 0;
+  const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
@@ -105,20 +106,18 @@ std::string rolesJson(const std::vector<std::string>& roles) {
 void requireNoAccount(SessionContext& session, const PersonId& personId) {
   const std::string login = personId.empty() ? std::string() : repository(session).loginOf(personId);
   if (!login.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("this person has the account %1 already", login),
-                Text::tr("user"), Text::tr("Give that account the role, or switch it on again"));
+    refuse(Text::tr("this person has the account %1 already", login), Text::tr("user"),
+           Text::tr("Give that account the role, or switch it on again"));
   }
 }
 
 /// A sign-in name that everybody can read and type.
 void requireLegible(const std::string& login) {
   if (login.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the account has no sign-in name"), Text::tr("login"),
-                Text::tr("Enter one"));
+    refuseParameter(Text::tr("the account has no sign-in name"), Text::tr("login"), Text::tr("Enter one"));
   }
   if (const Text flaw = flawOf(login, kLongestLogin); !flaw.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the sign-in name %1", flaw), Text::tr("login"),
-                Text::tr("Type it again"));
+    refuseParameter(Text::tr("the sign-in name %1", flaw), Text::tr("login"), Text::tr("Type it again"));
   }
 }
 
@@ -127,9 +126,8 @@ void requireUnlikeOthers(const AccessRepository& access, const std::string& logi
   const std::string likeness = likenessOf(login);
   for (const std::string& other : access.logins()) {
     if (other != login && likenessOf(other) == likeness) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
-                  Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
+      refuseParameter(Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
+                      Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
     }
   }
 }
@@ -142,12 +140,12 @@ bool needsFirstRun(Connection& connection) {
 
 void setUpCentre(SessionContext& session, const FirstRun& first) {
   if (first.centre.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the centre has no name"), Text::tr("centre"),
-                Text::tr("Enter the name of your centre"));
+    refuseParameter(Text::tr("the centre has no name"), Text::tr("centre"),
+                    Text::tr("Enter the name of your centre"));
   }
   if (first.login.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the administrator has no sign-in name"),
-                Text::tr("login"), Text::tr("Enter one"));
+    refuseParameter(Text::tr("the administrator has no sign-in name"), Text::tr("login"),
+                    Text::tr("Enter one"));
   }
   requireLegible(first.login);
   AccessRepository access = entrance(session);
@@ -161,7 +159,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   StudyRepository(session.connectionWithoutRight())
       .setCentre({session.ids().newUuid(), first.centre, now_us, false});
   SettingRepository settings(session.connectionWithoutRight());
-  settings.set("language", first.language, now_us);
+  settings.set(kLanguage.name, first.language, now_us);
   const UserId userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},
                  password);
@@ -191,8 +189,8 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
                 Text::tr("Try again"));
   }
   if (newPassword == oldPassword) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the new password is the old one"), Text::tr("password"),
-                Text::tr("Choose another one"));
+    refuseParameter(Text::tr("the new password is the old one"), Text::tr("password"),
+                    Text::tr("Choose another one"));
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
   Transaction transaction(session.connectionWithoutRight());
@@ -233,11 +231,11 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
             .roles = user.roles,
             .passwordShownUtc_us = kNoPasswordToShow};
   }
-  throw Error(ErrorCode::kBadParameter,
-              physician ? Text::tr("there is no simulated physician here")
-                        : Text::tr("there is no simulated trainee here"),
-              Text::tr("people"),
-              Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
+  refuseParameter(
+      physician ? Text::tr("there is no simulated physician here")
+                : Text::tr("there is no simulated trainee here"),
+      Text::tr("people"),
+      Text::tr("Set up a centre with a demonstration cohort, or look round before the first set-up"));
 }
 
 void signOut(SessionContext& session) {
@@ -361,6 +359,28 @@ Home homeOf(const Actor& actor) {
     }
   }
   return actor.hasRole("rater") ? Home::kReview : Home::kStation;
+}
+
+std::string passwordStamp(SessionContext& session, const UserId& userId) {
+  return AccessRepository(session.connectionWithoutRight()).passwordStamp(userId);
+}
+
+void requireSessionsOfOthers(SessionContext& session) {
+  session.require(Operation::kUserManage);
+}
+
+void endBrowserSessions(SessionContext& session, const UserId& userId) {
+  session.require(Operation::kUserManage);
+  Transaction transaction(session.connection());
+  AccessRepository(session.connection()).endSessions(userId);
+  noteEndedSessions(session, userId);
+  transaction.commit();
+}
+
+void noteEndedSessions(SessionContext& session, const UserId& userId) {
+  session.require(Operation::kUserManage);
+  session.note(
+      {.action = AuditAction::kUserEndSessions, .objectKind = AuditObject::kAppUser, .objectId = userId});
 }
 
 }  // namespace torsio

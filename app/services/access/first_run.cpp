@@ -8,13 +8,13 @@
 #include <QFileInfo>
 #include <QRandomGenerator>
 
+#include "app/services/access/centre_settings.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/database_file.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 
@@ -46,7 +46,7 @@ CentreSign centreSign(Connection& connection) {
   if (const auto centre = StudyRepository(connection).centre()) {
     sign.name = centre->name;
   }
-  sign.language = SettingRepository(connection).value("language").value_or("");
+  sign.language = centreSetting<kLanguage>(connection);
   return sign;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -14,8 +14,8 @@ IdleGuard::IdleGuard(const Clock& clock, IdleLimits limits)
 
 void IdleGuard::setLimits(IdleLimits limits) {
   if (limits.warn_us <= 0 || limits.warn_us >= limits.lock_us) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the warning must come before the lock"),
-                Text::tr("idle lock"), Text::tr("Give a warning time above 0 and below the lock time"));
+    refuseParameter(Text::tr("the warning must come before the lock"), Text::tr("idle lock"),
+                    Text::tr("Give a warning time above 0 and below the lock time"));
   }
   limits_ = limits;
   if (!locked_) {

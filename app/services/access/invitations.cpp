@@ -6,21 +6,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/access/two_people.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::size_t kLongestAddress = 200;
 
 std::string hashOfInvitation(const std::string& secret, const std::string& code) {
   std::string letters;
@@ -69,7 +66,7 @@ UserAccount accountToInvite(SessionContext& session, const std::vector<UserAccou
 
 std::string browserAddress(SessionContext& session) {
   session.require(Operation::kUserManage);
-  return SettingRepository(session.connection()).value(kBrowserAddressSetting).value_or("");
+  return centreSetting<kBrowserAddress>(session.connection());
 }
 
 void setBrowserAddress(SessionContext& session, const std::string& address) {
@@ -80,12 +77,11 @@ void setBrowserAddress(SessionContext& session, const std::string& address) {
   }
   const bool plain = std::all_of(kept.begin(), kept.end(), [](char c) { return c > ' ' && c < '\x7f'; });
   const bool encrypted = kept.rfind("https://", 0) == 0 && kept.size() > 8;
-  if (kept.size() > kLongestAddress || !plain || kept.find_first_of("#?\"<>") != std::string::npos ||
-      (!encrypted && !isThisMachine(kept))) {
+  if (!plain || kept.find_first_of("#?\"<>") != std::string::npos || (!encrypted && !isThisMachine(kept))) {
     refuseParameter(Text::tr("browsers cannot reach the review desk at this address"), kept,
                     Text::tr("Write it as https://desk.example.org"));
   }
-  setCentreSetting(session, kBrowserAddressSetting, kept);
+  setCentreSetting<kBrowserAddress>(session, kept);
 }
 
 std::string invitationLink(const std::string& browserAddress, const std::string& secret, bool withCode) {

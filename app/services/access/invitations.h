@@ -17,7 +17,6 @@ namespace torsio {
 class Connection;
 
 /// The choice of the centre where browsers find its review desk: "https://desk.example.org".
-inline constexpr const char* kBrowserAddressSetting = "browser_address";
 /// How long a link is good.
 inline constexpr std::int64_t kInvitationLife_us = 7LL * 86'400'000'000;
 

@@ -6,10 +6,10 @@
 #include <QRandomGenerator>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/refusal.h"
 
@@ -52,13 +52,9 @@ UserAccount accountOf(const std::vector<UserAccount>& users, const UserId& userI
 
 }  // namespace
 
-bool kioskCodesAllowed(Connection& connection) {
-  return SettingRepository(connection).value(kKioskCodesSetting) == "yes";
-}
-
 std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const UserId> userIds) {
   session.require(Operation::kUserManage);
-  if (!kioskCodesAllowed(session.connection())) {
+  if (!centreSetting<kKioskCodes>(session.connection())) {
     refuseParameter(Text::tr("the centre does not allow sign-in by code"), Text::tr("cards for the kiosk"),
                     Text::tr("Switch it on under Devices, At every station"));
   }
@@ -121,7 +117,7 @@ std::map<UserId, std::int64_t> kioskCodesInForce(SessionContext& session) {
 SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
   Connection& connection = session.connectionWithoutRight();
   AccessRepository access(connection);
-  const SignInResult result = kioskCodesAllowed(connection)
+  const SignInResult result = centreSetting<kKioskCodes>(connection)
                                   ? access.signInWithCode(hashOf(code), session.station(), session.now_us())
                                   : SignInResult{SignIn::kDisabled};
   SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};

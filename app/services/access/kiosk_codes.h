@@ -13,13 +13,6 @@
 
 namespace torsio {
 
-class Connection;
-
-/// The choice of the centre whether a kiosk lets trainees in by the code on their card: "yes" or "no".
-inline constexpr const char* kKioskCodesSetting = "kiosk_codes";
-/// For the shell, before anybody signs in: without permission.
-[[nodiscard]] bool kioskCodesAllowed(Connection& connection);
-
 /// A code that was made, shown once.
 struct KioskCard {
   UserId userId{};

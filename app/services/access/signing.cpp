@@ -2,22 +2,22 @@
 #include "app/services/access/signing.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/access_service.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/clock_text.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {
 
 namespace {
+
+constexpr int kSignWindow_min = 15;  // of a password that was shown, where each signature asks
 
 AuditObject auditObjectOf(SignedKind kind) {
   switch (kind) {
@@ -33,32 +33,15 @@ AuditObject auditObjectOf(SignedKind kind) {
 
 }  // namespace
 
-int signMinutes(Connection& connection) {
-  int minutes = -1;
-  if (const auto text = SettingRepository(connection).value(kSignMinutesSetting)) {
-    std::from_chars(text->data(), text->data() + text->size(), minutes);
-  }
-  return minutes >= 0 && minutes <= kLongestSignMinutes ? minutes : kDefaultSignMinutes;
-}
-
-void setSignMinutes(SessionContext& session, int minutes) {
-  session.require(Operation::kSettingsEdit);
-  if (minutes < 0 || minutes > kLongestSignMinutes) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("these minutes make no sense"), Text::tr("signatures"),
-                Text::tr("Choose 0 to %1 minutes", kLongestSignMinutes));
-  }
-  setCentreSetting(session, kSignMinutesSetting, std::to_string(minutes));
-}
-
 bool passwordIsDue(SessionContext& session) {
   const std::int64_t shown_us = session.actor().passwordShownUtc_us;
   if (shown_us == kNoPasswordToShow) {
     return !AccessRepository(session.connectionWithoutRight()).isOfDemonstration(session.actor().userId);
   }
   const std::int64_t since_us = session.now_us() - shown_us;
-  const int minutes = signMinutes(session.connectionWithoutRight());
+  const int minutes = centreSetting<kSignMinutes>(session.connectionWithoutRight());
   // Where each signature asks, a password that was shown is good for the act that follows at once.
-  const std::int64_t good_us = (minutes == 0 ? kDefaultSignMinutes : minutes) * kMinute_us;
+  const std::int64_t good_us = (minutes == 0 ? kSignWindow_min : minutes) * kMinute_us;
   return shown_us == 0 || since_us < 0 || since_us > good_us;
 }
 
@@ -117,7 +100,7 @@ void sign(SessionContext& session, const SignedObject& object) {
 
 void endSigning(SessionContext& session) {
   const bool shown = session.actor().passwordShownUtc_us != kNoPasswordToShow;
-  if (shown && signMinutes(session.connectionWithoutRight()) == 0) {
+  if (shown && centreSetting<kSignMinutes>(session.connectionWithoutRight()) == 0) {
     session.forgetPasswordShown();
   }
 }

@@ -10,22 +10,9 @@
 
 namespace torsio {
 
-class Connection;
-
-/// Name of the setting: for how many minutes a password that was shown is good for signing; 0: once.
-inline constexpr const char* kSignMinutesSetting = "sign_minutes";
-inline constexpr int kDefaultSignMinutes = 15;
-inline constexpr int kLongestSignMinutes = 60;
-
 /// Actor::passwordShownUtc_us of an administrator who entered as a simulated person: there is no password
 /// that anybody knows, and such an account signs only what is simulated.
 inline constexpr std::int64_t kNoPasswordToShow = -1;
-
-/// For how many minutes a password that was shown signs; 0: each signature asks anew, also the first one
-/// after a sign-in.
-[[nodiscard]] int signMinutes(Connection& connection);
-/// Audited. kSettingsEdit. Throws Error{kBadParameter} outside 0 to kLongestSignMinutes.
-void setSignMinutes(SessionContext& session, int minutes);
 
 /// Whether the next signature asks for the password first.
 [[nodiscard]] bool passwordIsDue(SessionContext& session);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/invitations.h"
 #include "db/connection/connection.h"
@@ -13,8 +14,8 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/duty_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -124,8 +125,7 @@ DutyRequest openRequest(SessionContext& session, const std::string& requestId) {
       return std::move(request);
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("this request is not open any more"), requestId,
-              Text::tr("Read the list again"));
+  refuse(Text::tr("this request is not open any more"), requestId, Text::tr("Read the list again"));
 }
 
 void confirm(SessionContext& session, const DutyRequest& request) {
@@ -180,8 +180,8 @@ std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, 
 /// Makes the link that goes with the code of whoever asked.
 std::string confirmInvitation(SessionContext& session, const DutyRequest& request, const UserAccount& user) {
   if (!user.active) {
-    throw Error(ErrorCode::kBadData, Text::tr("this account may not sign in"), user.login,
-                Text::tr("Enable it first, or leave it out"));
+    refuse(Text::tr("this account may not sign in"), user.login,
+           Text::tr("Enable it first, or leave it out"));
   }
   Transaction transaction(session.connection());
   confirm(session, request);
@@ -204,13 +204,12 @@ std::string shownOf(SessionContext& session, const DutyRequest& request) {
 
 void requireAskable(SessionContext& session, const DutyWish& wish) {
   if (wish.reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a request needs a reason"), Text::tr("two people"),
-                Text::tr("Say why, for whoever confirms it and for the audit trail"));
+    refuseParameter(Text::tr("a request needs a reason"), Text::tr("two people"),
+                    Text::tr("Say why, for whoever confirms it and for the audit trail"));
   }
   if (changesAccount(wish.act)) {
     if (!findUser(session, wish.subject)) {
-      throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), wish.subject,
-                  Text::tr("Choose one from the list"));
+      refuse(Text::tr("there is no such user"), wish.subject, Text::tr("Choose one from the list"));
     }
     if (wish.subject == session.actor().userId.text()) {
       throw Error(ErrorCode::kPermission, Text::tr("this is your own account"), Text::tr("two people"),
@@ -219,8 +218,8 @@ void requireAskable(SessionContext& session, const DutyWish& wish) {
   }
   for (const DutyRequest& request : openIn(session)) {
     if (request.act == wish.act && request.subject == wish.subject) {
-      throw Error(ErrorCode::kBadData, Text::tr("this is asked for already"), Text::tr("two people"),
-                  Text::tr("Let another administrator confirm it, or withdraw the request first"));
+      refuse(Text::tr("this is asked for already"), Text::tr("two people"),
+             Text::tr("Let another administrator confirm it, or withdraw the request first"));
     }
   }
 }
@@ -236,7 +235,7 @@ SecondPersonNeeded::SecondPersonNeeded(DutyAct act, std::string subject)
       subject_(std::move(subject)) {}
 
 bool needsTwoPeople(Connection& connection) {
-  return SettingRepository(connection).value(kTwoPeopleSetting).value_or("yes") != "no";
+  return centreSetting<kTwoPeople>(connection);
 }
 
 bool isGuardedRole(const std::string& role) {
@@ -322,20 +321,14 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
     requireRightTo(session, request.act);
     Transaction transaction(session.connection());
     confirm(session, request);
-    SettingRepository(session.connection()).set(kTwoPeopleSetting, "no", session.now_us());
-    session.note({.action = AuditAction::kSettingChange,
-                  .objectKind = AuditObject::kSetting,
-                  .objectId = kTwoPeopleSetting,
-                  .newJson = nlohmann::json{{"value", "no"}}.dump(),
-                  .reason = request.reason});
+    keepCentreSetting(session, kTwoPeople, "no", request.reason);
     transaction.commit();
     return {};
   }
   TORSIO_EXPECTS(changesAccount(request.act));
   const std::optional<UserAccount> user = findUser(session, request.subject);
   if (!user) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such user"), request.subject,
-                Text::tr("Withdraw the request"));
+    refuse(Text::tr("there is no such user"), request.subject, Text::tr("Withdraw the request"));
   }
   if (request.act == DutyAct::kInvite) {
     return confirmInvitation(session, request, *user);

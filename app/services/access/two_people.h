@@ -15,8 +15,6 @@ namespace torsio {
 
 class Connection;
 
-/// Name of the setting: "no" switches the rule of two people off.
-inline constexpr const char* kTwoPeopleSetting = "two_people";
 /// How long a request waits for somebody to confirm it.
 inline constexpr std::int64_t kRequestLife_us = 14LL * 86'400'000'000;
 

@@ -9,8 +9,8 @@
 
 #include "sim/core/contracts.h"
 #include "sim/core/csv_cell.h"
-#include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kShown = 60;  // characters of a bad value that a message repeats
 
 [[noreturn]] void refuseAt(const std::string& name, std::size_t line, const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, Text::tr("%1, line %2", name, line), remedy);
+  refuse(what, Text::tr("%1, line %2", name, line), remedy);
 }
 
 std::string inQuotes(std::string_view value) {
@@ -225,16 +225,15 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
   Reader reader(checkedText(text, name), table.name_, ',');
   Row row;
   if (!reader.next(row.values, row.line)) {
-    throw Error(ErrorCode::kBadData, Text::tr("the table is empty"), name,
-                Text::tr("Begin with the header %1", listed(required)));
+    torsio::refuse(Text::tr("the table is empty"), name,
+                   Text::tr("Begin with the header %1", listed(required)));
   }
   table.takeHeader(row.values, row.line, required, optional);
   while (reader.next(row.values, row.line)) {
     table.takeRow(row);
   }
   if (table.rows_.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("the table has a header but no rows"), name,
-                Text::tr("Add one row a value"));
+    torsio::refuse(Text::tr("the table has a header but no rows"), name, Text::tr("Add one row a value"));
   }
   return table;
 }

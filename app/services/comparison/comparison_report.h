@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,15 @@ inline constexpr const char* kComparisonReportName = "comparison.pdf";
 /// Says what the figures of a comparison do not: that a linear FEM could compute in advance too, that set-up
 /// counts, that linear tetrahedra lock, how the ends differ. A paragraph each.
 [[nodiscard]] std::vector<Text> comparisonLimits();
+
+/// Puts all numbers of a comparison in JSON, units in the names, indented. What is not defined is
+/// {"undefined": reason}.
+[[nodiscard]] std::string comparisonJson(const ComparisonResult& result);
+
+/// Writes comparison.json, models.csv (a line a model), markers.csv (a line a marker: Fig. 13) and course.csv
+/// (a line a moment and model: Fig. 14) into a folder, which is made if missing. Returns their names. Throws
+/// Error{kFileUnwritable}.
+std::vector<std::string> writeComparisonFiles(const ComparisonResult& result,
+                                              const std::filesystem::path& folder);
 
 }  // namespace torsio

@@ -4,16 +4,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <future>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <tuple>
 #include <utility>
 
+#include "assessment/statistics/descriptive.h"
 #include "sim/baseline/lattice_update.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/refusal.h"
+#include "sim/tissue/view/cpu_features.h"
 
 namespace torsio {
 
@@ -28,12 +32,6 @@ constexpr double kMaxTorque_Nm = 100.0;
 
 double secondsSince(RunClock::time_point start) {
   return std::chrono::duration<double>(RunClock::now() - start).count();
-}
-
-double medianOf(std::vector<double> values) {
-  TORSIO_EXPECTS(!values.empty());
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 void checkOptions(const ComparisonOptions& options) {
@@ -382,6 +380,39 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   runMovingModels(organ, twist, bench, result, heart);
   heart.tell(Text::tr("Writing"), 1.0);
   return result;
+}
+
+namespace {
+
+std::string processorName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
+      return line.substr(colon + 2);
+    }
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+MachineFacts machineFacts() {
+  MachineFacts facts;
+  facts.processor = processorName();
+  facts.cores = static_cast<int>(std::thread::hardware_concurrency());
+  std::ifstream load("/proc/loadavg");
+  if (!(load >> facts.loadAverage)) {
+    facts.loadAverage = -1.0;
+  }
+  facts.instructionSet = std::string(isaName(bestIsa()));
+  facts.compiler = TORSIO_COMPILER;
+#if defined(__OPTIMIZE__)
+  facts.flags = "optimised, models -O3 -ffp-contract=off, no -march";
+#else
+  facts.flags = "not optimised: times mean nothing";
+#endif
+  return facts;
 }
 
 }  // namespace torsio

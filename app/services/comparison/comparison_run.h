@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/services/base/progress.h"
-#include "app/services/comparison/machine_facts.h"
 #include "app/services/comparison/measured_markers.h"
 #include "app/services/comparison/organ_markers.h"
 #include "sim/baseline/twist_simulation.h"
@@ -15,6 +14,19 @@
 #include "sim/scene/scene.h"
 
 namespace torsio {
+
+/// What a time depends on besides the program; stands in every result that holds times.
+struct MachineFacts {
+  std::string processor;       ///< as the system names it; "unknown"
+  int cores = 0;               ///< that the program may use; 0: unknown
+  double loadAverage = -1.0;   ///< over the last minute; -1: unknown
+  std::string instructionSet;  ///< that the view's kernels use; all else is built for the plain processor
+  std::string compiler;        ///< "GNU 12.2.0"
+  std::string flags;           ///< that decide about speed and rounding
+};
+
+/// Reads the facts of this machine now.
+[[nodiscard]] MachineFacts machineFacts();
 
 /// The lattice of a comparison unless another is asked for: the reference is then quadratic.
 inline constexpr int kComparedRidges = 36;

@@ -2,10 +2,17 @@
 #include "app/services/comparison/measured_markers.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
 
 #include "app/services/base/csv_table.h"
-#include "app/services/comparison/camera_markers.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {
@@ -102,6 +109,235 @@ MeasuredDisplacement finalDisplacement(const std::vector<MeasuredSubject>& subje
     result.mean_m /= result.subjects;
   }
   return result;
+}
+
+namespace {
+
+constexpr std::string_view kFirstWord = "PathFileType";
+constexpr std::size_t kFieldsBefore = 2;  ///< frame and time, before the places
+
+std::string trimmed(std::string_view field) {
+  const auto first = field.find_first_not_of(" \r\n");
+  return first == std::string_view::npos
+             ? std::string()
+             : std::string(field.substr(first, field.find_last_not_of(" \r\n") - first + 1));
+}
+
+/// The lines of a table whose fields stand between tabs, and where a refusal finds them.
+class TrackTable {
+ public:
+  explicit TrackTable(const std::filesystem::path& file) : name_(file.string()) {
+    const std::string text = readFile(file);
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      std::vector<std::string> fields;
+      for (std::size_t from = at; from <= end;) {
+        const std::size_t tab = std::min(text.find('\t', from), end);
+        fields.push_back(trimmed(std::string_view(text).substr(from, tab - from)));
+        from = tab + 1;
+      }
+      while (!fields.empty() && fields.back().empty()) {
+        fields.pop_back();
+      }
+      lines_.push_back(std::move(fields));
+      at = end + 1;
+    }
+  }
+
+  [[nodiscard]] std::size_t lines() const noexcept { return lines_.size(); }
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  /// The fields of a line, from 1, without empty ones at its end.
+  [[nodiscard]] const std::vector<std::string>& fields(std::size_t line) const {
+    static const std::vector<std::string> kNone;
+    return line <= lines_.size() ? lines_[line - 1] : kNone;
+  }
+  /// A field, from 1; "" beyond the end of the line.
+  [[nodiscard]] const std::string& field(std::size_t line, std::size_t number) const {
+    static const std::string kEmpty;
+    return number <= fields(line).size() ? fields(line)[number - 1] : kEmpty;
+  }
+  [[noreturn]] void refuseField(std::size_t line, const std::string& field, const Text& what,
+                                const Text& remedy) const {
+    refuse(what, Text::tr("%1, line %2, field \"%3\"", name_, line, field), remedy);
+  }
+  [[nodiscard]] double number(std::size_t line, std::size_t field, const std::string& named) const {
+    const std::string& shown = this->field(line, field);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(shown.data(), shown.data() + shown.size(), value);
+    if (error != std::errc() || end != shown.data() + shown.size() || !std::isfinite(value)) {
+      refuseField(line, named, Text::tr("\"%1\" is not a finite number", shown),
+                  Text::tr("Write a decimal number with a point, such as 7.5"));
+    }
+    return value;
+  }
+
+ private:
+  std::string name_;
+  std::vector<std::vector<std::string>> lines_;
+};
+
+/// What the second and third line say.
+struct TrackHeader {
+  std::size_t frames = 0;
+  std::size_t markers = 0;
+  double unit_m = 1e-3;
+};
+
+TrackHeader headerOf(const TrackTable& table) {
+  if (table.field(1, 1) != kFirstWord || table.field(1, 2) != "4" || table.field(1, 3) != "(X/Y/Z)") {
+    table.refuseField(1, std::string(kFirstWord), Text::tr("The file is no marker file of type 4 (X/Y/Z)"),
+                      Text::tr("Export the places of markers as TRC"));
+  }
+  const std::vector<std::string>& names = table.fields(2);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      table.refuseField(2, name, Text::tr("The header lacks this field"),
+                        Text::tr("Export the places of markers as TRC"));
+    }
+    return static_cast<std::size_t>(found - names.begin()) + 1;
+  };
+  const auto count = [&](const std::string& name) {
+    const double value = table.number(3, column(name), name);
+    if (!(value >= 1.0 && value <= 1e7 && value == std::floor(value))) {
+      table.refuseField(3, name, Text::tr("A whole number from 1 on is needed"),
+                        Text::tr("Export the file once more"));
+    }
+    return static_cast<std::size_t>(value);
+  };
+  if (!(table.number(3, column("DataRate"), "DataRate") > 0.0)) {
+    table.refuseField(3, "DataRate", Text::tr("The rate must be positive"),
+                      Text::tr("Give frames a second, such as 100"));
+  }
+  TrackHeader header;
+  header.frames = count("NumFrames");
+  header.markers = count("NumMarkers");
+  const std::string& unit = table.field(3, column("Units"));
+  if (unit != "mm" && unit != "cm" && unit != "m") {
+    table.refuseField(3, "Units", Text::tr("'%1' is no unit of length here", unit),
+                      Text::tr("Use mm, cm or m"));
+  }
+  header.unit_m = unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
+  return header;
+}
+
+std::string inLowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The number of the organ's marker that a track means; 0: none.
+int markerOfTrack(const std::string& track, const std::vector<OrganMarker>& markers) {
+  const std::string name = inLowerCase(track);
+  for (const OrganMarker& marker : markers) {
+    const std::string number = std::to_string(marker.number);
+    if (name == number || name == "m" + number || name == "marker" + number ||
+        name == inLowerCase(marker.name)) {
+      return marker.number;
+    }
+  }
+  return 0;
+}
+
+/// The markers of the tracks in their order, as lines 4 and 5 name them.
+std::vector<int> tracksOf(const TrackTable& table, const TrackHeader& header,
+                          const std::vector<OrganMarker>& markers) {
+  if (table.field(4, 1) != "Frame#" || table.field(4, 2) != "Time") {
+    table.refuseField(4, "Frame#", Text::tr("The line must begin with Frame# and Time"),
+                      Text::tr("Export the places of markers as TRC"));
+  }
+  std::vector<int> tracks;
+  for (std::size_t k = 0; k < header.markers; ++k) {
+    const std::string& track = table.field(4, kFieldsBefore + 1 + 3 * k);
+    const int marker = markerOfTrack(track, markers);
+    if (marker == 0) {
+      table.refuseField(4, track, Text::tr("The organ has no marker of this name"),
+                        Text::tr("Call it by its number or its name, or leave it out of the export"));
+    }
+    if (std::find(tracks.begin(), tracks.end(), marker) != tracks.end()) {
+      table.refuseField(4, track, Text::tr("Marker %1 stands twice", marker),
+                        Text::tr("Leave one of them out"));
+    }
+    tracks.push_back(marker);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string wanted = std::string(1, "XYZ"[axis]) + std::to_string(k + 1);
+      if (table.field(5, kFieldsBefore + 1 + 3 * k + axis) != wanted) {
+        table.refuseField(5, wanted,
+                          Text::tr("Each marker has three columns X, Y, Z with its place in the line"),
+                          Text::tr("Export the places of markers as TRC"));
+      }
+    }
+  }
+  if (table.fields(4).size() > kFieldsBefore + 1 + 3 * (header.markers - 1)) {
+    table.refuseField(4, "NumMarkers",
+                      Text::tr("The header promises %1 {marker|markers}, the line has more", header.markers),
+                      Text::tr("Export the file once more"));
+  }
+  return tracks;
+}
+
+void takeFrame(const TrackTable& table, std::size_t line, const TrackHeader& header,
+               const std::vector<int>& tracks, MeasuredSubject& subject) {
+  const double time_s = table.number(line, 2, "Time");
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    const std::size_t first = kFieldsBefore + 1 + 3 * k;
+    std::size_t given = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      given += table.field(line, first + axis).empty() ? 0 : 1;
+    }
+    if (given == 0) {
+      continue;  // the cameras lost it
+    }
+    std::array<double, 3> place{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      place[axis] = table.number(line, first + axis, std::string(1, "XYZ"[axis]) + std::to_string(k + 1));
+    }
+    subject.markers[tracks[k]].push_back({time_s, header.unit_m * Vec3{place[0], place[1], place[2]}});
+  }
+}
+
+}  // namespace
+
+bool isCameraMarkerFile(const std::filesystem::path& file) {
+  return readFile(file).rfind(kFirstWord, 0) == 0;
+}
+
+MeasuredSubject readCameraMarkers(const std::filesystem::path& file,
+                                  const std::vector<OrganMarker>& markers) {
+  constexpr std::size_t kHeaderLines = 5;
+  const TrackTable table(file);
+  const TrackHeader header = headerOf(table);
+  const std::vector<int> tracks = tracksOf(table, header, markers);
+  MeasuredSubject subject{file.stem().string(), {}};
+  std::size_t frames = 0;
+  double before_s = -1.0;
+  for (std::size_t line = kHeaderLines + 1; line <= table.lines(); ++line) {
+    if (table.fields(line).empty()) {
+      continue;
+    }
+    static_cast<void>(table.number(line, 1, "Frame#"));
+    const double time_s = table.number(line, 2, "Time");
+    if (time_s < 0.0 || (frames > 0 && time_s <= before_s)) {
+      table.refuseField(line, "Time", Text::tr("Times are seconds from 0 that rise from frame to frame"),
+                        Text::tr("Export the file once more"));
+    }
+    if (table.fields(line).size() > kFieldsBefore + 3 * header.markers) {
+      table.refuseField(line, "NumMarkers",
+                        Text::tr("The line has more columns than %1 {marker|markers}", header.markers),
+                        Text::tr("Export the file once more"));
+    }
+    takeFrame(table, line, header, tracks, subject);
+    before_s = time_s;
+    ++frames;
+  }
+  if (frames != header.frames) {
+    table.refuseField(
+        3, "NumFrames",
+        Text::tr("The header promises %1 {frame|frames}, the file has %2", header.frames, frames),
+        Text::tr("Export the file once more"));
+  }
+  return subject;
 }
 
 }  // namespace torsio

@@ -13,7 +13,6 @@
 #include "app/services/demonstration/demonstration_untwisting.h"
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
-#include "app/services/recording/expert_run.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/pipeline.h"
 #include "app/services/recording/trial_digests.h"
@@ -31,6 +30,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 #include "sim/record/sample_codec.h"
 
@@ -290,8 +290,8 @@ void requireShortening(const DemonstrationOptions& options) {
   if (options.shortening >= 1 && options.shortening <= 600) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("the shortening must lie between 1 and 600"),
-              std::to_string(options.shortening), Text::tr("Give 60 for twenty seconds a phase"));
+  refuseParameter(Text::tr("the shortening must lie between 1 and 600"), std::to_string(options.shortening),
+                  Text::tr("Give 60 for twenty seconds a phase"));
 }
 
 }  // namespace

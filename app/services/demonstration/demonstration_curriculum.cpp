@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/services/study/curriculum_content.h"
-#include "app/services/study/curriculum_ids.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"

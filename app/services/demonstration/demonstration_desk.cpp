@@ -25,8 +25,8 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
 #include "sim/core/random.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {
@@ -65,8 +65,8 @@ class DeskMaker {
       }
     }
     if (desk_.raterIds.empty()) {
-      throw Error(ErrorCode::kBadData, Text::tr("there are no demonstration physicians"),
-                  Text::tr("the record"), Text::tr("Make the demonstration people first"));
+      refuse(Text::tr("there are no demonstration physicians"), Text::tr("the record"),
+             Text::tr("Make the demonstration people first"));
     }
     addRubric();
     addTrainees();

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/services/access/first_run.h"
+#include "app/services/base/progress.h"
 #include "assessment/domain/ids.h"
 #include "assessment/scoring/demonstration_marks.h"
 
@@ -43,5 +46,11 @@ struct DemonstrationStudy {
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study,
                               const CurriculumVersion& curriculum, IdSource& ids, std::uint64_t seed,
                               std::int64_t utc_us);
+
+/// Stores the demonstration cohort with what a trainee and a physician find at their desks, and makes one
+/// account for each of the two. `assets`: where the organs are. Runs in the caller's transaction; throws what
+/// `progress` and the repositories throw.
+std::vector<StartAccount> addDemonstration(SessionContext& session, const std::filesystem::path& assets,
+                                           const ProgressCallback& progress);
 
 }  // namespace torsio

@@ -19,7 +19,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -111,8 +111,8 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   std::vector<Trainee> trainees = people.trainees();
   std::erase_if(trainees, [](const Trainee& t) { return !t.person.demonstration; });
   if (trainees.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("there are no simulated trainees"), Text::tr("demonstration"),
-                Text::tr("Make the demonstration people first"));
+    refuse(Text::tr("there are no simulated trainees"), Text::tr("demonstration"),
+           Text::tr("Make the demonstration people first"));
   }
   const Person& person = trainees.front().person;
   station.personId = person.id;

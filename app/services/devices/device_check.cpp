@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/services/devices/servo_labels.h"
+#include "app/services/devices/device_readiness.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"

@@ -9,7 +9,7 @@
 #include <QSettings>
 
 #include "assessment/results/number_format.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/device/drivers/device_list.h"
 
 namespace torsio {
@@ -27,8 +27,8 @@ QSettings stationSettings() {
 const DeviceDriver& stationDriver(const std::string& id) {
   const DeviceDriver& driver = deviceDriver(id);
   if (driver.use != DriverUse::kStation) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("\"%1\" is no device that is plugged in", driver.name),
-                Text::tr("device"), Text::tr("`torsio device list` shows the others"));
+    refuseParameter(Text::tr("\"%1\" is no device that is plugged in", driver.name), Text::tr("device"),
+                    Text::tr("`torsio device list` shows the others"));
   }
   return driver;
 }
@@ -43,10 +43,9 @@ void requireTime(double seconds, double longest, Phrase what) {
   if (seconds > 0.0 && seconds <= longest) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter,
-              Text::tr("%1 must lie above 0 s and not above %2 s, got %3", what, formatFixed(longest, 0),
-                       formatFixed(seconds, 2)),
-              Text::tr("device"), Text::tr("Give another number of seconds"));
+  refuseParameter(Text::tr("%1 must lie above 0 s and not above %2 s, got %3", what, formatFixed(longest, 0),
+                           formatFixed(seconds, 2)),
+                  Text::tr("device"), Text::tr("Give another number of seconds"));
 }
 
 DeviceRequest deviceRequest(const DeviceChoice& choice, const std::function<bool()>& cancelled) {

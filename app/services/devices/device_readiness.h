@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "assessment/domain/study/station_state.h"
+#include "sim/core/servo_health.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -40,5 +44,38 @@ using DeviceProbe = std::function<DeviceReadiness()>;
 [[nodiscard]] DeviceReadiness pointerReadiness(bool gradedWithoutForce);
 /// The same rule for a device that was checked: one that renders force is returned as it is.
 [[nodiscard]] DeviceReadiness judgedByForce(DeviceReadiness readiness, bool gradedWithoutForce);
+
+/// Share of the ticks of a run that may be skipped without a word: nobody feels one in a thousand.
+inline constexpr double kSkippedForgiven = 0.001;
+
+/// What the system refuses to a servo, without a full stop; empty: nothing.
+[[nodiscard]] Text refusedToServo(bool priority, bool memory);
+/// What to do about it.
+[[nodiscard]] Text grantRealTime();
+
+/// What was wrong with the time of a run of so many ticks, with what the system refused to its servo; without
+/// a full stop. Empty when its force was never cut and hardly a tick skipped: then a refusal did no harm.
+[[nodiscard]] Text servoTrouble(const ServoHealth& health, std::int64_t ticks);
+/// What to do about that.
+[[nodiscard]] Text servoRemedy(const ServoHealth& health);
+
+/// What a station says about its device: which one it is, and what the last check found.
+struct StationDevice {
+  Text device{};                   ///< "Mouse and keyboard", "Touch"; empty: no training station
+  bool haptic = false;             ///< renders force
+  std::optional<Light> light{};    ///< of the last check; empty: not checked since the program started
+  Text problem{};                  ///< why it is not green; no full stop
+  std::int64_t checkedUtc_us = 0;  ///< 0: not checked
+  friend bool operator==(const StationDevice&, const StationDevice&) = default;
+};
+
+/// As a check at `checkedUtc_us` found it; the problem is the first of the worst findings.
+[[nodiscard]] StationDevice stationDevice(const DeviceReadiness& readiness, std::int64_t checkedUtc_us);
+/// A device that was not checked yet; an empty name: mouse and keyboard.
+[[nodiscard]] StationDevice uncheckedDevice(const Text& device, bool haptic);
+
+/// Between what is shown and what is stored beside the heartbeat. A problem that cannot be read is empty.
+void storeDevice(const StationDevice& device, StationState& state);
+[[nodiscard]] StationDevice storedDevice(const StationState& state);
 
 }  // namespace torsio

@@ -16,6 +16,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -33,8 +34,8 @@ std::string signedText(const Head& head) {
 }
 
 [[noreturn]] void notReadable(const std::string& line) {
-  throw Error(ErrorCode::kBadData, Text::tr("is no head of an audit trail"), line.substr(0, 80),
-              Text::tr("Give a line that torsio audit head printed"));
+  refuse(Text::tr("is no head of an audit trail"), line.substr(0, 80),
+         Text::tr("Give a line that torsio audit head printed"));
 }
 
 /// Whether nothing of a line that can be kept was cut off.
@@ -281,8 +282,8 @@ std::vector<std::string> headsOf(const fs::path& witness) {
     }
   }
   if (heads.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("holds no head of an audit trail"), witness.string(),
-                Text::tr("Choose the file that torsio audit head --witness wrote"));
+    refuse(Text::tr("holds no head of an audit trail"), witness.string(),
+           Text::tr("Choose the file that torsio audit head --witness wrote"));
   }
   return heads;
 }

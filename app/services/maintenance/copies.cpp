@@ -2,15 +2,14 @@
 #include "app/services/maintenance/copies.h"
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/maintenance/record_privacy.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/clock.h"
 #include "sim/core/private_files.h"
 #include "sim/core/time_units.h"
@@ -20,16 +19,6 @@ namespace torsio {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::int64_t keep_us(Connection& connection) {
-  int days = kCopyKeep_days;
-  if (const auto set = SettingRepository(connection).value("copy_keep_days")) {
-    int stored = 0;
-    std::from_chars(set->data(), set->data() + set->size(), stored);
-    days = stored > 0 ? stored : days;
-  }
-  return days * kDay_us;
-}
 
 bool onServer(const RecordCopy& copy) {
   return copy.place.starts_with("postgresql://");
@@ -55,10 +44,10 @@ bool isGone(const RecordCopy& copy) {
 }
 
 std::vector<ListedCopy> listed(Connection& connection, std::vector<RecordCopy> copies) {
-  const std::int64_t keep = keep_us(connection);
+  const std::int64_t keep_us = centreSetting<kCopyKeep_days>(connection) * kDay_us;
   std::vector<ListedCopy> list;
   for (RecordCopy& copy : copies) {
-    const std::int64_t due_us = copy.madeUtc_us + keep;
+    const std::int64_t due_us = copy.madeUtc_us + keep_us;
     list.push_back({std::move(copy), due_us});
   }
   return list;

@@ -15,9 +15,6 @@ namespace torsio {
 
 class Connection;
 
-/// How long a copy is kept where the centre set nothing ("copy_keep_days").
-inline constexpr int kCopyKeep_days = 365;
-
 /// A copy with the day on which the centre's rule wants it gone. Torsio deletes no copy by itself.
 struct ListedCopy {
   RecordCopy copy;

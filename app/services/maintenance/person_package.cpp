@@ -22,6 +22,7 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {
@@ -139,8 +140,7 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
   refuseKnownFolder(folder);
   const std::vector<PersonTable> tables = exportPerson(session.connection(), personId);
   if (tables.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such person"), personId,
-                Text::tr("Check the code"));
+    refuse(Text::tr("there is no such person"), personId, Text::tr("Check the code"));
   }
   PersonPackage package{.folder = folder};
   const FileInTheMaking making(folder);
@@ -201,8 +201,7 @@ std::vector<PersonPackage> exportPersonPackages(SessionContext& session, std::sp
 void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason) {
   session.require(Operation::kPersonErase);
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("erasing needs a reason"), personId,
-                Text::tr("Say why, for the audit trail"));
+    refuseParameter(Text::tr("erasing needs a reason"), personId, Text::tr("Say why, for the audit trail"));
   }
   eraseGuarded(session, personId, reason);
   truncateLog(session.connection());

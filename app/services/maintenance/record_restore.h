@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
-#include "app/services/maintenance/maintainer.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "db/migrations/backup.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -102,5 +104,13 @@ Restored restoreRecord(const Maintainer& maintainer, const std::filesystem::path
 /// Tells in the restored record that it was restored from `backup`, without a record to compare it with.
 /// kDatabaseRestore.
 void noteRestore(SessionContext& session, const std::filesystem::path& backup);
+
+/// Who else works at this record now, one plain sentence each: runs that go on, at this station too, and
+/// other stations that sent a heartbeat in the last kStationSilence_us. kDatabaseRestore.
+[[nodiscard]] std::vector<Text> othersAtWork(SessionContext& session);
+
+/// Before a record is replaced or moved. kDatabaseRestore. Throws Error (kDatabase) with the first of
+/// othersAtWork.
+void requireNobodyAtWork(SessionContext& session);
 
 }  // namespace torsio

@@ -9,7 +9,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -17,8 +17,7 @@ namespace {
 
 void requireReason(const std::string& reason, const std::string& where) {
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this needs a reason"), where,
-                Text::tr("Say why, for the audit trail"));
+    refuseParameter(Text::tr("this needs a reason"), where, Text::tr("Say why, for the audit trail"));
   }
 }
 
@@ -37,8 +36,8 @@ AuditAction actionOf(HoldKind kind) {
 void hold(SessionContext& session, std::span<const PersonId> personIds, RetentionHold decision) {
   session.require(Operation::kRetentionManage);
   if (personIds.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("nobody was chosen"), Text::tr("retention"),
-                Text::tr("Choose at least one person"));
+    refuseParameter(Text::tr("nobody was chosen"), Text::tr("retention"),
+                    Text::tr("Choose at least one person"));
   }
   requireReason(decision.reason, personIds.front());
   Transaction transaction(session.connection());
@@ -103,8 +102,7 @@ void extendRecords(SessionContext& session, std::span<const PersonId> personIds,
                    const std::string& reason) {
   session.require(Operation::kRetentionManage);
   if (untilUtc_us <= session.now_us()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this day has passed"), Text::tr("retention"),
-                Text::tr("Choose a later day"));
+    refuseParameter(Text::tr("this day has passed"), Text::tr("retention"), Text::tr("Choose a later day"));
   }
   hold(session, personIds, {.kind = HoldKind::kExtend, .untilUtc_us = untilUtc_us, .reason = reason});
 }
@@ -125,8 +123,7 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> per
     const auto item = std::find_if(queue.begin(), queue.end(),
                                    [&](const RetentionItem& due) { return due.personId == id; });
     if (item == queue.end()) {
-      throw Error(ErrorCode::kBadData, Text::tr("this record is not due; nothing was erased"), id,
-                  Text::tr("Read the queue again"));
+      refuse(Text::tr("this record is not due; nothing was erased"), id, Text::tr("Read the queue again"));
     }
     (item->held ? outcome.skipped : outcome.erased).push_back(*item);
   }

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/maintenance/server_move.h"
 
+#include <set>
+#include <vector>
+
 #include "app/services/access/first_run.h"
+#include "app/services/base/build_info.h"
 #include "app/services/maintenance/database_copy.h"
-#include "app/services/maintenance/others_at_work.h"
+#include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/maintenance/record_restore.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
+#include "db/migrations/dialect.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/server_roles.h"
+#include "db/repository/system/schema_tables.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -16,8 +25,8 @@ namespace {
 
 std::string locatorOf(const ServerAddress& address, const std::string& password) {
   if (address.host.empty() || address.database.empty() || address.user.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the address of the server is not complete"), "",
-                Text::tr("Give the computer, the database and the account"));
+    refuseParameter(Text::tr("the address of the server is not complete"), "",
+                    Text::tr("Give the computer, the database and the account"));
   }
   Locator server{.engine = Engine::kPostgresql,
                  .user = address.user,
@@ -98,10 +107,8 @@ void requireNothingWaits(const std::string& locator, const std::filesystem::path
   if (waiting.trials.empty()) {
     return;
   }
-  throw Error(ErrorCode::kBadData,
-              Text::tr("recordings of this station still wait in files (%1)", waiting.trials.size()),
-              folder.string(),
-              Text::tr("Start Torsio again at this station, which stores them, then try again"));
+  refuse(Text::tr("recordings of this station still wait in files (%1)", waiting.trials.size()),
+         folder.string(), Text::tr("Start Torsio again at this station, which stores them, then try again"));
 }
 
 constexpr double kCopyFrom = 0.02;  // of the whole work; looking at the server comes before
@@ -140,8 +147,8 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
   tellProgress(progress, Text::tr("Checking the server"), 0.0);
   const ServerCheck check = checkServer(session, address);
   if (!check.hindrance.empty()) {
-    throw Error(ErrorCode::kBadData, check.hindrance, check.location,
-                Text::tr("Let the server's administrator make an empty database"));
+    refuse(check.hindrance, check.location,
+           Text::tr("Let the server's administrator make an empty database"));
   }
   return copyDatabase(session, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
 }
@@ -150,9 +157,8 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   session.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(session);
   if (AuditRepository(session.connection()).length() != copied.auditEntries) {
-    throw Error(ErrorCode::kBadData, Text::tr("something was written to this record after it was copied"),
-                session.connection().location(),
-                Text::tr("Make an empty database on the server and copy again"));
+    refuse(Text::tr("something was written to this record after it was copied"),
+           session.connection().location(), Text::tr("Make an empty database on the server and copy again"));
   }
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
@@ -171,13 +177,13 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
   requireNothingWaits(session.key().locator, unstored);
   const ServerCheck check = checkServer(session, address);
   if (!check.holdsRecord) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no record in this database"), check.location,
-                Text::tr("Copy the record of this station there"));
+    refuse(Text::tr("there is no record in this database"), check.location,
+           Text::tr("Copy the record of this station there"));
   }
   std::string locator = openLasting(address);
   if (lookAtRecord(locator) != RecordPlace::kCentre) {
-    throw Error(ErrorCode::kBadData, Text::tr("the record in this database holds no centre"), check.location,
-                Text::tr("Set the centre up at the first station; this one can join then"));
+    refuse(Text::tr("the record in this database holds no centre"), check.location,
+           Text::tr("Set the centre up at the first station; this one can join then"));
   }
   const AuditNote note{
       .action = AuditAction::kDatabaseJoin, .objectKind = AuditObject::kDatabase, .objectId = check.location};
@@ -186,6 +192,51 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
   server.note(note);
   session.note(note);
   return locator;
+}
+
+namespace {
+
+void requireServer(Engine engine, const std::string& location) {
+  if (engine != Engine::kPostgresql) {
+    throw Error(ErrorCode::kUsage, Text::tr("an SQLite file has no roles of its own"), location,
+                Text::tr("Name the address of a PostgreSQL server"));
+  }
+}
+
+}  // namespace
+
+void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole) {
+  requireServer(parseLocator(locator).engine, locator);
+  MaintenanceDesk desk(
+      maintainer, openRecord(locator, OpenMode::kReadWrite, {.softwareVersion = softwareVersion()}), locator);
+  prepareServer(desk.session(), stationRole);
+}
+
+void prepareServer(SessionContext& session, const std::string& stationRole) {
+  session.require(Operation::kDatabaseRestore);
+  Connection& connection = session.connection();
+  requireServer(connection.engine(), connection.location());
+  if (!isOwnerOfTables(connection)) {
+    throw Error(ErrorCode::kPermission, Text::tr("this account does not own the tables of the record"),
+                connection.location(), Text::tr("Connect as the owner"));
+  }
+  std::set<std::string> appendOnly;
+  for (const Migration& step : embeddedMigrations()) {
+    for (const std::string& table : appendOnlyTables(step.sql)) {
+      appendOnly.insert(table);
+    }
+  }
+  std::vector<std::string> tables{"schema_migration"};
+  for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    tables.push_back(table.name);
+  }
+  Transaction transaction(connection);
+  writeServerRoles(connection, tables, appendOnly, stationRole);
+  session.note({.action = AuditAction::kDatabasePrepareServer,
+                .objectKind = AuditObject::kDatabase,
+                .objectId = connection.location(),
+                .newJson = R"({"station_role":")" + stationRole + "\"}"});
+  transaction.commit();
 }
 
 }  // namespace torsio

@@ -7,6 +7,7 @@
 
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/recording/unstored_trials.h"
 #include "db/repository/system/record_copy.h"
 
@@ -71,5 +72,13 @@ struct ServerCheck {
 /// (kDatabase) when the password would be needed.
 [[nodiscard]] std::string joinServer(SessionContext& session, const ServerAddress& address,
                                      const std::filesystem::path& unstored = unstoredFolder());
+
+/// Brings the schema of a server up to date and writes the roles (db/repository/people/server_roles.h), as
+/// the owner of its tables. Audited. An empty database becomes a record without a centre; then only the
+/// system can have been named. kDatabaseRestore. Throws Error: kUsage for a file, kPermission when the
+/// account is not the owner; DbError.
+void prepareServer(const Maintainer& maintainer, const std::string& locator, const std::string& stationRole);
+/// Writes the roles of the server that the session works on. kDatabaseRestore. Throws like the one above.
+void prepareServer(SessionContext& session, const std::string& stationRole);
 
 }  // namespace torsio

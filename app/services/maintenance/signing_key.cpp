@@ -13,6 +13,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/private_files.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -67,8 +68,7 @@ SecretKey readKey(const fs::path& file) {
   words >> word >> version >> hex;
   const std::optional<SecretKey> key = bytesOf<SecretKey>(hex);
   if (word != kKeyWord || version != "1" || !key) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no key of Torsio"), file.string(),
-                Text::tr("Make one with torsio audit key FILE"));
+    refuse(Text::tr("is no key of Torsio"), file.string(), Text::tr("Make one with torsio audit key FILE"));
   }
   if (makePrivate(file)) {
     throw Error(ErrorCode::kPermission,

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/session_context.h"
 #include "app/services/maintenance/anchor.h"
 #include "db/connection/connection.h"
@@ -51,16 +52,6 @@ fs::path recordFile(const SessionContext& session) {
   return locator.engine == Engine::kSqlite ? fs::path(locator.file) : fs::path();
 }
 
-/// What a station does with heads lies outside the record, but that somebody changed it is told there.
-void noteChange(SessionContext& session, const char* setting, const nlohmann::json& before,
-                const nlohmann::json& after) {
-  session.note({.action = AuditAction::kSettingChange,
-                .objectKind = AuditObject::kSetting,
-                .objectId = setting,
-                .oldJson = before.dump(),
-                .newJson = after.dump()});
-}
-
 /// Public part of a key that may be gone; empty: none.
 std::string publicPart(const fs::path& key) {
   try {
@@ -75,7 +66,7 @@ void useKey(SessionContext& session, const fs::path& file) {
   const std::string before = publicPart(anchor.key);
   anchor.key = file;
   setStationAnchor(anchor);
-  noteChange(session, kKeySetting, {{"public_key", before}}, {{"public_key", publicPart(file)}});
+  noteSetting(session, kKeySetting, {{"public_key", before}}, {{"public_key", publicPart(file)}});
 }
 
 }  // namespace
@@ -125,7 +116,7 @@ void chooseWitness(SessionContext& session, const fs::path& file) {
   }
   anchor.witness = file;
   setStationAnchor(anchor);
-  noteChange(session, kWitnessSetting, {{"file", before.string()}}, {{"file", file.string()}});
+  noteSetting(session, kWitnessSetting, {{"file", before.string()}}, {{"file", file.string()}});
 }
 
 void makeStationKey(SessionContext& session, const fs::path& file) {

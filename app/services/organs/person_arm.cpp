@@ -3,8 +3,8 @@
 
 #include "sim/anatomy/forearm.h"
 #include "sim/anatomy/shipped_files.h"
-#include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/core/short_number.h"
 
 namespace torsio {
@@ -13,9 +13,8 @@ namespace {
 
 void requireWithin(const PersonLength& range, double length_mm, const Text& name) {
   if (!(length_mm >= range.least_mm && length_mm <= range.most_mm)) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("%1 mm is no such length of a person", shortNumber(length_mm)), name,
-                Text::tr("Give %1 to %2 mm", shortNumber(range.least_mm), shortNumber(range.most_mm)));
+    refuseParameter(Text::tr("%1 mm is no such length of a person", shortNumber(length_mm)), name,
+                    Text::tr("Give %1 to %2 mm", shortNumber(range.least_mm), shortNumber(range.most_mm)));
   }
 }
 

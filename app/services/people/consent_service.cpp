@@ -125,12 +125,12 @@ ConsentVersion shippedConsent(const std::filesystem::path& assets) {
       shipped.languages.push_back(std::move(words));
     }
     if (shipped.languages.empty()) {
-      throw Error(ErrorCode::kBadData, Text::tr("the consent texts have no language"), file.string(),
-                  Text::tr("Restore the file from the installation"));
+      refuse(Text::tr("the consent texts have no language"), file.string(),
+             Text::tr("Restore the file from the installation"));
     }
   } catch (const nlohmann::json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text::tr("the consent texts cannot be read: %1", problem.what()),
-                file.string(), Text::tr("Restore the file from the installation"));
+    refuse(Text::tr("the consent texts cannot be read: %1", problem.what()), file.string(),
+           Text::tr("Restore the file from the installation"));
   }
   return shipped;
 }

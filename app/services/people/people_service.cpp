@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <tuple>
@@ -13,7 +15,6 @@
 #include "app/services/access/audit_service.h"
 #include "app/services/access/person_text.h"
 #include "app/services/base/csv_table.h"
-#include "app/services/people/person_codes.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/consent.h"
 #include "db/connection/connection.h"
@@ -381,6 +382,26 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
                 .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
   writeFileAtomically(file, text);
   return count;
+}
+
+std::string PersonCodes::next(const std::string& prefix) {
+  const std::string head = prefix + "-";
+  std::int64_t highest = 0;
+  for (const std::string& code : used_) {
+    if (!code.starts_with(head)) {
+      continue;
+    }
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(code.data() + head.size(), code.data() + code.size(), number);
+    if (error == std::errc() && end == code.data() + code.size()) {
+      highest = std::max(highest, number);
+    }
+  }
+  std::string digits = std::to_string(highest + 1);
+  if (digits.size() < 2) {
+    digits.insert(0, 1, '0');
+  }
+  return *used_.insert(head + digits).first;
 }
 
 }  // namespace torsio

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,5 +76,20 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session);
 /// hash of the file. Returns the number of people. Throws Error{kFileUnwritable}.
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
                          const CsvStyle& look = {});
+
+/// Prefixes of pseudonyms.
+inline constexpr const char* kTraineePrefix = "T";
+inline constexpr const char* kRaterPrefix = "R";
+
+/// Gives out pseudonyms "T-01", "T-02" ... above every number that was ever used with the prefix: a code is
+/// never given twice.
+class PersonCodes {
+ public:
+  explicit PersonCodes(std::set<std::string> used) : used_(std::move(used)) {}
+  [[nodiscard]] std::string next(const std::string& prefix);
+
+ private:
+  std::set<std::string> used_;
+};
 
 }  // namespace torsio

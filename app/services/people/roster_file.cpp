@@ -9,8 +9,8 @@
 #include "app/services/people/roster_import.h"
 #include "app/services/people/roster_text.h"
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -137,9 +137,8 @@ RosterFile readRoster(const std::filesystem::path& file) {
   std::error_code unknown;
   if (const std::uintmax_t size = std::filesystem::file_size(file, unknown);
       !unknown && size > kLargest_bytes) {
-    throw Error(ErrorCode::kBadData,
-                Text::tr("is larger than %1 MiB, which no roster is", kLargest_bytes >> 20U),
-                file.filename().string(), Text::tr("Choose the list of the people, or divide it"));
+    refuse(Text::tr("is larger than %1 MiB, which no roster is", kLargest_bytes >> 20U),
+           file.filename().string(), Text::tr("Choose the list of the people, or divide it"));
   }
   return parseRoster(readFile(file), file.filename().string());
 }
@@ -158,8 +157,7 @@ RosterFile parseRoster(std::string_view bytes, const std::string& name) {
     });
   });
   if (roster.rows.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("the roster is empty"), name,
-                Text::tr("Begin with a line that names the columns"));
+    refuse(Text::tr("the roster is empty"), name, Text::tr("Begin with a line that names the columns"));
   }
   const std::size_t headerLine = roster.rows.front().line;
   roster.header = std::move(roster.rows.front().values);
@@ -168,12 +166,11 @@ RosterFile parseRoster(std::string_view bytes, const std::string& name) {
     if (column->empty() || std::find(roster.header.begin(), column, *column) == column) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, Text::tr("two columns are called \"%1\"", *column),
-                Text::tr("%1, line %2", name, headerLine), Text::tr("Give each column a name of its own"));
+    refuse(Text::tr("two columns are called \"%1\"", *column), Text::tr("%1, line %2", name, headerLine),
+           Text::tr("Give each column a name of its own"));
   }
   if (roster.rows.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("the roster has a header but nobody in it"), name,
-                Text::tr("Add one line a person"));
+    refuse(Text::tr("the roster has a header but nobody in it"), name, Text::tr("Add one line a person"));
   }
   Digest digest;
   digest.update(bytes);

@@ -8,7 +8,7 @@
 #include "app/services/people/people_service.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -246,19 +246,18 @@ void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& 
     const std::optional<std::size_t> column = columns[rosterIndex(field)];
     const Phrase label = rosterFieldLabel(field);
     if (!column && isRequired(field, kind)) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("no column is chosen for %1", label), file.name,
-                  Text::tr("Choose one"));
+      refuseParameter(Text::tr("no column is chosen for %1", label), file.name, Text::tr("Choose one"));
     }
     if (!column) {
       continue;
     }
     if (*column >= file.header.size()) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the column for %1 does not exist", label), file.name,
-                  Text::tr("Choose one of the file"));
+      refuseParameter(Text::tr("the column for %1 does not exist", label), file.name,
+                      Text::tr("Choose one of the file"));
     }
     if (!used.emplace(*column, field).second) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("\"%1\" is chosen for two fields", file.header[*column]),
-                  file.name, Text::tr("Choose one column a field"));
+      refuseParameter(Text::tr("\"%1\" is chosen for two fields", file.header[*column]), file.name,
+                      Text::tr("Choose one column a field"));
     }
   }
 }

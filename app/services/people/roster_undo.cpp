@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/people/import_record.h"
 #include "app/services/people/people_service.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/people/person.h"

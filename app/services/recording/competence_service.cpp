@@ -16,7 +16,7 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -36,8 +36,8 @@ TrainingModule publishedModule(Connection& connection, const ModuleId& moduleId)
       }
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("there is no such exercise in a published curriculum"), moduleId,
-              Text::tr("Choose one from the list"));
+  refuse(Text::tr("there is no such exercise in a published curriculum"), moduleId,
+         Text::tr("Choose one from the list"));
 }
 
 /// The mean absolute error of all completed twists of one person at an exercise, degrees; empty: none.
@@ -101,8 +101,7 @@ std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
     }
   }
   if (!found) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such version"), versionId,
-                Text::tr("Choose one from the list"));
+    refuse(Text::tr("there is no such version"), versionId, Text::tr("Choose one from the list"));
   }
   return all;
 }
@@ -112,8 +111,8 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
   CompetenceDesign planned = plannedCompetence(design);
   requireFalseFailKept(planned);
   if (planned.source == ToleranceSource::kChosen && planned.reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a tolerance chosen by hand needs a reason"),
-                Text::tr("competence design"), Text::tr("Write why, in a few words"));
+    refuseParameter(Text::tr("a tolerance chosen by hand needs a reason"), Text::tr("competence design"),
+                    Text::tr("Write why, in a few words"));
   }
   Transaction transaction(session.connection());
   const TrainingModule module = publishedModule(session.connection(), planned.moduleId);
@@ -144,16 +143,14 @@ ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId
     }
   }
   if (errors.size() < kMinExperts) {
-    throw Error(ErrorCode::kBadData,
-                Text::tr("%1 {person of this cohort has|people of this cohort have} a finished run at this "
-                         "exercise; %2 {is|are} needed",
-                         errors.size(), kMinExperts),
-                module.title, Text::tr("Let more experts make a run, or keep the tolerance of the exercise"));
+    refuse(Text::tr("%1 {person of this cohort has|people of this cohort have} a finished run at this "
+                    "exercise; %2 {is|are} needed",
+                    errors.size(), kMinExperts),
+           module.title, Text::tr("Let more experts make a run, or keep the tolerance of the exercise"));
   }
   const Outcome<ProficiencyThreshold> threshold = proficiencyThreshold(errors);
   if (!threshold) {
-    throw Error(ErrorCode::kBadData, threshold.reason(), module.title,
-                Text::tr("Keep the tolerance of the exercise"));
+    refuse(threshold.reason(), module.title, Text::tr("Keep the tolerance of the exercise"));
   }
   return *threshold;
 }

@@ -16,8 +16,7 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
   const Text success =
       untwisting ? Text::tr("an untwisting that passes")
                  : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
-                            formatFixed(degrees(design.tolerance_rad), 1),
-                            Text(termsOf(design.source)[static_cast<std::size_t>(design.source)].label));
+                            formatFixed(degrees(design.tolerance_rad), 1), Text(labelOf(design.source)));
   const Text which =
       design.version > 0
           ? Text::tr("Competence design, version %1", design.version)

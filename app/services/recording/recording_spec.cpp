@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/recording/recording_spec.h"
 
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include <QString>
+#include <QSysInfo>
+#include <QtGlobal>
+
+#include "app/services/access/session_context.h"
 #include "app/services/base/build_info.h"
 #include "sim/servo/servo_loop.h"
 
@@ -28,6 +40,77 @@ TrialHeader headerFor(const Scene& scene, const DeviceCapabilities& device, cons
 
   header.softwareVersion = softwareVersion();
   return header;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files of the system say "key : value" or "KEY=value". Empty: no such file or key.
+std::string valueOf(const fs::path& file, const std::string& key, char separator) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t at = line.find(separator);
+    if (at == std::string::npos || line.compare(0, key.size(), key) != 0) {
+      continue;
+    }
+    const std::size_t begin = line.find_first_not_of(" \t", at + 1);
+    return begin == std::string::npos ? std::string() : line.substr(begin);
+  }
+  return {};
+}
+
+std::string processor(const fs::path& root) {
+  std::string name = valueOf(root / "proc/cpuinfo", "model name", ':');
+  if (name.empty()) {
+    name = qEnvironmentVariable("PROCESSOR_IDENTIFIER").toStdString();  // Windows
+  }
+  if (name.empty()) {
+    name = QSysInfo::currentCpuArchitecture().toStdString();
+  }
+  const unsigned threads = std::thread::hardware_concurrency();
+  return threads == 0 ? name : name + ", " + std::to_string(threads) + " threads";
+}
+
+std::vector<fs::path> entriesOf(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
+    entries.push_back(entry.path());
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+/// The vendor's name where its driver tells it, else driver and PCI number.
+std::string graphicsCard(const fs::path& root) {
+  for (const fs::path& card : entriesOf(root / "proc/driver/nvidia/gpus")) {
+    if (std::string name = valueOf(card / "information", "Model", ':'); !name.empty()) {
+      return name;
+    }
+  }
+  for (const fs::path& card : entriesOf(root / "sys/class/drm")) {
+    const fs::path about = card / "device/uevent";
+    const std::string driver = valueOf(about, "DRIVER", '=');
+    if (!driver.empty()) {
+      return driver + " " + valueOf(about, "PCI_ID", '=');
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+RecordingHost thisHost(const fs::path& root) {
+  return {.name = stationName(),
+          .os = QSysInfo::prettyProductName().toStdString() + ", " + QSysInfo::kernelType().toStdString() +
+                " " + QSysInfo::kernelVersion().toStdString(),
+          .cpu = processor(root),
+          .gpu = graphicsCard(root)};
+}
+
+TrialContext stationContext() {
+  return {.station = stationName(), .host = thisHost()};
 }
 
 }  // namespace torsio

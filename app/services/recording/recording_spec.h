@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -28,5 +29,13 @@ struct RecordingSpec {
 /// and parameters from `scene`, model, limits and drive from `device`, the version of this program.
 [[nodiscard]] TrialHeader headerFor(const Scene& scene, const DeviceCapabilities& device,
                                     const RecordingSpec& spec);
+
+/// Describes the present machine for the trials that it records: name, operating system, processor with its
+/// number of threads, graphics card. What the system does not tell stays empty (the graphics card is told by
+/// Linux only). `root`: where the files of the system begin.
+[[nodiscard]] RecordingHost thisHost(const std::filesystem::path& root = "/");
+
+/// Returns the context of a recording of free practice: this station and this machine, nobody's training.
+[[nodiscard]] TrialContext stationContext();
 
 }  // namespace torsio

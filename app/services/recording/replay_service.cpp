@@ -11,7 +11,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -31,10 +31,9 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
   if (found.size() == 1) {
     return found.front();
   }
-  throw Error(ErrorCode::kBadData,
-              found.empty() ? Text::tr("no run has this id") : Text::tr("several runs begin like this"),
-              Text::tr("run %1", text),
-              found.empty() ? Text::tr("Check the id and the database") : Text::tr("Give more of the id"));
+  refuse(found.empty() ? Text::tr("no run has this id") : Text::tr("several runs begin like this"),
+         Text::tr("run %1", text),
+         found.empty() ? Text::tr("Check the id and the database") : Text::tr("Give more of the id"));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/services/access/session_context.h"
-#include "app/services/devices/station_device.h"
+#include "app/services/devices/device_readiness.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -10,7 +11,10 @@
 #include <QStandardPaths>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/session_context.h"
 #include "app/services/recording/timed_sink.h"
+#include "assessment/domain/ids.h"
+#include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
@@ -122,6 +126,30 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
     return std::pair(a.trial.header.startedUtc_us, a.file) < std::pair(b.trial.header.startedUtc_us, b.file);
   });
   return found;
+}
+
+std::string defaultDatabase() {
+  const std::filesystem::path folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
+  ensureFolder(folder);
+  return (folder / "torsio.sqlite").string();
+}
+
+TrialStore::TrialStore(const std::string& locator)
+    : connection_(std::make_unique<Connection>(openUpToDate(locator))) {}
+
+TrialStore::~TrialStore() = default;
+
+const std::string& TrialStore::location() const noexcept {
+  return connection_->location();
+}
+
+std::vector<TrialListing> TrialStore::list() {
+  return TrialRepository(*connection_).list();
+}
+
+Trial TrialStore::load(const TrialId& trialId) {
+  return TrialRepository(*connection_).load(trialId);
 }
 
 }  // namespace torsio

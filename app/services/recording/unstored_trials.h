@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
+
+class Connection;
 
 /// Where recordings wait that their database did not take: in the user's data folder, made when the first one
 /// comes. Needs a QCoreApplication.
@@ -45,5 +48,26 @@ inline constexpr std::int64_t kQuietFile_us = 10'000'000;
 /// other databases are passed over. Files that were cut off are read as far as they go, as interrupted
 /// trials, unless they were written to in the last kQuietFile_us. A missing folder is an empty one.
 [[nodiscard]] UnstoredTrials unstoredTrials(const std::string& locator, const std::filesystem::path& folder);
+
+/// The database of this station when none is named: torsio.sqlite in the user's data folder, which is made
+/// when missing. Needs a QCoreApplication (its name decides the folder). Throws Error{kFileUnwritable}.
+[[nodiscard]] std::string defaultDatabase();
+
+/// Recorded trials of one database, for the window. Belongs to the thread that made it.
+class TrialStore {
+ public:
+  /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
+  explicit TrialStore(const std::string& locator);
+  ~TrialStore();
+
+  /// Newest first, finished or not.
+  [[nodiscard]] std::vector<TrialListing> list();
+  [[nodiscard]] Trial load(const TrialId& trialId);
+  /// Where it is, for people; never a password.
+  [[nodiscard]] const std::string& location() const noexcept;
+
+ private:
+  std::unique_ptr<Connection> connection_;
+};
 
 }  // namespace torsio

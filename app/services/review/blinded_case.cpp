@@ -11,6 +11,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_seed.h"
 
@@ -95,8 +96,8 @@ namespace {
 Assignment ownRecordedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("this case is scored live and has no recording"),
-                placeOf(found.caseLabel), Text::tr("Use the live sheet"));
+    refuse(Text::tr("this case is scored live and has no recording"), placeOf(found.caseLabel),
+           Text::tr("Use the live sheet"));
   }
   return found;
 }
@@ -107,8 +108,8 @@ BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentI
   const Assignment found = ownRecordedCase(session, assignmentId);
   const std::optional<TrialHeader> header = TrialRepository(session.connection()).find(found.trialId);
   if (!header) {
-    throw Error(ErrorCode::kBadData, Text::tr("the recording cannot be opened"), placeOf(found.caseLabel),
-                Text::tr("Try again, or tell an administrator"));
+    refuse(Text::tr("the recording cannot be opened"), placeOf(found.caseLabel),
+           Text::tr("Try again, or tell an administrator"));
   }
   return taskOf(session.connection(), found.trialId, *header);
 }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
@@ -21,21 +22,11 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "db/repository/system/setting_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
 namespace {
-
-std::optional<double> numberIn(const std::string& text) {
-  double number = 0.0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
-    return std::nullopt;
-  }
-  return number;
-}
 
 std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
   nlohmann::json json;
@@ -62,9 +53,9 @@ void requireSheetWords(const Sheet& sheet, const std::string& label) {
 void requireCalled(SessionContext& session, const Assignment& assignment) {
   if (assignment.trialId.empty() &&
       !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("this case has not been called to the real arm yet"),
-                Text::tr("case %1", assignment.caseLabel),
-                Text::tr("Its sheet opens by itself when an administrator calls it"));
+    refuse(Text::tr("this case has not been called to the real arm yet"),
+           Text::tr("case %1", assignment.caseLabel),
+           Text::tr("Its sheet opens by itself when an administrator calls it"));
   }
 }
 
@@ -72,31 +63,9 @@ void requireCalled(SessionContext& session, const Assignment& assignment) {
 
 ViewingRules viewingRules(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
-  ViewingRules rules;
-  SettingRepository settings(session.connection());
-  if (const auto text = settings.value("review.minimum_watched_percent")) {
-    const auto percent = numberIn(*text);
-    if (percent && *percent >= 0.0 && *percent <= 100.0) {
-      rules.minimumWatched = *percent / 100.0;
-    }
-  }
-  if (const auto text = settings.value("review.speeds")) {
-    std::vector<double> speeds;
-    std::string rest = *text;
-    while (!rest.empty()) {
-      const std::size_t comma = std::min(rest.find(','), rest.size());
-      const auto speed = numberIn(rest.substr(0, comma));
-      rest.erase(0, comma + 1);
-      if (speed && *speed >= 0.1 && *speed <= 4.0) {
-        speeds.push_back(*speed);
-      }
-    }
-    std::sort(speeds.begin(), speeds.end());
-    if (!speeds.empty()) {
-      rules.speeds = std::move(speeds);
-    }
-  }
-  return rules;
+  Connection& connection = session.connection();
+  return {.minimumWatched = centreSetting<kMinimumWatched_percent>(connection) / 100.0,
+          .speeds = centreSetting<kPlaybackSpeeds>(connection)};
 }
 
 KeptAt keptAt(SessionContext& session) {
@@ -173,14 +142,12 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
   const Text where = Text::tr("case %1", opened.shown.label);
   if (check.watchedTooLittle) {
-    throw Error(
-        ErrorCode::kBadData,
-        Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
-        where, Text::tr("Play the rest before you submit"));
+    refuse(Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+           where, Text::tr("Play the rest before you submit"));
   }
   if (check.speedNotAllowed) {
-    throw Error(ErrorCode::kBadData, Text::tr("the recording was played at a speed that is not allowed"),
-                where, Text::tr("Play it again at an allowed speed"));
+    refuse(Text::tr("the recording was played at a speed that is not allowed"), where,
+           Text::tr("Play it again at an allowed speed"));
   }
   const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
@@ -201,20 +168,19 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("changing a submitted mark needs a reason"), where,
-                Text::tr("Write why you change it"));
+    refuseParameter(Text::tr("changing a submitted mark needs a reason"), where,
+                    Text::tr("Write why you change it"));
   }
   requireWords(reason, kLongestReason, Text::tr("case %1", assignment.caseLabel));
   requireSheetWords(sheet, assignment.caseLabel);
   SheetRepository sheets(session.connection());
   if (!sheets.submitted(assignmentId)) {
-    throw Error(ErrorCode::kBadData, Text::tr("this sheet is not submitted yet"), where,
-                Text::tr("Fill it in and submit it"));
+    refuse(Text::tr("this sheet is not submitted yet"), where, Text::tr("Fill it in and submit it"));
   }
   if (panel == PanelMarks::kUnseen &&
       sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("the marks of the panel are open now"), where,
-                Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
+    refuse(Text::tr("the marks of the panel are open now"), where,
+           Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
   }
   Transaction transaction(session.connection());
   const MarkId markId = session.ids().newUuid();

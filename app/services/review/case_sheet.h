@@ -16,9 +16,7 @@
 
 namespace torsio {
 
-/// Reads what the centre asks of a rater who scores from a recording: settings
-/// "review.minimum_watched_percent" and "review.speeds" ("1" or "0.5,1,1.5"); what cannot be read there falls
-/// back to the defaults. kMarkSubmit.
+/// What the centre asks of a rater who scores from a recording. kMarkSubmit.
 [[nodiscard]] ViewingRules viewingRules(SessionContext& session);
 
 /// Where a keystroke is kept once it is said to be saved.

@@ -2,10 +2,10 @@
 #include "app/services/review/discrepancy_review.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
@@ -13,30 +13,20 @@
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/written_words.h"
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/reliability.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "db/repository/system/setting_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr double kRounding = 1e-9;  // marks are decimal steps
-
-double threshold_points(Connection& connection) {
-  const auto text = SettingRepository(connection).value("review.alignment_points");
-  double points = kDiscrepancyThreshold_points;
-  if (!text) {
-    return points;
-  }
-  const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
-  const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
-  return sound ? points : kDiscrepancyThreshold_points;
-}
 
 std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
   if (row == kOverallRow) {
@@ -84,8 +74,8 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
-    throw Error(ErrorCode::kBadData, Text::tr("not everybody has submitted this case yet"),
-                Text::tr("case %1", found.caseLabel), Text::tr("Wait until all have committed"));
+    refuse(Text::tr("not everybody has submitted this case yet"), Text::tr("case %1", found.caseLabel),
+           Text::tr("Wait until all have committed"));
   }
   return found;
 }
@@ -104,8 +94,8 @@ void requireReason(const std::string& reason, const std::string& label) {
   if (!reason.empty()) {
     return requireWords(reason, kLongestReason, Text::tr("case %1", label));
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("a reason is needed"), Text::tr("case %1", label),
-              Text::tr("Write it in a few words"));
+  refuseParameter(Text::tr("a reason is needed"), Text::tr("case %1", label),
+                  Text::tr("Write it in a few words"));
 }
 
 }  // namespace
@@ -115,7 +105,7 @@ std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
   DeskRepository desk(session.connection());
   const RubricRepository rubrics(session.connection());
   DiscrepancyRepository decisions(session.connection());
-  const double threshold = threshold_points(session.connection());
+  const double threshold = centreSetting<kDiscrepancy_points>(session.connection());
   const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
   for (const Assignment& assignment : desk.committed(rater)) {
@@ -178,6 +168,77 @@ void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId
   const Assignment found = committedCase(session, assignmentId);
   requireReason(reason, found.caseLabel);
   decide(session, assignmentId, DiscrepancyChoice::kThird, reason);
+}
+
+namespace {
+
+/// Own mark and mean of the others in points; empty when either is missing.
+std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const std::string& rater) {
+  std::optional<double> own;
+  std::vector<double> others;
+  for (const CaseMark& mark : marks) {
+    if (!mark.score_steps) {
+      continue;
+    }
+    const double points = pointsFromSteps(*mark.score_steps, mark.scale);
+    if (mark.raterId == rater) {
+      own = points;
+    } else {
+      others.push_back(points);
+    }
+  }
+  if (!own || others.empty()) {
+    return std::nullopt;
+  }
+  return SeverityCase{{}, *own, meanOf(others)};
+}
+
+}  // namespace
+
+OwnSeverity ownSeverity(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  const std::string& rater = session.actor().personId;
+  DeskRepository desk(session.connection());
+  OwnSeverity out;
+  std::vector<double> own;
+  std::vector<double> panel;
+  const std::vector<Assignment> committed = desk.committed(rater);
+  for (const Assignment& assignment : committed) {
+    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
+    auto line = compared(marks, rater);
+    if (!line) {
+      continue;
+    }
+    const ScoreScale& scale = marks.front().scale;
+    out.lowest_points = pointsFromSteps(scale.lo, scale);
+    out.highest_points = pointsFromSteps(scale.hi, scale);
+    line->label = assignment.caseLabel;
+    own.push_back(line->own);
+    panel.push_back(line->panel);
+    out.cases.push_back(std::move(*line));
+  }
+  std::size_t submitted = 0;
+  for (const QueueEntry& entry : SheetRepository(session.connection()).queue(rater)) {
+    if (entry.state == SheetState::kSubmitted) {
+      ++submitted;
+    }
+  }
+  out.waiting = submitted - std::min(submitted, committed.size());
+  if (own.empty()) {
+    return out;
+  }
+  out.ownMean_points = meanOf(own);
+  out.panelMean_points = meanOf(panel);
+  out.difference_points = *out.ownMean_points - *out.panelMean_points;
+  if (const auto agreement = blandAltman(own, panel)) {
+    out.interval_points = agreement->meanInterval;
+  }
+  out.used.assign(static_cast<std::size_t>(std::lround(out.highest_points - out.lowest_points)) + 1, 0);
+  for (const double points : own) {
+    const auto bin = static_cast<std::size_t>(std::lround(points - out.lowest_points));
+    ++out.used[std::min(bin, out.used.size() - 1)];
+  }
+  return out;
 }
 
 }  // namespace torsio

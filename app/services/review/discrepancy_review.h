@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/instrument.h"
 #include "assessment/domain/rating/sheet.h"
+#include "assessment/statistics/values.h"
 
 namespace torsio {
 
@@ -35,9 +37,6 @@ struct DiscrepancyCase {
   std::string reason{};
 };
 
-/// How far own mark and mean of the others must lie apart: setting "review.alignment_points".
-inline constexpr double kDiscrepancyThreshold_points = 2.0;
-
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
 /// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
 [[nodiscard]] std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session);
@@ -55,5 +54,30 @@ void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, 
                      const std::string& reason);
 /// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
 void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
+
+/// One committed case: own overall mark and the mean of the others, points.
+struct SeverityCase {
+  std::string label{};
+  double own = 0.0;
+  double panel = 0.0;
+};
+
+/// How strict the actor is, compared with the others on the same cases. Nobody else is shown: no table of
+/// raters exists.
+struct OwnSeverity {
+  std::vector<SeverityCase> cases{};          ///< in own order
+  std::optional<double> difference_points{};  ///< mean of own minus panel; negative: stricter
+  std::optional<Interval> interval_points{};  ///< 95 % of the mean difference; empty: fewer than two cases
+  std::optional<double> ownMean_points{};
+  std::optional<double> panelMean_points{};
+  std::size_t waiting = 0;     ///< own submitted cases on which others have not committed
+  double lowest_points = 0.0;  ///< of the scale
+  double highest_points = 10.0;
+  std::vector<std::size_t> used{};  ///< how often each whole point from lowest to highest was given
+};
+
+/// Overall marks of cases on which all have committed; "not assessable" ones are left out. The mean of the
+/// others does not contain the own mark. kMarkSubmit.
+[[nodiscard]] OwnSeverity ownSeverity(SessionContext& session);
 
 }  // namespace torsio

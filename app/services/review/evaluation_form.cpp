@@ -8,8 +8,8 @@
 
 #include "app/services/access/signing.h"
 #include "app/services/base/assets.h"
-#include "app/services/recording/expert_run.h"
 #include "app/services/recording/kept_digests.h"
+#include "app/services/recording/pipeline.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/index_meaning.h"
@@ -18,6 +18,7 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/tissue_model.h"
 #include "sim/scene/scene.h"
 
@@ -145,11 +146,11 @@ std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
     if (!open.form.models[i].submitted) {
       return i;
     }
-    throw Error(ErrorCode::kBadData, Text::tr("these marks were submitted already"),
-                Text::tr("model %1", hiddenLabel), Text::tr("Go on with the next model"));
+    refuse(Text::tr("these marks were submitted already"), Text::tr("model %1", hiddenLabel),
+           Text::tr("Go on with the next model"));
   }
-  throw Error(ErrorCode::kBadData, Text::tr("there is no such model"), Text::tr("model %1", hiddenLabel),
-              Text::tr("Open the form again"));
+  refuse(Text::tr("there is no such model"), Text::tr("model %1", hiddenLabel),
+         Text::tr("Open the form again"));
 }
 
 std::vector<RubricAnchor> meaningAnchors(const std::string& indexId, const ScoreScale& scale) {
@@ -220,8 +221,8 @@ BlindedRecording loadEvaluationRecording(SessionContext& session, const Campaign
       return computedRun(*known, hiddenLabel, salt);
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("there is no recording of this model"),
-              Text::tr("model %1", hiddenLabel), Text::tr("Score what you have met"));
+  refuse(Text::tr("there is no recording of this model"), Text::tr("model %1", hiddenLabel),
+         Text::tr("Score what you have met"));
 }
 
 void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
@@ -232,8 +233,8 @@ void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && !isOnScale(*score_steps, scale);
   if (outside || index >= open.form.indices.size()) {
-    throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
-                Text::tr("model %1", hiddenLabel), Text::tr("Correct the mark"));
+    refuse(Text::tr("the mark lies outside the scale"), Text::tr("model %1", hiddenLabel),
+           Text::tr("Correct the mark"));
   }
   DeskRepository(session.connection())
       .saveEvaluationDraft(campaignId, session.actor().personId, open.models[model].code,
@@ -247,8 +248,8 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   std::vector<EvaluationMark> marks;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) {
-      throw Error(ErrorCode::kBadData, Text::tr("%1 has no mark yet", open.form.indices[i]),
-                  Text::tr("model %1", hiddenLabel), Text::tr("Fill it in"));
+      refuse(Text::tr("%1 has no mark yet", open.form.indices[i]), Text::tr("model %1", hiddenLabel),
+             Text::tr("Fill it in"));
     }
     EvaluationMark mark;
     mark.id = session.ids().newUuid();

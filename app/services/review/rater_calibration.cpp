@@ -8,14 +8,15 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/reference_run.h"
+#include "assessment/statistics/descriptive.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -32,8 +33,8 @@ std::string labelOf(std::size_t number) {
 ReferenceRun runNumber(Connection& connection, std::size_t number) {
   const std::vector<ReferenceRun> runs = DeskRepository(connection).referenceRuns();
   if (number < 1 || number > runs.size()) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such reference run"),
-                Text::tr("reference %1", number), Text::tr("Open rater calibration again"));
+    refuse(Text::tr("there is no such reference run"), Text::tr("reference %1", number),
+           Text::tr("Open rater calibration again"));
   }
   return runs[number - 1];
 }
@@ -42,31 +43,31 @@ ReferenceRun runNumber(Connection& connection, std::size_t number) {
 ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
   const auto rubric = RubricRepository(connection).revision(choice.rubricRevisionId);
   if (!rubric) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such rubric"), choice.rubricRevisionId,
-                Text::tr("Choose one from the list"));
+    refuse(Text::tr("there is no such rubric"), choice.rubricRevisionId,
+           Text::tr("Choose one from the list"));
   }
   DeskRepository desk(connection);
   if (!desk.trialLength_us(choice.trialId)) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such complete recording"), choice.trialId,
-                Text::tr("Choose one from the list"));
+    refuse(Text::tr("there is no such complete recording"), choice.trialId,
+           Text::tr("Choose one from the list"));
   }
   for (const ReferenceRun& run : desk.allReferenceRuns()) {
     if (run.trialId != choice.trialId) {
       continue;
     }
-    throw Error(ErrorCode::kBadData, Text::tr("this recording is or was a reference run"), choice.trialId,
-                Text::tr("Choose another recording"));
+    refuse(Text::tr("this recording is or was a reference run"), choice.trialId,
+           Text::tr("Choose another recording"));
   }
   const ScoreScale scale = rubric->overall;
   const double lowest = pointsFromSteps(scale.lo, scale);
   const double highest = pointsFromSteps(scale.hi, scale);
   if (!(choice.panel_points >= lowest && choice.panel_points <= highest)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the panel's mark lies outside the scale of the rubric"),
-                std::to_string(choice.panel_points), Text::tr("Correct the mark"));
+    refuseParameter(Text::tr("the panel's mark lies outside the scale of the rubric"),
+                    std::to_string(choice.panel_points), Text::tr("Correct the mark"));
   }
   if (choice.panelRaters < 1) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a panel has at least one member"),
-                std::to_string(choice.panelRaters), Text::tr("Correct the number"));
+    refuseParameter(Text::tr("a panel has at least one member"), std::to_string(choice.panelRaters),
+                    Text::tr("Correct the number"));
   }
   return scale;
 }
@@ -78,17 +79,14 @@ bool RaterCalibration::complete() const noexcept {
                      [](const CalibrationRun& run) { return run.own_steps.has_value(); });
 }
 
-std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
-  double sum = 0.0;
-  std::size_t n = 0;
+std::optional<double> RaterCalibration::meanOffset_points() const {
+  std::vector<double> offsets;
   for (const CalibrationRun& run : runs) {
-    if (!run.offset_points) {
-      continue;
+    if (run.offset_points) {
+      offsets.push_back(*run.offset_points);
     }
-    sum += *run.offset_points;
-    ++n;
   }
-  return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
+  return offsets.empty() ? std::nullopt : std::optional(meanOf(offsets));
 }
 
 RaterCalibration raterCalibration(SessionContext& session) {
@@ -132,8 +130,8 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   const ReferenceRun run = runNumber(session.connection(), number);
   const RubricRevision rubric = RubricRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
-    throw Error(ErrorCode::kBadData, Text::tr("the mark lies outside the scale"),
-                Text::tr("reference %1", number), Text::tr("Correct the mark"));
+    refuse(Text::tr("the mark lies outside the scale"), Text::tr("reference %1", number),
+           Text::tr("Correct the mark"));
   }
   CalibrationScore score;
   score.id = session.ids().newUuid();
@@ -231,16 +229,15 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
 void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (reason.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a withdrawal needs a reason"), trialId,
-                Text::tr("Say why, in a few words"));
+    refuseParameter(Text::tr("a withdrawal needs a reason"), trialId, Text::tr("Say why, in a few words"));
   }
   Transaction transaction(session.connection());
   DeskRepository desk(session.connection());
   const std::vector<ReferenceRun> runs = desk.referenceRuns();
   if (std::none_of(runs.begin(), runs.end(),
                    [&](const ReferenceRun& run) { return run.trialId == trialId; })) {
-    throw Error(ErrorCode::kBadData, Text::tr("this recording is no reference run, or was withdrawn already"),
-                trialId, Text::tr("Open the list again"));
+    refuse(Text::tr("this recording is no reference run, or was withdrawn already"), trialId,
+           Text::tr("Open the list again"));
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
   session.note({.action = AuditAction::kReferenceRunWithdraw,

@@ -30,7 +30,7 @@ struct RaterCalibration {
   std::vector<CalibrationRun> runs{};
   [[nodiscard]] bool complete() const noexcept;
   /// Mean over the runs that were scored, points; empty: none.
-  [[nodiscard]] std::optional<double> meanOffset_points() const noexcept;
+  [[nodiscard]] std::optional<double> meanOffset_points() const;
 };
 
 /// kMarkSubmit.

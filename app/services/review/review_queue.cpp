@@ -10,6 +10,7 @@
 #include "app/services/review/rater_calibration.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
+#include "assessment/statistics/descriptive.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -28,13 +29,11 @@ constexpr std::int64_t kAllCases = 1'000'000;
 
 /// Minutes a case takes this rater; empty before there are enough of them.
 std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {
-  std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
+  const std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
   if (times_us.size() < kMinForPace) {
     return std::nullopt;
   }
-  const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
-  std::nth_element(times_us.begin(), middle, times_us.end());
-  return static_cast<double>(*middle) / kMinute_us;
+  return medianOf(std::vector<double>(times_us.begin(), times_us.end())) / kMinute_us;
 }
 
 /// How many of the lines, taken in their order, fit into a short sitting.

@@ -7,7 +7,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -19,16 +19,16 @@ constexpr double kSameSpeed = 0.001;
 void requirePlayable(const PlayedStretch& stretch, const ViewingRules& rules, const Text& where) {
   const bool forwards = stretch.from_us >= 0 && stretch.to_us >= stretch.from_us;
   if (!forwards || !std::isfinite(stretch.speed)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("what was watched is not a stretch of the recording"),
-                where, Text::tr("Open the case again"));
+    refuseParameter(Text::tr("what was watched is not a stretch of the recording"), where,
+                    Text::tr("Open the case again"));
   }
   const bool allowed =
       stretch.speed == 1.0 || std::any_of(rules.speeds.begin(), rules.speeds.end(), [&](double speed) {
         return std::abs(speed - stretch.speed) <= kSameSpeed;
       });
   if (!allowed) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the recording was played at a speed that is not allowed"),
-                where, Text::tr("Play it again at an allowed speed"));
+    refuseParameter(Text::tr("the recording was played at a speed that is not allowed"), where,
+                    Text::tr("Play it again at an allowed speed"));
   }
 }
 
@@ -56,10 +56,9 @@ OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmen
     requirePlayable(stretch, rules, where);
   }
   if (opened.shown.live || opened.state == SheetState::kSubmitted) {
-    throw Error(ErrorCode::kBadData,
-                opened.shown.live ? Text::tr("this case is scored live and has no recording")
-                                  : Text::tr("the sheet was submitted already"),
-                where, Text::tr("Read the queue again"));
+    refuse(opened.shown.live ? Text::tr("this case is scored live and has no recording")
+                             : Text::tr("the sheet was submitted already"),
+           where, Text::tr("Read the queue again"));
   }
   opened.watched = creditedLog(std::move(opened.watched), played, passed_us);
   DeskRepository(session.connection()).saveDraftViewing(assignmentId, opened.watched.stored());

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/services/base/build_info.h"
+#include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
@@ -36,10 +37,8 @@ namespace {
 
 constexpr const char* kChiefClass = "chief";
 
-/// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
-/// here.
-CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId,
-                                   const std::vector<StudyGroup>& groups) {
+/// The newest design, and whether its draw can be repeated once the seed is revealed.
+CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId) {
   const std::vector<LockedDesign> designs = study.designs(cohortId);
   CohortAllocation shown;
   if (designs.empty()) {
@@ -67,27 +66,7 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
     return shown;
   }
 
-  AllocationDesign design;
-  design.studyId = cohortId;
-  for (const StudyGroup& group : groups) {
-    design.arms.push_back(group.code);
-  }
-  std::map<std::string, std::string> codeOf;
-  std::map<std::string, std::string> groupOf;
-  for (const Enrolment& enrolment : enrolments) {
-    codeOf[enrolment.id] = enrolment.traineeCode;
-    groupOf[enrolment.traineeCode] = enrolment.groupCode;
-  }
-  std::vector<AllocationPerson> persons;
-  for (const AllocationEntry& record : records) {
-    persons.push_back({codeOf[record.enrolmentId], {}});
-  }
-  const Allocation again = allocate(design, shown.seed, persons, true, stored.salt);
-  shown.replayed =
-      again.commitment == stored.seedCommitment &&
-      std::all_of(again.records.begin(), again.records.end(), [&](const AllocationRecord& record) {
-        return design.arms.at(record.arm) == groupOf[record.person];
-      });
+  shown.replayed = repeatedDraw(study, stored, stored.seed, stored.salt).sound;
   return shown;
 }
 
@@ -266,7 +245,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
                                person.level, enrolment.state == EnrolmentState::kWithdrawn});
   }
-  inputs.allocation = checkedAllocation(study, cohortId, groups);
+  inputs.allocation = checkedAllocation(study, cohortId);
 
   inputs.instrument = campaign.campaign.instrument;
   if (!campaign.classesMissing.empty()) {

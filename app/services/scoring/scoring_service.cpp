@@ -2,25 +2,29 @@
 #include "app/services/scoring/scoring_service.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/services/base/build_info.h"
-#include "app/services/scoring/cohort_occasions.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/assessment_run.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -107,8 +111,7 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
   EvaluationRepository repository(connection);
   const auto campaign = repository.campaign(campaignId);
   if (!campaign) {
-    throw Error(ErrorCode::kBadData, Text::tr("no evaluation campaign has this id"), campaignId,
-                Text::tr("List the campaigns first"));
+    refuse(Text::tr("no evaluation campaign has this id"), campaignId, Text::tr("List the campaigns first"));
   }
   ReadCampaign read{{*campaign, {}, {}, {}, {}}, {}};
   for (const EvaluationMark& mark : repository.marks(campaignId)) {
@@ -275,6 +278,34 @@ TrainingResult scoreTraining(Connection& connection, const CohortId& cohortId, I
   }
   RatingRepository(connection).storeRun(cohortId, run);
   return result;
+}
+
+Occasions occasionsOfCohort(Connection& connection, const CohortId& cohortId) {
+  const Cohort cohort = StudyRepository(connection).cohort(cohortId);
+  OccasionRepository repository(connection);
+  Occasions all = repository.all();
+  const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
+  const std::set<std::string> used = repository.usedBy(cohortId);
+  std::vector<Occasion> own;
+  if (!used.empty() && repository.cameFromElsewhere(cohortId)) {
+    std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+                 [&](const Occasion& occasion) { return used.contains(occasion.code); });
+    return Occasions(std::move(own));
+  }
+  if (!version || version->plannedOccasions.empty()) {
+    return all;
+  }
+  for (Occasion occasion : all) {
+    for (const PlannedOccasion& point : version->plannedOccasions) {
+      if (point.code == occasion.code) {
+        occasion.afterExposure_us = point.afterExposure_us;
+      }
+    }
+    if (occasion.afterExposure_us || used.contains(occasion.code)) {
+      own.push_back(std::move(occasion));
+    }
+  }
+  return Occasions(std::move(own));
 }
 
 }  // namespace torsio

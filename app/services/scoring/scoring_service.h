@@ -63,4 +63,10 @@ struct TrainingResult {
 [[nodiscard]] TrainingResult scoreTraining(Connection& connection, const CohortId& cohortId, IdSource& ids,
                                            const ScoringStamp& stamp);
 
+/// Gives the occasions of a cohort in order of time: those of its curriculum, with their times of exposure,
+/// and any other at which it was marked or raters are asked. A cohort whose curriculum names none has all
+/// occasions of the record; one of recordings of other equipment those at which it was marked. Throws
+/// Error{kBadData} when there is no such cohort.
+[[nodiscard]] Occasions occasionsOfCohort(Connection& connection, const CohortId& cohortId);
+
 }  // namespace torsio

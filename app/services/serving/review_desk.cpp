@@ -16,8 +16,8 @@
 #include <QTcpServer>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
-#include "app/services/access/settings_service.h"
 #include "db/connection/locator.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -187,7 +187,7 @@ void startReviewDesk(SessionContext& session, const DeskPlace& place, const Desk
   requireFree(wish);
   const Notice notice = startedDesk(session, place, wish);
   const std::string address = notice.desk.addresses.empty() ? "" : notice.desk.addresses.front();
-  setCentreSetting(session, kDeskSetting, address);
+  noteSetting(session, kDeskSetting, {{"value", ""}}, {{"value", address}});
   if (!address.empty() && session.may(Operation::kUserManage) && browserAddress(session).empty()) {
     setBrowserAddress(session, address);
   }
@@ -205,7 +205,8 @@ void stopReviewDesk(SessionContext& session, const DeskPlace& place) {
        readNotice(file) && std::chrono::steady_clock::now() - from < kPatience;) {
     std::this_thread::sleep_for(kLook);
   }
-  setCentreSetting(session, kDeskSetting, "");
+  const std::string was = notice->desk.addresses.empty() ? "" : notice->desk.addresses.front();
+  noteSetting(session, kDeskSetting, {{"value", was}}, {{"value", ""}});
 }
 
 }  // namespace torsio

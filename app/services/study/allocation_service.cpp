@@ -9,10 +9,9 @@
 
 #include "app/services/access/two_people.h"
 #include "app/services/base/build_info.h"
-#include "app/services/study/allocation_design.h"
+#include "app/services/scoring/stored_allocation.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/draw_field.h"
-#include "app/services/study/drawn_seed.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/cohort.h"
@@ -202,7 +201,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   LockedDesign stored;
   stored.id = session.ids().newUuid();
   stored.cohortId = plan.cohortId;
-  stored.algorithm = allocationMethodName(design.method);
+  stored.algorithm = storedText(design.method);
   stored.algorithmVersion = kAllocationVersion;
   stored.parametersJson = designJson(design);
   stored.generator = kAllocationGenerator;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
+#include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/allocation_entry.h"
@@ -92,12 +93,6 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
 /// Refused while an enrolled person has no group, unless a reason is given.
 std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason = {});
 
-struct AllocationCheck {
-  bool sound = true;
-  Text finding{};  ///< what is wrong
-  std::size_t records = 0;
-  std::size_t overrides = 0;
-};
 /// Repeats the whole draw from the seed and compares commitment, chain and every record. kAllocationView.
 [[nodiscard]] AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId);
 

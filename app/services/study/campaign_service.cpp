@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/study/drawn_seed.h"
+#include "app/services/study/draw_field.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"

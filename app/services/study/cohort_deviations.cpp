@@ -15,27 +15,19 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kOtherDeviation = "other";
-
 void checkDeviation(const NewDeviation& deviation) {
-  if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
+  const auto kind = fromStoredText<DeviationKind>(deviation.kind);
+  if (!kind || *kind >= DeviationKind::kTrainedBeforeScoring) {
     refuse(Text::tr("this kind of deviation is not known"), deviation.kind,
            Text::tr("Choose one from the list"));
   }
-  if (deviation.kind == kOtherDeviation && deviation.description.empty()) {
+  if (kind == DeviationKind::kOther && deviation.description.empty()) {
     refuse(Text::tr("\"other\" needs a description"), Text::tr("deviation"),
            Text::tr("Say in a few words what happened"));
   }
 }
 
 }  // namespace
-
-const std::vector<std::string>& deviationKinds() {
-  static const std::vector<std::string> kKinds{"late",          "absent",          "device failed",
-                                               "swapped",       "phase cut short", "phase too long",
-                                               "rest too long", kOtherDeviation};
-  return kKinds;
-}
 
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation) {
   session.require(Operation::kStudySetup);
@@ -88,7 +80,7 @@ void correctDeviations(SessionContext& session, const CohortId& cohortId,
     if (wrong.contains(one.id)) {
       corrections.push_back({.cohortId = cohortId,
                              .enrolmentId = one.enrolmentId,
-                             .kind = kOtherDeviation,
+                             .kind = std::string(storedText(DeviationKind::kOther)),
                              .description = "entered in error: \"" + one.kind +
                                             (one.description.empty() ? "" : ": " + one.description) +
                                             "\": " + reason,

@@ -24,7 +24,7 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kTrainedBesidePlan = "trained outside the plan";
+constexpr std::string_view kTrainedBesidePlan = storedText(DeviationKind::kTrainedOutsidePlan);
 
 Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const EnrolmentId& enrolmentId) {
   for (Enrolment& enrolment : study.enrolments(cohortId)) {
@@ -99,7 +99,7 @@ void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enr
   }
   const DeviationId id = session.ids().newUuid();
   StudyRepository(session.connection())
-      .addDeviation({id, exposure.cohortId, enrolment.id, kTrainedBesidePlan,
+      .addDeviation({id, exposure.cohortId, enrolment.id, std::string(kTrainedBesidePlan),
                      minutesText(exposure.duration_us) + " " +
                          (exposure.kind == ExposureKind::kReal ? "on the real arm: " : "on the simulator: ") +
                          exposure.reason,

@@ -14,6 +14,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/refusal.h"
@@ -35,7 +36,7 @@ void checkName(StudyRepository& study, const CohortId& own, const std::string& n
 
 void checkNewCohort(const NewCohort& cohort) {
   const auto bad = [](const Text& what, const Text& remedy) {
-    throw Error(ErrorCode::kBadParameter, what, Text::tr("cohort"), remedy);
+    refuseParameter(what, Text::tr("cohort"), remedy);
   };
   if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
     bad(Text::tr("the cohort has no groups"),
@@ -258,6 +259,38 @@ void assignCurriculum(SessionContext& session, const CohortId& cohortId,
                 .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
                 .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
   transaction.commit();
+}
+
+Occasions knownOccasions(SessionContext& session) {
+  session.require(Operation::kPersonViewCoded);
+  return OccasionRepository(session.connection()).all();
+}
+
+Occasion addOccasion(SessionContext& session, const std::string& label) {
+  session.require(Operation::kCurriculumEdit);
+  if (label.empty()) {
+    refuseParameter(Text::tr("the occasion has no name"), Text::tr("occasion"), Text::tr("Enter one"));
+  }
+  Transaction transaction(session.connection());
+  OccasionRepository repository(session.connection());
+  const Occasions known = repository.all();
+  for (const Occasion& other : known) {
+    if (other.label == label) {
+      refuseParameter(Text::tr("another occasion has this name"), label, Text::tr("Choose another name"));
+    }
+  }
+  std::size_t number = known.size() + 1;
+  while (known.contains("occasion-" + std::to_string(number))) {
+    ++number;
+  }
+  const Occasion added{"occasion-" + std::to_string(number), label, {}};
+  repository.add(added);
+  session.note({.action = AuditAction::kOccasionAdd,
+                .objectKind = AuditObject::kOccasion,
+                .objectId = added.code,
+                .newJson = nlohmann::json{{"label", label}}.dump()});
+  transaction.commit();
+  return added;
 }
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/occasion.h"
 #include "assessment/domain/study/protocol_terms.h"
 
 namespace torsio {
@@ -86,13 +87,10 @@ void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const 
 struct NewDeviation {
   CohortId cohortId{};
   EnrolmentId enrolmentId{};  ///< empty: the whole cohort
-  std::string kind{};         ///< one of deviationKinds()
+  std::string kind{};         ///< stored text of a DeviationKind
   std::string description{};
   std::int64_t happenedUtc_us = 0;  ///< 0: now
 };
-/// "late", "absent", "device failed", "swapped", "phase cut short", "phase too long", "rest too long",
-/// "other".
-[[nodiscard]] const std::vector<std::string>& deviationKinds();
 /// Audited. kStudySetup.
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation);
 /// What happened to several at once: all are noted or none. As reportDeviation().
@@ -119,5 +117,13 @@ struct NewExposure {
 /// Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time, time that
 /// is not planned without a reason.
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
+
+/// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever administers
+/// the study).
+[[nodiscard]] Occasions knownOccasions(SessionContext& session);
+
+/// Adds an occasion after all others, for every later curriculum ("six months later"). Returns it. Audited.
+/// kCurriculumEdit. Throws Error{kBadParameter} without a name or when another occasion has it.
+Occasion addOccasion(SessionContext& session, const std::string& label);
 
 }  // namespace torsio

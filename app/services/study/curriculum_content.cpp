@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "db/repository/base/id_source.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/json_fields.h"
 
@@ -227,8 +230,7 @@ json parsed(const std::string& text, const std::string& name) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no JSON: %1", problem.what()), name,
-                Text::tr("Correct the text"));
+    refuse(Text::tr("is no JSON: %1", problem.what()), name, Text::tr("Correct the text"));
   }
 }
 
@@ -283,6 +285,52 @@ std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path&
   std::sort(templates.begin(), templates.end(),
             [](const CurriculumTemplate& a, const CurriculumTemplate& b) { return a.id < b.id; });
   return templates;
+}
+
+CurriculumVersion withCodes(CurriculumVersion version) {
+  std::map<ModuleId, ModuleId> codes;
+  for (const TrainingModule& module : version.modules) {
+    codes[module.id] = module.code;
+  }
+  for (TrainingModule& module : version.modules) {
+    module.id = module.code;
+    for (ModuleId& required : module.requires_) {
+      required = codes[required];
+    }
+  }
+  for (StudyArm& arm : version.arms) {
+    arm.id = arm.code;
+    for (TrainingPhase& phase : arm.phases) {
+      phase.id = {};
+      if (!phase.moduleId.empty()) {
+        phase.moduleId = codes[phase.moduleId];
+      }
+    }
+  }
+  return version;
+}
+
+CurriculumVersion withIds(CurriculumVersion draft, IdSource& ids) {
+  std::map<ModuleId, ModuleId> idOf;
+  for (TrainingModule& module : draft.modules) {
+    module.id = ids.newUuid();
+    idOf[module.code] = module.id;
+  }
+  for (TrainingModule& module : draft.modules) {
+    for (ModuleId& required : module.requires_) {
+      required = idOf.at(required);
+    }
+  }
+  for (StudyArm& arm : draft.arms) {
+    arm.id = ids.newUuid();
+    for (TrainingPhase& phase : arm.phases) {
+      phase.id = ids.newUuid();
+      if (!phase.moduleId.empty()) {
+        phase.moduleId = idOf.at(phase.moduleId);
+      }
+    }
+  }
+  return draft;
 }
 
 }  // namespace torsio

@@ -13,6 +13,8 @@
 
 namespace torsio {
 
+class IdSource;
+
 inline constexpr double kMaxMinutes = 100'000.0;  ///< that a time of a curriculum may have
 
 // While a curriculum is being written, its CurriculumVersion carries codes in place of ids: a module's
@@ -68,5 +70,12 @@ struct CurriculumTemplate {
 };
 /// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData}.
 [[nodiscard]] std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path& assets);
+
+/// Returns a stored version as a draft: modules, arms and phases carry their codes in place of ids.
+[[nodiscard]] CurriculumVersion withCodes(CurriculumVersion version);
+/// Returns a draft with new ids in place of codes, taken from `ids` for the modules, then for each arm and
+/// its phases. Throws std::out_of_range for a code that no module has: a draft is checked before it is
+/// stored.
+[[nodiscard]] CurriculumVersion withIds(CurriculumVersion draft, IdSource& ids);
 
 }  // namespace torsio

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/study/curriculum_ids.h"
+#include "app/services/study/curriculum_content.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
@@ -15,7 +15,7 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -27,8 +27,7 @@ Curriculum curriculumOf(CurriculumRepository& repository, const CurriculumId& cu
       return curriculum;
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("there is no such curriculum"), curriculumId,
-              Text::tr("Choose one from the list"));
+  refuse(Text::tr("there is no such curriculum"), curriculumId, Text::tr("Choose one from the list"));
 }
 
 /// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
@@ -90,8 +89,7 @@ CurriculumVersion publishedContent(SessionContext& session, const CurriculumVers
   session.require(Operation::kPersonViewCoded);
   auto version = CurriculumRepository(session.connection()).version(versionId);
   if (!version) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such version"), versionId,
-                Text::tr("Choose one from the list"));
+    refuse(Text::tr("there is no such version"), versionId, Text::tr("Choose one from the list"));
   }
   return withCodes(*std::move(version));
 }
@@ -100,8 +98,7 @@ CurriculumId addCurriculum(SessionContext& session, const std::string& name, con
                            const std::optional<CurriculumVersion>& content, bool demonstration) {
   session.require(Operation::kCurriculumEdit);
   if (name.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the curriculum has no name"), Text::tr("curriculum"),
-                Text::tr("Enter one"));
+    refuseParameter(Text::tr("the curriculum has no name"), Text::tr("curriculum"), Text::tr("Enter one"));
   }
   Transaction transaction(session.connection());
   CurriculumRepository repository(session.connection());
@@ -153,7 +150,7 @@ CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumI
   const CurriculumDraft draft = curriculumDraft(session, curriculumId);
   const Occasions known = OccasionRepository(session.connection()).all();
   for (const CurriculumProblem& problem : curriculumProblems(draft.content, assets, known)) {
-    throw Error(ErrorCode::kBadData, problem.what, problem.where, problem.remedy);
+    refuse(problem.what, problem.where, problem.remedy);
   }
   CurriculumRepository repository(session.connection());
   CurriculumVersion version = withIds(draft.content, session.ids());

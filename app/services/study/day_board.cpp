@@ -7,9 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "app/services/devices/servo_labels.h"
-#include "app/services/devices/station_device.h"
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/devices/device_readiness.h"
+#include "app/services/scoring/scoring_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_plan.h"
 #include "assessment/domain/ids.h"
@@ -22,7 +21,7 @@
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -377,8 +376,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
                const EnrolmentId& otherEnrolmentId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
-    throw Error(ErrorCode::kBadData, Text::tr("nobody swaps with themselves"), cohortId,
-                Text::tr("Choose another trainee"));
+    refuse(Text::tr("nobody swaps with themselves"), cohortId, Text::tr("Choose another trainee"));
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
@@ -387,20 +385,43 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
   }
   for (const std::string& id : {enrolmentId, otherEnrolmentId}) {
     if (!codes.contains(id)) {
-      throw Error(ErrorCode::kBadData, Text::tr("this trainee is not in the cohort"), id,
-                  Text::tr("Choose one from the list"));
+      refuse(Text::tr("this trainee is not in the cohort"), id, Text::tr("Choose one from the list"));
     }
   }
   for (const auto& [id, other] :
        {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)}) {
     reportDeviation(session, {.cohortId = cohortId,
                               .enrolmentId = id,
-                              .kind = "swapped",
+                              .kind = std::string(storedText(DeviationKind::kSwapped)),
                               .description = "turn swapped with " + codes.at(other) +
                                              (reason.empty() ? "" : ": " + reason)});
   }
   swapSlots(session, cohortId, enrolmentId, otherEnrolmentId);
   transaction.commit();
+}
+
+Text alertText(const DayAlert& alert, const std::string& since, const Text& occasion) {
+  using Kind = DayAlert::Kind;
+  switch (alert.kind) {
+    case Kind::kTrialOpen:
+      return Text::tr("%1 was recording at %2, which does not answer since %3. Go and look.", alert.subject,
+                      alert.station, since);
+    case Kind::kStationSilent:
+      return Text::tr("%1 does not answer since %2.", alert.subject, since);
+    case Kind::kDeviceUnfit:
+      return Text::tr("%1: the device is not fit for graded runs: %2.", alert.subject, alert.reason);
+    case Kind::kServoUneven:
+      return Text::tr("%1, last run: %2. %3.", alert.subject, alert.reason, alert.remedy);
+    case Kind::kSlotOverdue:
+      return Text::tr("%1 was expected at %2, %3, and has not begun.", alert.subject, since, alert.station);
+    case Kind::kRestTooLong:
+      return Text::tr("%1 has rested longer than allowed.", alert.subject);
+    case Kind::kSheetsMissing:
+      return Text::tr("%1: sheets still missing: %2.", occasion, alert.count);
+    case Kind::kNoGroup:
+      return Text::tr("Trainees without a group: %1. Draw them under Allocation.", alert.count);
+  }
+  return {};
 }
 
 }  // namespace torsio

@@ -116,4 +116,8 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
 /// Everything about today in one look. kStudySetup.
 [[nodiscard]] DayBoard dayBoard(SessionContext& session, const CohortId& cohortId);
 
+/// An alert of the day in one sentence, the same wherever it is shown. `since` and `occasion`: as the place
+/// writes a time, and names an occasion.
+[[nodiscard]] Text alertText(const DayAlert& alert, const std::string& since, const Text& occasion);
+
 }  // namespace torsio

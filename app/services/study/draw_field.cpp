@@ -2,14 +2,15 @@
 #include "app/services/study/draw_field.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <utility>
 
-#include "app/services/study/allocation_design.h"
+#include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "sim/core/digest.h"
 #include "sim/core/refusal.h"
 
 namespace torsio {
@@ -82,31 +83,25 @@ AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
   return design;
 }
 
-std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
-  std::vector<AllocationEntry> drawn;
-  for (const AllocationEntry& record : records) {
-    if (record.overrideReason.empty()) {
-      drawn.push_back(record);
-    }
-  }
-  return drawn;
-}
-
-std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
+std::uint64_t drawSeed(IdSource& ids) {
+  // 122 random bits of a UUID, spread over 64 by the hash.
+  Digest digest;
+  digest.update(ids.newUuid());
+  const Digest::Value value = digest.value();
   std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    refuse(Text::tr("the sealed seed cannot be read"), designId, Text::tr("Verify the database"));
+  for (std::size_t i = 0; i < sizeof(seed); ++i) {
+    seed = seed << 8U | value[i];
   }
   return seed;
 }
 
-std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId) {
-  std::map<std::string, std::string> codes;
-  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
-    codes[enrolment.id] = enrolment.traineeCode;
+std::string drawSalt(IdSource& ids) {
+  // Three UUIDs hold 366 random bits.
+  Digest digest;
+  for (int i = 0; i < 3; ++i) {
+    digest.update(ids.newUuid());
   }
-  return codes;
+  return digest.hex();
 }
 
 }  // namespace torsio

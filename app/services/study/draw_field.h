@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/services/scoring/stored_allocation.h"
 #include "app/services/study/allocation_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
@@ -13,7 +14,7 @@
 
 namespace torsio {
 
-class StudyRepository;
+class IdSource;
 
 /// A cohort as the draw sees it.
 struct DrawField {
@@ -36,11 +37,11 @@ struct DrawField {
 /// drawn by.
 [[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
 
-/// Gives the records that were drawn, without those that were moved by hand.
-[[nodiscard]] std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records);
-/// Reads a seed as it is stored. Throws Error{kBadData} naming the design.
-[[nodiscard]] std::uint64_t seedFrom(const std::string& text, const DesignId& designId);
-/// Gives the codes of a cohort's trainees by the ids of their enrolments.
-[[nodiscard]] std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId);
+/// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
+/// to the services that draw.
+[[nodiscard]] std::uint64_t drawSeed(IdSource& ids);
+
+/// 256 bits for a commitment (seedCommitment), from the same source.
+[[nodiscard]] std::string drawSalt(IdSource& ids);
 
 }  // namespace torsio

@@ -155,8 +155,8 @@ Manifest manifestFrom(const DataFreeze& stored) {
   try {
     return json::parse(stored.manifestJson).at("rows").get<Manifest>();
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text::tr("the manifest cannot be read: %1", problem.what()), stored.name,
-                Text::tr("Verify the database"));
+    refuse(Text::tr("the manifest cannot be read: %1", problem.what()), stored.name,
+           Text::tr("Verify the database"));
   }
 }
 

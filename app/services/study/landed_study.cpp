@@ -8,10 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/people/people_service.h"
-#include "app/services/people/person_codes.h"
+#include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_content.h"
 #include "app/services/study/curriculum_service.h"
-#include "app/services/study/occasion_service.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/curriculum.h"

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/scoring/scoring_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "assessment/domain/ids.h"

@@ -10,8 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/study/case_order.h"
-#include "app/services/study/drawn_seed.h"
+#include "app/services/study/draw_field.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "db/connection/connection.h"

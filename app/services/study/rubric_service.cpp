@@ -154,7 +154,7 @@ std::vector<RubricProblem> rubricProblems(const RubricRevision& revision) {
 void checkRubric(const RubricRevision& revision) {
   if (const std::vector<RubricProblem> problems = rubricProblems(revision); !problems.empty()) {
     const RubricProblem& first = problems.front();
-    throw Error(ErrorCode::kBadParameter, first.what, first.where, first.remedy);
+    refuseParameter(first.what, first.where, first.remedy);
   }
 }
 
@@ -214,8 +214,7 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   try {
     source = json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no JSON: %1", problem.what()), id,
-                Text::tr("Correct the text"));
+    refuse(Text::tr("is no JSON: %1", problem.what()), id, Text::tr("Correct the text"));
   }
   JsonFields fields(source, id);
   if (const std::string format = fields.text("format"); format != kRubricFormat) {

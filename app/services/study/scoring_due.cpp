@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/scoring/scoring_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/study/cohort.h"
@@ -18,7 +18,7 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kTrainedBefore = "trained before scoring";
+constexpr std::string_view kTrainedBefore = storedText(DeviationKind::kTrainedBeforeScoring);
 
 /// How such a deviation begins: what it is about.
 std::string aboutOccasion(const Occasion& occasion) {
@@ -63,7 +63,7 @@ ProtocolDeviation trainedBeforeScoring(const SessionContext& session, const Scor
   return {.id = session.ids().newUuid(),
           .cohortId = cohortId,
           .enrolmentId = enrolmentId,
-          .kind = kTrainedBefore,
+          .kind = std::string(kTrainedBefore),
           .description = aboutOccasion(due.occasion) + std::to_string(due.submitted) + " of " +
                          std::to_string(due.asked) + " sheets were in: " + reason,
           .happenedUtc_us = session.now_us(),

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/services/base/name_places.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -54,10 +54,8 @@ JudgedItems readJudgedItems(const CsvTable& table) {
     for (std::size_t item = 0; item < out.items.size(); ++item) {
       const auto found = rowOf.find({judge, item});
       if (found == rowOf.end()) {
-        throw Error(
-            ErrorCode::kBadData,
-            Text::tr("judge \"%1\" has no percentage for item \"%2\"", out.judges[judge], out.items[item]),
-            table.name(), Text::tr("Every judge judges every item"));
+        refuse(Text::tr("judge \"%1\" has no percentage for item \"%2\"", out.judges[judge], out.items[item]),
+               table.name(), Text::tr("Every judge judges every item"));
       }
       const double value = table.number(found->second, "percent");
       if (value < 0.0 || value > 100.0) {

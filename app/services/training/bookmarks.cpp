@@ -5,7 +5,7 @@
 
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/tick_period.h"
 
 namespace torsio {
@@ -14,8 +14,8 @@ RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double
                       const std::string& text) {
   const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the moment lies outside the recording"), trial.trialId,
-                Text::tr("Choose a time within it"));
+    refuseParameter(Text::tr("the moment lies outside the recording"), trial.trialId,
+                    Text::tr("Choose a time within it"));
   }
   const RemarkId id = session.ids().newUuid();
   RemarkRepository(session.connection())

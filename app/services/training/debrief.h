@@ -80,7 +80,7 @@ struct Debrief {
   bool interrupted = false;
   bool demonstration = false;
   bool forceFelt = true;           ///< false: computed and shown; its measures are marked
-  Text servoTrouble{};             ///< app/services/devices/servo_labels.h; empty: none
+  Text servoTrouble{};             ///< app/services/devices/device_readiness.h; empty: none
   Text servoRemedy{};              ///< what to do about it
   bool torn = false;               ///< the computer lost more than 20 ms of a twist: its measures are missing
   bool passed = false;             ///< every check

@@ -3,11 +3,11 @@
 #include <span>
 #include <utility>
 
-#include "app/services/devices/servo_labels.h"
+#include "app/services/devices/device_readiness.h"
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
-#include "app/services/recording/expert_run.h"
 #include "app/services/recording/kept_digests.h"
+#include "app/services/recording/pipeline.h"
 #include "app/services/training/bookmarks.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/trainee_record.h"

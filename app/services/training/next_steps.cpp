@@ -13,7 +13,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -195,8 +195,8 @@ const ModuleStep& stepOf(const NextSteps& steps, const ModuleId& moduleId) {
   if (found != steps.modules.end()) {
     return *found;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("your curriculum has no such module"), moduleId,
-              Text::tr("Choose one from the list"));
+  refuseParameter(Text::tr("your curriculum has no such module"), moduleId,
+                  Text::tr("Choose one from the list"));
 }
 
 }  // namespace torsio

@@ -22,6 +22,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -67,8 +68,7 @@ TraineeQuestion questionToMe(SessionContext& session, const RemarkId& questionId
   session.require(Operation::kTrialViewAssigned);
   const std::optional<TraineeQuestion> question = QuestionRepository(session.connection()).find(questionId);
   if (!question) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such question"), questionId,
-                Text::tr("Open the list again"));
+    refuseParameter(Text::tr("there is no such question"), questionId, Text::tr("Open the list again"));
   }
   if (session.actor().personId.empty() || question->raterId != session.actor().personId) {
     throw Error(ErrorCode::kPermission, Text::tr("this question was put to somebody else"), questionId,
@@ -124,14 +124,13 @@ RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at
                 Text::tr("Ask about a practice run"));
   }
   if (text.find_first_not_of(" \t\n") == std::string::npos) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a question needs words"), trialId,
-                Text::tr("Write what you want to know"));
+    refuseParameter(Text::tr("a question needs words"), trialId, Text::tr("Write what you want to know"));
   }
   const std::vector<AskablePhysician> physicians = askable(session, record);
   if (std::none_of(physicians.begin(), physicians.end(),
                    [&](const AskablePhysician& one) { return one.raterId == raterId; })) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this physician cannot be asked"), raterId,
-                Text::tr("Choose one from the list"));
+    refuseParameter(Text::tr("this physician cannot be asked"), raterId,
+                    Text::tr("Choose one from the list"));
   }
   Transaction transaction(session.connection());
   const RemarkId id = keepBookmark(session, trial, at_s, text);
@@ -191,8 +190,7 @@ Debrief questionedRun(SessionContext& session, const RemarkId& questionId) {
 void answerQuestion(SessionContext& session, const RemarkId& questionId, const std::string& text) {
   const TraineeQuestion question = questionToMe(session, questionId);
   if (text.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the answer is empty"), "",
-                Text::tr("Write what you want to say"));
+    refuseParameter(Text::tr("the answer is empty"), "", Text::tr("Write what you want to say"));
   }
   RemarkRepository remarks(session.connection());
   const std::optional<Remark> bookmark = remarks.find(questionId);
@@ -220,8 +218,7 @@ void editAnswer(SessionContext& session, const RemarkId& questionId, const std::
   RemarkRepository remarks(session.connection());
   const std::optional<Remark> answer = remarks.find(question.answerId);
   if (!answer) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this question has no answer yet"), questionId,
-                Text::tr("Answer it first"));
+    refuseParameter(Text::tr("this question has no answer yet"), questionId, Text::tr("Answer it first"));
   }
   reviseRemark(session, *answer, text);
 }

@@ -26,6 +26,7 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -172,8 +173,7 @@ Remark visibleRemark(SessionContext& session, const RemarkId& remarkId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const std::optional<Remark> remark = RemarkRepository(session.connection()).find(remarkId);
   if (!remark) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such remark"), remarkId,
-                Text::tr("Open the list again"));
+    refuseParameter(Text::tr("there is no such remark"), remarkId, Text::tr("Open the list again"));
   }
   static_cast<void>(ownTrial(session, record, remark->trialId));
   if (!Release(session.connection(), record).mayShow(remark->trialId)) {
@@ -250,8 +250,8 @@ std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& w
   if (onScale && std::abs(exact - static_cast<double>(steps)) < 1e-6) {
     return steps;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("this scale has no such mark"), where,
-              Text::tr("Choose a mark between the ends of the scale"));
+  refuseParameter(Text::tr("this scale has no such mark"), where,
+                  Text::tr("Choose a mark between the ends of the scale"));
 }
 
 }  // namespace
@@ -288,8 +288,8 @@ std::size_t unreadRemarks(SessionContext& session) {
 void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int64_t version) {
   const Remark remark = visibleRemark(session, remarkId);
   if (version < 1 || version > remark.version) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such version of the remark"), remarkId,
-                Text::tr("Open the list again"));
+    refuseParameter(Text::tr("there is no such version of the remark"), remarkId,
+                    Text::tr("Open the list again"));
   }
   Transaction transaction(session.connection());
   RemarkRepository(session.connection())
@@ -306,8 +306,7 @@ void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int6
 RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text) {
   const Remark remark = visibleRemark(session, remarkId);
   if (text.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the reply is empty"), "",
-                Text::tr("Write what you want to say"));
+    refuseParameter(Text::tr("the reply is empty"), "", Text::tr("Write what you want to say"));
   }
   const RemarkId id = session.ids().newUuid();
   Transaction transaction(session.connection());
@@ -398,8 +397,7 @@ void selfScore(SessionContext& session, const TrialId& trialId, double overall,
     const auto known = std::find_if(rubric.rows.begin(), rubric.rows.end(),
                                     [&](const RubricLine& r) { return r.code == row.code; });
     if (known == rubric.rows.end()) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the sheet has no such row"), row.code,
-                  Text::tr("Open the sheet again"));
+      refuseParameter(Text::tr("the sheet has no such row"), row.code, Text::tr("Open the sheet again"));
     }
     score.rows.push_back({rubric.id, row.code, stepsOf(row.points, known->scale, known->label)});
   }

@@ -7,7 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/recording/recording_host.h"
+#include "app/services/access/centre_settings.h"
+#include "app/services/recording/recording_spec.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
@@ -17,9 +18,9 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/tick_period.h"
 
 namespace torsio {
@@ -43,15 +44,15 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
                 request.device.device, Text::tr("Practise, or put right what the device check shows"));
   }
   if (steps.allPhasesDone) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("all phases of your training are over"), steps.armLabel,
-                Text::tr("Ask an administrator what comes next"));
+    refuseParameter(Text::tr("all phases of your training are over"), steps.armLabel,
+                    Text::tr("Ask an administrator what comes next"));
   }
   if (steps.scoringDue && request.reason.empty()) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("sheets of the occasion \"%3\" that are in: %1 of %2", steps.scoringDue->submitted,
-                         steps.scoringDue->asked, steps.scoringDue->occasion.label),
-                steps.traineeCode,
-                Text::tr("Be scored on the real arm first, or say why the training begins nevertheless"));
+    refuseParameter(
+        Text::tr("sheets of the occasion \"%3\" that are in: %1 of %2", steps.scoringDue->submitted,
+                 steps.scoringDue->asked, steps.scoringDue->occasion.label),
+        steps.traineeCode,
+        Text::tr("Be scored on the real arm first, or say why the training begins nevertheless"));
   }
 }
 
@@ -69,13 +70,12 @@ ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
   }
   const ModuleStep& step = stepOf(steps, request.moduleId);
   if (step.state == StepState::kLocked) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("this module is locked: first master %1", step.missing.front()), step.module.title,
-                Text::tr("Choose an open module"));
+    refuseParameter(Text::tr("this module is locked: first master %1", step.missing.front()),
+                    step.module.title, Text::tr("Choose an open module"));
   }
   if (step.state == StepState::kUsedUp && request.graded) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("no attempt is left for this module"), step.module.title,
-                Text::tr("Ask an administrator for another attempt"));
+    refuseParameter(Text::tr("no attempt is left for this module"), step.module.title,
+                    Text::tr("Ask an administrator for another attempt"));
   }
   return step;
 }
@@ -296,8 +296,8 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
                       const std::string& textVersion) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialRecordOwn);
   if (textVersion.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("it is not known which text was shown"), purpose,
-                Text::tr("Open the consent again"));
+    refuseParameter(Text::tr("it is not known which text was shown"), purpose,
+                    Text::tr("Open the consent again"));
   }
   Transaction transaction(session.connection());
   PeopleRepository(session.connection())
@@ -331,12 +331,12 @@ std::vector<ConsentDecision> ownConsents(SessionContext& session) {
 
 bool gradesWithMouse(SessionContext& session) {
   session.require(Operation::kPractice);
-  return SettingRepository(session.connection()).value("graded_with_mouse") == "yes";
+  return centreSetting<kGradedWithMouse>(session.connection());
 }
 
 bool soundsAtLimit(SessionContext& session) {
   session.require(Operation::kPractice);
-  return SettingRepository(session.connection()).value("sound_at_limit") == "yes";
+  return centreSetting<kSoundAtLimit>(session.connection());
 }
 
 bool RunSession::firstEver() const noexcept {

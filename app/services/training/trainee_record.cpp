@@ -11,6 +11,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -107,8 +108,7 @@ TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, cons
     throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), trialId,
                 Text::tr("Open your own record"));
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("there is no such recording"), trialId,
-              Text::tr("Choose one from the list"));
+  refuseParameter(Text::tr("there is no such recording"), trialId, Text::tr("Choose one from the list"));
 }
 
 }  // namespace torsio

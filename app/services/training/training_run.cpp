@@ -6,7 +6,7 @@
 
 #include "assessment/domain/ids.h"
 #include "sim/core/contracts.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -22,16 +22,16 @@ void check(const RunPlan& plan) {
                        return phase.duration_us > 0 && phase.done_us >= 0;
                      });
   if (!sound) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("a phase or a rest has no sensible length"),
-                Text::tr("run"), Text::tr("Correct the curriculum"));
+    refuseParameter(Text::tr("a phase or a rest has no sensible length"), Text::tr("run"),
+                    Text::tr("Correct the curriculum"));
   }
   const bool something = std::any_of(plan.phases.begin(), plan.phases.end(),
                                      [](const RunPhase& phase) { return left_us(phase) > 0; });
   if (something) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("no training time is left"), Text::tr("run"),
-              Text::tr("Ask an administrator what comes next"));
+  refuseParameter(Text::tr("no training time is left"), Text::tr("run"),
+                  Text::tr("Ask an administrator what comes next"));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -110,8 +110,8 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrainingModule* module = record.module(moduleId);
   if (module == nullptr) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("your curriculum has no such module"), moduleId,
-                Text::tr("Choose one from the list"));
+    refuseParameter(Text::tr("your curriculum has no such module"), moduleId,
+                    Text::tr("Choose one from the list"));
   }
   Trend trend;
   trend.moduleId = moduleId;

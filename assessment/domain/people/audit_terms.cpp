@@ -11,7 +11,7 @@ namespace {
 template <typename TermValue>
 Text labelOf(std::string_view stored) {
   const std::optional<TermValue> known = fromStoredText<TermValue>(stored);
-  return known ? Text(termsOf(*known)[static_cast<std::size_t>(*known)].label) : Text(std::string(stored));
+  return known ? Text(labelOf(*known)) : Text(std::string(stored));
 }
 
 }  // namespace

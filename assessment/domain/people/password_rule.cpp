@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "assessment/domain/people/common_passwords.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -50,7 +50,7 @@ bool isRun(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, Text::tr("password"), remedy);
+  refuseParameter(what, Text::tr("password"), remedy);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -33,8 +33,8 @@ std::string rangeText(const ScoreScale& scale) {
 
 [[noreturn]] void refuseScore(const std::string& value, const Text& why, const ScoreScale& scale,
                               const std::string& where) {
-  throw Error(ErrorCode::kBadData, Text::verbatim("score \"%1\" %2", value, why), where,
-              Text::verbatim("Give a score from %1.", rangeText(scale)));
+  refuse(Text::verbatim("score \"%1\" %2", value, why), where,
+         Text::verbatim("Give a score from %1.", rangeText(scale)));
 }
 
 std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
@@ -91,15 +91,14 @@ void checkWeights(const std::vector<std::int64_t>& weights, const std::string& o
   std::int64_t sum = 0;
   for (const std::int64_t weight : weights) {
     if (weight < 0) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("a weight of the %1 is negative", of), of,
-                  Text::verbatim("Give weights of 0 or more."));
+      refuseParameter(Text::verbatim("a weight of the %1 is negative", of), of,
+                      Text::verbatim("Give weights of 0 or more."));
     }
     sum += weight;
   }
   if (sum != kWeightSum_milli) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::verbatim("the weights of the %1 sum to %2/1000 instead of 1", of, sum), of,
-                Text::verbatim("Correct the weights; they are never rescaled silently."));
+    refuseParameter(Text::verbatim("the weights of the %1 sum to %2/1000 instead of 1", of, sum), of,
+                    Text::verbatim("Correct the weights; they are never rescaled silently."));
   }
 }
 
@@ -109,9 +108,8 @@ void validateScale(const ScoreScale& scale) {
   const bool sound = scale.lo < scale.hi && scale.stepsPerPoint >= 1 && scale.stepsPerPoint <= 1000 &&
                      scale.lo >= -kMaxSteps && scale.hi <= kMaxSteps;
   if (!sound) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the scale of the scores is not usable"),
-                Text::tr("scale"),
-                Text::tr("Give a lowest mark below the highest, and 1 to 1000 steps a point"));
+    refuseParameter(Text::tr("the scale of the scores is not usable"), Text::tr("scale"),
+                    Text::tr("Give a lowest mark below the highest, and 1 to 1000 steps a point"));
   }
 }
 
@@ -157,16 +155,15 @@ std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::
 void validateInstrument(const EvaluationInstrument& instrument) {
   validateScale(instrument.scale);
   if (instrument.classes.empty() || instrument.indices.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("the instrument has no rater class or no index"),
-                Text::verbatim("instrument"), Text::verbatim("Define at least one of each."));
+    refuseParameter(Text::verbatim("the instrument has no rater class or no index"),
+                    Text::verbatim("instrument"), Text::verbatim("Define at least one of each."));
   }
   std::set<std::string> names;
   std::vector<std::int64_t> classWeights;
   for (const RaterClass& raterClass : instrument.classes) {
     if (!names.insert(raterClass.id).second) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::verbatim("two rater classes are called \"%1\"", raterClass.id),
-                  Text::verbatim("classes"), Text::verbatim("Give each class its own identifier."));
+      refuseParameter(Text::verbatim("two rater classes are called \"%1\"", raterClass.id),
+                      Text::verbatim("classes"), Text::verbatim("Give each class its own identifier."));
     }
     classWeights.push_back(raterClass.weight_milli);
   }
@@ -174,8 +171,8 @@ void validateInstrument(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> indexWeights;
   for (const EvaluationIndex& index : instrument.indices) {
     if (!names.insert(index.id).second) {
-      throw Error(ErrorCode::kBadParameter, Text::verbatim("two indices are called \"%1\"", index.id),
-                  Text::verbatim("indices"), Text::verbatim("Give each index its own identifier."));
+      refuseParameter(Text::verbatim("two indices are called \"%1\"", index.id), Text::verbatim("indices"),
+                      Text::verbatim("Give each index its own identifier."));
     }
     indexWeights.push_back(index.weight_milli);
   }
@@ -188,24 +185,22 @@ std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights) {
   double sum = 0.0;
   for (const double weight : weights) {
     if (!std::isfinite(weight) || weight < 0.0 || weight > 1.0) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::verbatim("weight %1 is not between 0 and 1", std::to_string(weight)),
-                  Text::verbatim("weights"), Text::verbatim("Give weights from 0 to 1 that sum to 1."));
+      refuseParameter(Text::verbatim("weight %1 is not between 0 and 1", std::to_string(weight)),
+                      Text::verbatim("weights"), Text::verbatim("Give weights from 0 to 1 that sum to 1."));
     }
     sum += weight;
     const std::int64_t rounded = static_cast<std::int64_t>(std::llround(weight * 1000.0));
     if (std::abs(weight - static_cast<double>(rounded) / 1000.0) > kWeightTolerance) {
-      throw Error(ErrorCode::kBadParameter,
-                  Text::verbatim("weight %1 is no multiple of 0.001", std::to_string(weight)),
-                  Text::verbatim("weights"),
-                  Text::verbatim("Round the weights to thousandths so that they sum to 1."));
+      refuseParameter(Text::verbatim("weight %1 is no multiple of 0.001", std::to_string(weight)),
+                      Text::verbatim("weights"),
+                      Text::verbatim("Round the weights to thousandths so that they sum to 1."));
     }
     milli.push_back(rounded);
   }
   if (std::abs(sum - 1.0) > kWeightTolerance) {
-    throw Error(
-        ErrorCode::kBadParameter, Text::verbatim("the weights sum to %1 instead of 1", std::to_string(sum)),
-        Text::verbatim("weights"), Text::verbatim("Correct the weights; they are never rescaled silently."));
+    refuseParameter(Text::verbatim("the weights sum to %1 instead of 1", std::to_string(sum)),
+                    Text::verbatim("weights"),
+                    Text::verbatim("Correct the weights; they are never rescaled silently."));
   }
   return milli;
 }

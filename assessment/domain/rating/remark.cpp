@@ -2,6 +2,7 @@
 #include "assessment/domain/rating/remark.h"
 
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -14,16 +15,15 @@ RemarkRevision revisionOf(const Remark& remark, const std::string& author, const
                 Text::tr("Edit one of your own"));
   }
   if (remark.text.empty()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("this remark has no words"), remark.id,
-                Text::tr("Write a new one"));
+    refuseParameter(Text::tr("this remark has no words"), remark.id, Text::tr("Write a new one"));
   }
   if (text.find_first_not_of(" \t\n") == std::string::npos) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the new words are missing"), remark.id,
-                Text::tr("Write what you want to say; a remark is not taken away"));
+    refuseParameter(Text::tr("the new words are missing"), remark.id,
+                    Text::tr("Write what you want to say; a remark is not taken away"));
   }
   if (text == remark.text) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the words are the same"), remark.id,
-                Text::tr("Change them, or leave the remark as it is"));
+    refuseParameter(Text::tr("the words are the same"), remark.id,
+                    Text::tr("Change them, or leave the remark as it is"));
   }
   return {.remarkId = remark.id,
           .version = remark.version + 1,

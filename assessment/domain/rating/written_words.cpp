@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -51,15 +51,14 @@ void requireWords(std::string_view words, std::size_t longest, const Text& where
     const bool written = next && (next->code >= 0x20 || next->code == '\n' || next->code == '\t') &&
                          (next->code < 0x7F || next->code > 0x9F);
     if (!written) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("the text holds a character that cannot be read"), where,
-                  Text::tr("Type it again instead of pasting it"));
+      refuseParameter(Text::tr("the text holds a character that cannot be read"), where,
+                      Text::tr("Type it again instead of pasting it"));
     }
     rest.remove_prefix(next->bytes);
   }
   if (characters > longest) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("the text has %1 characters; %2 are the most", characters, longest), where,
-                Text::tr("Shorten it"));
+    refuseParameter(Text::tr("the text has %1 characters; %2 are the most", characters, longest), where,
+                    Text::tr("Shorten it"));
   }
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -19,21 +19,7 @@ constexpr const char* kOneList = "all";          // the block list when there ar
 constexpr const char* kLeftovers = "leftovers";  // the list that fills the incomplete blocks of all strata
 
 [[noreturn]] void refuseDesign(const Text& what, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, Text::tr("allocation design"), remedy);
-}
-
-const char* methodText(AllocationMethod method) {
-  switch (method) {
-    case AllocationMethod::kCompletePermutation:
-      return "complete permutation";
-    case AllocationMethod::kPermutedBlocks:
-      return "permuted blocks";
-    case AllocationMethod::kStratifiedBlocks:
-      return "stratified blocks";
-    case AllocationMethod::kMinimisation:
-      return "minimisation";
-  }
-  return "";
+  refuseParameter(what, Text::tr("allocation design"), remedy);
 }
 
 template <class Numbers>
@@ -139,7 +125,7 @@ std::string designText(const AllocationDesign& design) {
   text += "; study ";
   text += design.studyId;
   text += "; ";
-  text += methodText(design.method);
+  text += storedText(design.method);
   text += "; arms";
   for (const std::string& arm : design.arms) {
     text += " [" + arm + "]";
@@ -161,7 +147,7 @@ std::string designText(const AllocationDesign& design) {
   text += "; best arm ";
   text += std::to_string(design.bestArm_tenths);
   text += "/10 by ";
-  text += design.imbalance == Imbalance::kRange ? "range" : "variance";
+  text += storedText(design.imbalance);
   text += "; ";
   text += kAllocationGenerator;
   return text;
@@ -334,8 +320,8 @@ std::string Allocator::stratumOf(const AllocationPerson& person) const {
 AllocationRecord Allocator::assign(const AllocationPerson& person, const AllocationStamp& stamp) {
   for (const AllocationRecord& record : records_) {
     if (record.person == person.code) {
-      throw Error(ErrorCode::kBadData, Text::tr("person %1 is already allocated", person.code),
-                  Text::tr("allocation"), Text::tr("Enrol each person once; analyse as allocated."));
+      refuse(Text::tr("person %1 is already allocated", person.code), Text::tr("allocation"),
+             Text::tr("Enrol each person once; analyse as allocated."));
     }
   }
   bool levelsKnown = person.levels.size() == design_.factors.size();
@@ -343,8 +329,8 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
     levelsKnown = person.levels[f] < design_.factors[f].levels.size();
   }
   if (!levelsKnown) {
-    throw Error(ErrorCode::kBadData, Text::tr("a factor of person %1 has no valid level", person.code),
-                Text::tr("allocation"), Text::tr("Record every factor before allocation."));
+    refuse(Text::tr("a factor of person %1 has no valid level", person.code), Text::tr("allocation"),
+           Text::tr("Record every factor before allocation."));
   }
   AllocationRecord record;
   record.position = records_.size();
@@ -356,8 +342,8 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
   switch (design_.method) {
     case AllocationMethod::kCompletePermutation:
       if (record.position >= design_.participants) {
-        throw Error(ErrorCode::kBadData, Text::tr("the allocation list is used up"), Text::tr("allocation"),
-                    Text::tr("Plan a new list; the old one stays as it is."));
+        refuse(Text::tr("the allocation list is used up"), Text::tr("allocation"),
+               Text::tr("Plan a new list; the old one stays as it is."));
       }
       if (record.position == 0) {
         waiting_[kOneList] = shuffled(equalArms(design_.participants, design_.arms.size()));

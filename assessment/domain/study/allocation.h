@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/study/protocol_terms.h"
 #include "sim/core/random.h"
 
 namespace torsio {
@@ -17,19 +19,36 @@ inline constexpr const char* kAllocationVersion = "allocation-1";
 inline constexpr const char* kAllocationGenerator =
     "mt19937_64, bounded by rejection, Fisher-Yates from the back";
 
-enum class AllocationMethod {
+enum class AllocationMethod : std::uint8_t {
   kCompletePermutation,  ///< all persons known at the start (the paper's case): one shuffle of equal arms
   kPermutedBlocks,    ///< sequential enrolment: shuffled blocks, sizes drawn at random when several are given
   kStratifiedBlocks,  ///< a block list for each combination of factor levels
   kMinimisation,      ///< Pocock and Simon 1975: the arm that leaves the margins most even, with chance
 };
 
+inline constexpr std::array<Term<AllocationMethod>, 4> kAllocationMethods{{
+    {AllocationMethod::kCompletePermutation, "complete permutation", Text::tr("complete permutation")},
+    {AllocationMethod::kPermutedBlocks, "permuted blocks", Text::tr("permuted blocks")},
+    {AllocationMethod::kStratifiedBlocks, "stratified blocks", Text::tr("stratified blocks")},
+    {AllocationMethod::kMinimisation, "minimisation", Text::tr("minimisation")},
+}};
+[[nodiscard]] constexpr const auto& termsOf(AllocationMethod) noexcept {
+  return kAllocationMethods;
+}
+
 /// True if a method balances by factors: strata, or margins of minimisation.
 [[nodiscard]] bool usesFactors(AllocationMethod method) noexcept;
 /// True if a method draws blocks and therefore needs block sizes.
 [[nodiscard]] bool usesBlocks(AllocationMethod method) noexcept;
 
-enum class Imbalance { kRange, kVariance };
+enum class Imbalance : std::uint8_t { kRange, kVariance };
+inline constexpr std::array<Term<Imbalance>, 2> kImbalances{{
+    {Imbalance::kRange, "range", Text::verbatim("range")},
+    {Imbalance::kVariance, "variance", Text::verbatim("variance")},
+}};
+[[nodiscard]] constexpr const auto& termsOf(Imbalance) noexcept {
+  return kImbalances;
+}
 
 /// An attribute of a person known before allocation: sex, experience.
 struct AllocationFactor {

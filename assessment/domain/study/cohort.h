@@ -72,7 +72,7 @@ struct ProtocolDeviation {
   DeviationId id{};
   CohortId cohortId{};
   EnrolmentId enrolmentId{};  ///< empty: the whole cohort
-  std::string kind{};         ///< "device failed", "late", "swapped" ...
+  std::string kind{};         ///< stored text of a DeviationKind
   std::string description{};
   std::int64_t happenedUtc_us = 0;
   std::string reportedBy{};

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/core/contracts.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -43,8 +43,8 @@ Occasions::Occasions(std::vector<Occasion> inOrder) : list_(std::move(inOrder)) 
   std::set<std::string> codes;
   for (const Occasion& occasion : list_) {
     if (occasion.code.empty() || !codes.insert(occasion.code).second) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("an occasion has no code of its own"), occasion.label,
-                  Text::tr("Give every occasion another code"));
+      refuseParameter(Text::tr("an occasion has no code of its own"), occasion.label,
+                      Text::tr("Give every occasion another code"));
     }
   }
 }

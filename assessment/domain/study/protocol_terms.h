@@ -43,8 +43,8 @@ inline constexpr std::array<Term<AttemptMode>, 2> kAttemptModes{{
 /// Where the time of a study phase is spent.
 enum class PhaseKind : std::uint8_t { kVirtual, kReal };
 inline constexpr std::array<Term<PhaseKind>, 2> kPhaseKinds{{
-    {PhaseKind::kVirtual, "virtual", Text::tr("virtual"), "on the simulator; its runs are recorded"},
-    {PhaseKind::kReal, "real", Text::tr("real"), "on the real forearm; its time is entered by hand"},
+    {PhaseKind::kVirtual, "virtual", Text::tr("simulator"), "on the simulator; its runs are recorded"},
+    {PhaseKind::kReal, "real", Text::tr("real arm"), "on the real forearm; its time is entered by hand"},
 }};
 
 /// Activity of an exposure. Rest stops the clock of the phases.
@@ -58,6 +58,32 @@ inline constexpr std::array<Term<ExposureKind>, 3> kExposureKinds{{
 [[nodiscard]] constexpr ExposureKind exposureIn(PhaseKind phase) noexcept {
   return phase == PhaseKind::kVirtual ? ExposureKind::kVirtual : ExposureKind::kReal;
 }
+
+/// Kinds of protocol deviation. Those before kTrainedBeforeScoring are reported by hand.
+enum class DeviationKind : std::uint8_t {
+  kLate,
+  kAbsent,
+  kDeviceFailed,
+  kSwapped,
+  kPhaseCutShort,
+  kPhaseTooLong,
+  kRestTooLong,
+  kOther,
+  kTrainedBeforeScoring,
+  kTrainedOutsidePlan,
+};
+inline constexpr std::array<Term<DeviationKind>, 10> kDeviationKinds{{
+    {DeviationKind::kLate, "late", Text::tr("late")},
+    {DeviationKind::kAbsent, "absent", Text::tr("absent")},
+    {DeviationKind::kDeviceFailed, "device failed", Text::tr("device failed")},
+    {DeviationKind::kSwapped, "swapped", Text::tr("swapped")},
+    {DeviationKind::kPhaseCutShort, "phase cut short", Text::tr("phase cut short")},
+    {DeviationKind::kPhaseTooLong, "phase too long", Text::tr("phase too long")},
+    {DeviationKind::kRestTooLong, "rest too long", Text::tr("rest too long")},
+    {DeviationKind::kOther, "other", Text::tr("other"), "needs a description"},
+    {DeviationKind::kTrainedBeforeScoring, "trained before scoring", Text::tr("trained before scoring")},
+    {DeviationKind::kTrainedOutsidePlan, "trained outside the plan", Text::tr("trained outside the plan")},
+}};
 
 /// State of a person; only active people can be chosen for anything new.
 enum class PersonState : std::uint8_t { kActive, kLeft, kErased };
@@ -113,6 +139,9 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
 [[nodiscard]] constexpr const auto& termsOf(ExposureKind) noexcept {
   return kExposureKinds;
 }
+[[nodiscard]] constexpr const auto& termsOf(DeviationKind) noexcept {
+  return kDeviationKinds;
+}
 [[nodiscard]] constexpr const auto& termsOf(PersonState) noexcept {
   return kPersonStates;
 }
@@ -133,6 +162,12 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
 template <typename Value>
 [[nodiscard]] constexpr std::string_view storedText(Value value) noexcept {
   return termsOf(value)[static_cast<std::size_t>(value)].stored;
+}
+
+/// Label of `value`, as people read it.
+template <typename Value>
+[[nodiscard]] constexpr Phrase labelOf(Value value) noexcept {
+  return termsOf(value)[static_cast<std::size_t>(value)].label;
 }
 
 /// Finds the value with this stored text; empty if unknown.

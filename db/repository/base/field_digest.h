@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "assessment/domain/ids.h"
+#include "db/connection/value.h"
 #include "sim/core/digest.h"
 
 namespace torsio {
@@ -40,5 +41,9 @@ class FieldDigest {
  private:
   Digest digest_;
 };
+
+/// Adds a value with its type, so that null, 0 and empty text differ. `boolean`: the column holds booleans,
+/// which SQLite returns as 0 and 1.
+void addValue(Digest& digest, const Value& value, bool boolean);
 
 }  // namespace torsio

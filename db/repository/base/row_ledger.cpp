@@ -11,7 +11,6 @@
 #include "db/connection/change_watch.h"
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/row_seal.h"
-#include "db/repository/base/rows_before.h"
 #include "db/repository/base/sealed_row.h"
 #include "db/repository/base/touched_rows.h"
 #include "sim/core/clock.h"

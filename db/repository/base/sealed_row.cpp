@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "db/repository/base/changed_statement.h"
-#include "db/repository/base/value_digest.h"
+#include "db/repository/base/field_digest.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 

@@ -10,7 +10,7 @@
 #include "assessment/domain/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/core/digest.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -80,8 +80,8 @@ SealedSecret AccessRepository::sealPin(const std::string& pin) const {
     return {};
   }
   if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("the PIN is shorter than %1 digits", kShortestPin),
-                Text::tr("PIN"), Text::tr("Use a longer one"));
+    refuseParameter(Text::tr("the PIN is shorter than %1 digits", kShortestPin), Text::tr("PIN"),
+                    Text::tr("Use a longer one"));
   }
   return {hashPassword(pin, cost_)};
 }

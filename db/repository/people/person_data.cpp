@@ -12,7 +12,7 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/people/server_roles.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -127,8 +127,8 @@ void erasePerson(Connection& connection, const PersonId& personId, const std::st
   Transaction transaction(connection);
   if (connection.execute("UPDATE person SET state = 'erased' WHERE id = ? AND state <> 'erased'",
                          {personId}) != 1) {
-    throw Error(ErrorCode::kBadData, Text::tr("there is no such person, or they were erased already"),
-                Text::tr("erase"), Text::tr("Check the code"));
+    refuse(Text::tr("there is no such person, or they were erased already"), Text::tr("erase"),
+           Text::tr("Check the code"));
   }
   if (!eraseThroughServer(connection, personId, requestedBy, reason, utc_us)) {
     eraseRows(connection, personId, requestedBy, reason, utc_us);

@@ -9,7 +9,7 @@
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {
@@ -108,13 +108,13 @@ bool holdsAt(const RetentionHold& hold, std::int64_t utc_us) {
 
 void RetentionRepository::setRule(const RetentionRule& rule) {
   if (std::find(kCategories.begin(), kCategories.end(), rule.category) == kCategories.end()) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("there is no such category of records"), rule.category,
-                Text::tr("Use trainee, rater, left or consent_withdrawn"));
+    refuseParameter(Text::tr("there is no such category of records"), rule.category,
+                    Text::tr("Use trainee, rater, left or consent_withdrawn"));
   }
   if (rule.keep_days < 1 || rule.keep_days > kLongest_days) {
-    throw Error(ErrorCode::kBadParameter,
-                Text::tr("records are kept for one day at least and a hundred years at most"),
-                Text::tr("%1: %2 {day|days}", rule.category, rule.keep_days), Text::tr("Enter 1 to 36500"));
+    refuseParameter(Text::tr("records are kept for one day at least and a hundred years at most"),
+                    Text::tr("%1: %2 {day|days}", rule.category, rule.keep_days),
+                    Text::tr("Enter 1 to 36500"));
   }
   connection_.execute(insertInto("retention_rule", "category, keep_days, basis, changed_utc_us") +
                           " ON CONFLICT (category) DO UPDATE SET keep_days = excluded.keep_days, basis ="

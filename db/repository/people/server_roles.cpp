@@ -8,6 +8,7 @@
 #include "db/repository/people/person_rules.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -224,8 +225,9 @@ void requireRole(Connection& connection, const std::string& role) {
   if (plainRole(role) && role != owner) {
     return;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("this cannot be the role of the stations"), role,
-              Text::tr("Use a name of lower-case letters, digits and underscores that is not the owner's"));
+  refuseParameter(
+      Text::tr("this cannot be the role of the stations"), role,
+      Text::tr("Use a name of lower-case letters, digits and underscores that is not the owner's"));
 }
 
 void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {

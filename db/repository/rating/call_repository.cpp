@@ -3,7 +3,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -37,8 +37,7 @@ void CallRepository::end(const LiveCallId& callId, bool cancelled, std::int64_t 
       "UPDATE live_call SET ended_utc_us = ?, cancelled = ? WHERE id = ? AND ended_utc_us IS NULL",
       {utc_us, cancelled, callId});
   if (changed != 1) {
-    throw Error(ErrorCode::kBadData, Text::tr("this call has ended already"), callId,
-                Text::tr("Refresh Today's sessions"));
+    refuse(Text::tr("this call has ended already"), callId, Text::tr("Refresh Today's sessions"));
   }
 }
 

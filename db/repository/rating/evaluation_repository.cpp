@@ -8,7 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -104,8 +104,7 @@ ScoreScale scaleOf(Connection& connection, const CampaignId& campaignId) {
   if (campaign) {
     return campaign->instrument.scale;
   }
-  throw Error(ErrorCode::kBadData, Text::tr("no such evaluation campaign"), campaignId,
-              Text::tr("Choose an existing one"));
+  refuse(Text::tr("no such evaluation campaign"), campaignId, Text::tr("Choose an existing one"));
 }
 
 /// True if the mark is already stored; throws for another mark with its id.
@@ -176,10 +175,9 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
   std::vector<const EvaluationMark*> added;
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
-      throw Error(ErrorCode::kBadData,
-                  Text::tr("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
-                  Text::tr("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
-                  Text::tr("Correct the mark"));
+      refuse(Text::tr("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
+             Text::tr("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
+             Text::tr("Correct the mark"));
     }
     if (isStored(connection_, campaignId, mark)) {
       continue;

@@ -11,7 +11,7 @@
 #include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -21,8 +21,7 @@ Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId
   std::optional<Assignment> found =
       selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
   if (!found) {
-    throw Error(ErrorCode::kBadData, Text::tr("no such assignment"), assignmentId,
-                Text::tr("Read the queue again"));
+    refuse(Text::tr("no such assignment"), assignmentId, Text::tr("Read the queue again"));
   }
   return std::move(*found);
 }
@@ -59,12 +58,11 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
                  const ScoreScale& scale, const std::string& where) {
   const AnswerFault fault = faultOf({score_steps, reason}, scale);
   if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
-    throw Error(ErrorCode::kBadData, Text::tr("needs either a mark or a reason why there is none"), where,
-                Text::tr("Fill it in"));
+    refuse(Text::tr("needs either a mark or a reason why there is none"), where, Text::tr("Fill it in"));
   }
   if (fault == AnswerFault::kOutsideScale) {
-    throw Error(ErrorCode::kBadData, Text::tr("mark of %1 steps lies outside its scale", *score_steps), where,
-                Text::tr("Correct the mark"));
+    refuse(Text::tr("mark of %1 steps lies outside its scale", *score_steps), where,
+           Text::tr("Correct the mark"));
   }
 }
 
@@ -76,16 +74,14 @@ void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::
     const auto known = std::count_if(rubric.rows.begin(), rubric.rows.end(),
                                      [&](const RubricLine& line) { return line.code == row.code; });
     if (known == 0) {
-      throw Error(ErrorCode::kBadData, Text::tr("the rubric has no row %1", row.code), where,
-                  Text::tr("Use the assigned rubric"));
+      refuse(Text::tr("the rubric has no row %1", row.code), where, Text::tr("Use the assigned rubric"));
     }
   }
   for (const RubricLine& line : rubric.rows) {
     const auto answer = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                      [&](const SheetRow& row) { return row.code == line.code; });
     if (answer == sheet.rows.end()) {
-      throw Error(ErrorCode::kBadData, Text::tr("row %1 is not answered", line.code), where,
-                  Text::tr("Fill it in"));
+      refuse(Text::tr("row %1 is not answered", line.code), where, Text::tr("Fill it in"));
     }
     checkAnswer(answer->score_steps, answer->notAssessableReason, line.scale, where + ", row " + line.code);
   }
@@ -135,12 +131,11 @@ void SheetRepository::withdraw(const AssignmentId& assignmentId, const std::stri
   Transaction transaction(connection_);
   const SheetState state = stateOf(assignmentId);
   if (state == SheetState::kSubmitted) {
-    throw Error(ErrorCode::kBadData, Text::tr("the sheet was submitted already"), assignmentId,
-                Text::tr("Submitted marks stay; amend the mark instead"));
+    refuse(Text::tr("the sheet was submitted already"), assignmentId,
+           Text::tr("Submitted marks stay; amend the mark instead"));
   }
   if (state == SheetState::kWithdrawn) {
-    throw Error(ErrorCode::kBadData, Text::tr("the sheet was withdrawn already"), assignmentId,
-                Text::tr("Read the matrix again"));
+    refuse(Text::tr("the sheet was withdrawn already"), assignmentId, Text::tr("Read the matrix again"));
   }
   decide(assignmentId, true, reason, withdrawnBy, utc_us);
   transaction.commit();
@@ -150,8 +145,8 @@ void SheetRepository::giveBack(const AssignmentId& assignmentId, const std::stri
                                const std::string& decidedBy, std::int64_t utc_us) {
   Transaction transaction(connection_);
   if (stateOf(assignmentId) != SheetState::kWithdrawn) {
-    throw Error(ErrorCode::kBadData, Text::tr("the sheet was not taken back from its rater"), assignmentId,
-                Text::tr("Read the matrix again"));
+    refuse(Text::tr("the sheet was not taken back from its rater"), assignmentId,
+           Text::tr("Read the matrix again"));
   }
   decide(assignmentId, false, reason, decidedBy, utc_us);
   transaction.commit();
@@ -179,8 +174,7 @@ std::vector<QueueEntry> SheetRepository::queue(const RaterId& raterId) const {
 SheetState SheetRepository::stateOf(const AssignmentId& assignmentId) const {
   const std::optional<AssignmentStatus> status = findAssignment(assignmentId);
   if (!status) {
-    throw Error(ErrorCode::kBadData, Text::tr("no such assignment"), assignmentId,
-                Text::tr("Read the queue again"));
+    refuse(Text::tr("no such assignment"), assignmentId, Text::tr("Read the queue again"));
   }
   return status->state;
 }
@@ -189,10 +183,9 @@ std::int64_t SheetRepository::saveDraft(const AssignmentId& assignmentId, const 
   Transaction transaction(connection_);
   const SheetState state = stateOf(assignmentId);
   if (state == SheetState::kWithdrawn || state == SheetState::kSubmitted) {
-    throw Error(ErrorCode::kBadData,
-                state == SheetState::kSubmitted ? Text::tr("the sheet was submitted already")
-                                                : Text::tr("the sheet was withdrawn"),
-                assignmentId, Text::tr("Read the queue again"));
+    refuse(state == SheetState::kSubmitted ? Text::tr("the sheet was submitted already")
+                                           : Text::tr("the sheet was withdrawn"),
+           assignmentId, Text::tr("Read the queue again"));
   }
   const std::int64_t next = sheet.revision + 1;
   const std::int64_t changed =
@@ -245,8 +238,7 @@ void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& mar
   const Assignment assignment = assignmentOf(connection_, assignmentId);
   const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // not empty: a retry
   if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
-    throw Error(ErrorCode::kBadData, Text::tr("the sheet was withdrawn"), assignment.caseLabel,
-                Text::tr("Read the queue again"));
+    refuse(Text::tr("the sheet was withdrawn"), assignment.caseLabel, Text::tr("Read the queue again"));
   }
   const RubricRevision rubric = RubricRepository(connection_).revision(assignment.rubricRevisionId).value();
   checkComplete(sheet, rubric, assignment.caseLabel);
@@ -368,6 +360,77 @@ bool SheetRepository::isReleased(const CohortId& cohortId, const std::string& oc
                      " ORDER BY sequence DESC LIMIT 1",
                      {cohortId, occasionCode}, readBoolean)
       .value_or(false);
+}
+
+namespace {
+
+constexpr const char* kSelectEntries =
+    "SELECT n.assignment_id, n.entered_by, n.overall_steps, n.not_assessable_reason, n.comment,"
+    " n.entered_utc_us FROM paper_entry n";
+
+PaperEntry readEntry(RowReader& row) {
+  PaperEntry entry;
+  entry.assignmentId = row.text();
+  entry.enteredBy = row.text();
+  entry.sheet.overall_steps = row.maybeInt64();
+  entry.sheet.notAssessableReason = row.text();
+  entry.sheet.comment = row.text();
+  entry.enteredUtc_us = row.int64();
+  return entry;
+}
+
+}  // namespace
+
+void PaperRepository::put(const PaperEntry& entry) {
+  Transaction transaction(connection_);
+  connection_.execute("DELETE FROM paper_entry_row WHERE assignment_id = ? AND entered_by = ?",
+                      {entry.assignmentId, entry.enteredBy});
+  connection_.execute("DELETE FROM paper_entry WHERE assignment_id = ? AND entered_by = ?",
+                      {entry.assignmentId, entry.enteredBy});
+  connection_.execute(
+      insertInto("paper_entry",
+                 "assignment_id, entered_by, overall_steps, not_assessable_reason, comment, entered_utc_us"),
+      {entry.assignmentId, entry.enteredBy, entry.sheet.overall_steps,
+       textOrNull(entry.sheet.notAssessableReason), textOrNull(entry.sheet.comment), entry.enteredUtc_us});
+  Statement insert = connection_.prepare(insertInto(
+      "paper_entry_row", "assignment_id, entered_by, row_code, score_steps, not_assessable_reason"));
+  for (const SheetRow& row : entry.sheet.rows) {
+    insert.execute({entry.assignmentId, entry.enteredBy, row.code, row.score_steps,
+                    textOrNull(row.notAssessableReason)});
+  }
+  transaction.commit();
+}
+
+std::vector<PaperEntry> PaperRepository::of(const AssignmentId& assignmentId) const {
+  std::vector<PaperEntry> entries = selectAll(
+      connection_,
+      std::string(kSelectEntries) + " WHERE n.assignment_id = ? ORDER BY n.entered_utc_us, n.entered_by",
+      {assignmentId}, readEntry);
+  for (PaperEntry& entry : entries) {
+    entry.sheet.rows = selectAll(connection_,
+                                 "SELECT row_code, score_steps, not_assessable_reason FROM paper_entry_row"
+                                 " WHERE assignment_id = ? AND entered_by = ? ORDER BY row_code",
+                                 {assignmentId, entry.enteredBy}, [](RowReader& row) {
+                                   return SheetRow{row.text(), row.maybeInt64(), row.text()};
+                                 });
+  }
+  return entries;
+}
+
+std::vector<PaperEntry> PaperRepository::ofCohort(const CohortId& cohortId) const {
+  return selectAll(
+      connection_,
+      std::string(kSelectEntries) +
+          " JOIN assignment a ON a.id = n.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
+          " WHERE e.cohort_id = ? ORDER BY n.entered_utc_us, n.entered_by",
+      {cohortId}, readEntry);
+}
+
+void PaperRepository::remove(const AssignmentId& assignmentId) {
+  Transaction transaction(connection_);
+  connection_.execute("DELETE FROM paper_entry_row WHERE assignment_id = ?", {assignmentId});
+  connection_.execute("DELETE FROM paper_entry WHERE assignment_id = ?", {assignmentId});
+  transaction.commit();
 }
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/paper_entry.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "db/connection/connection.h"
@@ -72,6 +73,23 @@ class SheetRepository {
   [[nodiscard]] SheetState stateOf(const AssignmentId& assignmentId) const;
   void decide(const AssignmentId& assignmentId, bool withdrawn, const std::string& reason,
               const std::string& decidedBy, std::int64_t utc_us);
+  Connection& connection_;
+};
+
+/// Paper sheets being typed in. Each call is one transaction.
+class PaperRepository {
+ public:
+  explicit PaperRepository(Connection& connection) : connection_(connection) {}
+
+  /// Replaces what the same person typed before.
+  void put(const PaperEntry& entry);
+  /// Entries of one sheet, oldest first.
+  [[nodiscard]] std::vector<PaperEntry> of(const AssignmentId& assignmentId) const;
+  /// Entries of a cohort, without rows.
+  [[nodiscard]] std::vector<PaperEntry> ofCohort(const CohortId& cohortId) const;
+  void remove(const AssignmentId& assignmentId);
+
+ private:
   Connection& connection_;
 };
 

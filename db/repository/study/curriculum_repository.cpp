@@ -8,7 +8,7 @@
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -26,8 +26,8 @@ void checkPrerequisites(const CurriculumVersion& version) {
   for (const TrainingModule& module : version.modules) {
     for (const ModuleId& id : module.requires_) {
       if (moduleWithId(version, id) == nullptr) {
-        throw Error(ErrorCode::kBadData, Text::tr("requires a module that is not in this version"),
-                    module.code, Text::tr("Choose prerequisites from the same version"));
+        refuse(Text::tr("requires a module that is not in this version"), module.code,
+               Text::tr("Choose prerequisites from the same version"));
       }
     }
     open[module.id] = module.requires_;
@@ -40,8 +40,8 @@ void checkPrerequisites(const CurriculumVersion& version) {
     });
   }
   if (!open.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("prerequisites run in a circle"),
-                moduleWithId(version, open.begin()->first)->code, Text::tr("Remove one of them"));
+    refuse(Text::tr("prerequisites run in a circle"), moduleWithId(version, open.begin()->first)->code,
+           Text::tr("Remove one of them"));
   }
 }
 
@@ -287,11 +287,9 @@ void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, Curricul
   const bool next = now && static_cast<int>(state) == static_cast<int>(*now) + 1;
   const bool again = now == CurriculumState::kClosed && state == CurriculumState::kRunning;
   if (!next && !again) {
-    throw Error(
-        ErrorCode::kBadData,
-        !now ? Text::tr("there is no such curriculum")
-             : Text::tr("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
-        versionId, Text::tr("Draft becomes running, running becomes closed, closed may run again"));
+    refuse(!now ? Text::tr("there is no such curriculum")
+                : Text::tr("a curriculum that is %1 cannot become %2", storedText(*now), storedText(state)),
+           versionId, Text::tr("Draft becomes running, running becomes closed, closed may run again"));
   }
   const std::int64_t last =
       selectFirst(connection_, "SELECT max(sequence) FROM curriculum_state WHERE version_id = ?", {versionId},
@@ -306,8 +304,8 @@ void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, Curricul
 void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVersionId& versionId) {
   Transaction transaction(connection_);
   if (stateOf(versionId) != CurriculumState::kRunning) {
-    throw Error(ErrorCode::kBadData, Text::tr("this version of the curriculum is not running"), versionId,
-                Text::tr("Start it first, or choose another version"));
+    refuse(Text::tr("this version of the curriculum is not running"), versionId,
+           Text::tr("Start it first, or choose another version"));
   }
   connection_.execute("UPDATE cohort SET curriculum_version_id = ? WHERE id = ?", {versionId, cohortId});
   connection_.execute(
@@ -318,8 +316,8 @@ void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVers
       selectFirst(connection_, "SELECT code FROM training_group WHERE cohort_id = ? AND arm_id IS NULL",
                   {cohortId}, readText);
   if (missing) {
-    throw Error(ErrorCode::kBadData, Text::tr("the curriculum has no arm for this group"), *missing,
-                Text::tr("Give the curriculum as many arms as the cohort has groups"));
+    refuse(Text::tr("the curriculum has no arm for this group"), *missing,
+           Text::tr("Give the curriculum as many arms as the cohort has groups"));
   }
   transaction.commit();
 }

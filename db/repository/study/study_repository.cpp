@@ -6,7 +6,7 @@
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -127,8 +127,7 @@ Cohort StudyRepository::cohort(const CohortId& cohortId) const {
       return std::move(one);
     }
   }
-  throw Error(ErrorCode::kBadData, Text::tr("there is no such cohort"), cohortId,
-              Text::tr("Choose one from the list"));
+  refuse(Text::tr("there is no such cohort"), cohortId, Text::tr("Choose one from the list"));
 }
 
 std::vector<StudyGroup> StudyRepository::groups(const CohortId& cohortId) const {
@@ -252,9 +251,8 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
       record.previousHash = row.text();
     }
     if (record.sequence != sequence + 1) {
-      throw Error(ErrorCode::kBadData,
-                  Text::tr("allocation number %1 does not follow %2", record.sequence, sequence),
-                  Text::tr("allocation"), Text::tr("Read the list again and repeat"));
+      refuse(Text::tr("allocation number %1 does not follow %2", record.sequence, sequence),
+             Text::tr("allocation"), Text::tr("Read the list again and repeat"));
     }
     record.recordHash = allocationHash(record);
     insertAllocation(insert, record);

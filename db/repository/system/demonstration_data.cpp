@@ -8,6 +8,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -96,8 +97,7 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
     return;
   }
   const DemonstrationUse& use = uses.front();
-  throw Error(
-      ErrorCode::kBadData,
+  refuse(
       Text::tr("real data use the demonstration: %1 {row refers|rows refer} from %2 to simulated rows of %3",
                use.rows, use.table, use.used),
       connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));

@@ -12,6 +12,7 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -46,12 +47,12 @@ std::string usedTable(Connection& connection, const std::vector<SchemaTable>& ta
 
 void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>& tables) {
   if (schemaSteps(from) != schemaSteps(to)) {
-    throw Error(ErrorCode::kBadData, Text::tr("the two databases have different schemas"), to.location(),
-                Text::tr("Open both with this version of Torsio first"));
+    refuse(Text::tr("the two databases have different schemas"), to.location(),
+           Text::tr("Open both with this version of Torsio first"));
   }
   if (const std::string used = usedTable(to, tables); !used.empty()) {
-    throw Error(ErrorCode::kBadData, Text::tr("the target is not empty: it has rows in the table %1", used),
-                to.location(), Text::tr("Name a new file, or an empty database"));
+    refuse(Text::tr("the target is not empty: it has rows in the table %1", used), to.location(),
+           Text::tr("Name a new file, or an empty database"));
   }
 }
 
@@ -134,9 +135,8 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   const std::vector<AuditFinding> findings =
       verifyAuditTrail(from, verifyProgress(progress, CopyPhase::kVerifying));
   if (!findings.empty()) {
-    throw Error(ErrorCode::kBadData,
-                Text::tr("its audit trail does not verify (%1 {finding|findings})", findings.size()),
-                from.location(), Text::tr("Run torsio audit verify on it and restore a backup"));
+    refuse(Text::tr("its audit trail does not verify (%1 {finding|findings})", findings.size()),
+           from.location(), Text::tr("Run torsio audit verify on it and restore a backup"));
   }
   std::int64_t all = 0;
   for (const SchemaTable& table : tables) {

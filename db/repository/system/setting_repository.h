@@ -4,18 +4,19 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "db/connection/connection.h"
 
 namespace torsio {
 
-/// Settings of the centre by name ("language", "idle_lock_s"), common to its stations.
+/// Stored settings of the centre by name; app/services/access/centre_settings.h says which there are.
 class SettingRepository {
  public:
   explicit SettingRepository(Connection& connection) : connection_(connection) {}
 
-  [[nodiscard]] std::optional<std::string> value(const std::string& name) const;
-  void set(const std::string& name, const std::string& value, std::int64_t changedUtc_us);
+  [[nodiscard]] std::optional<std::string> value(std::string_view name) const;
+  void set(std::string_view name, const std::string& value, std::int64_t changedUtc_us);
 
  private:
   Connection& connection_;

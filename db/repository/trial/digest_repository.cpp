@@ -8,7 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/learning_events.h"
 #include "sim/core/contracts.h"
-#include "sim/core/error.h"
+#include "sim/core/refusal.h"
 
 namespace torsio {
 
@@ -21,8 +21,8 @@ constexpr std::size_t kLongestId = 255;
 constexpr double kNoLimit = -1.0;
 
 [[noreturn]] void refuseCutOff(const TrialId& trialId) {
-  throw Error(ErrorCode::kBadData, Text::tr("the digest of a recording is cut off"), trialId,
-              Text::tr("Check the database, and restore a backup"));
+  refuse(Text::tr("the digest of a recording is cut off"), trialId,
+         Text::tr("Check the database, and restore a backup"));
 }
 
 void appendNumber(Blob& bytes, double number) {

@@ -5,7 +5,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
-#include "db/repository/trial/newest_of_remark.h"
+#include "db/repository/trial/remark_repository.h"
 
 namespace torsio {
 

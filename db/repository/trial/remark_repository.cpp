@@ -8,7 +8,6 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/learning_events.h"
-#include "db/repository/trial/newest_of_remark.h"
 
 namespace torsio {
 

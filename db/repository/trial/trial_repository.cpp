@@ -20,6 +20,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
+#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {
@@ -199,8 +200,7 @@ std::string among(std::size_t values) {
 Trial taken(std::map<TrialId, Trial>& trials, const TrialId& trialId) {
   const auto found = trials.find(trialId);
   if (found == trials.end() || found->second.header.trialId != trialId) {
-    throw Error(ErrorCode::kBadData, Text::tr("no such run"), trialId,
-                Text::tr("List the runs to find its id"));
+    refuse(Text::tr("no such run"), trialId, Text::tr("List the runs to find its id"));
   }
   return std::move(found->second);
 }
@@ -215,8 +215,7 @@ Value traineeId(Connection& connection, const std::string& code) {
   if (id) {
     return *id;
   }
-  throw Error(ErrorCode::kBadData, Text::tr("no trainee has the code %1", code), Text::tr("run"),
-              Text::tr("Enter the trainee first"));
+  refuse(Text::tr("no trainee has the code %1", code), Text::tr("run"), Text::tr("Enter the trainee first"));
 }
 
 }  // namespace

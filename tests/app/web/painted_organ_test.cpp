@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/base/assets.h"
-#include "app/web/blood_paint.h"
+#include "app/web/case_picture.h"
 #include "app/web/organ_shelf.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/scene.h"

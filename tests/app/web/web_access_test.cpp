@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/two_people.h"
 #include "app/web/web_sessions.h"
@@ -34,7 +35,7 @@ constexpr const char* kChosen = "seven kites above the bay";
 
 class WebAccess : public ::testing::Test {
  protected:
-  WebAccess() { SettingRepository(served.centre.connection()).set(kTwoPeopleSetting, "no", 0); }
+  WebAccess() { SettingRepository(served.centre.connection()).set(kTwoPeople.name, "no", 0); }
   UserId userOf(const std::string& login) {
     for (const UserAccount& user : AccessRepository(served.centre.connection()).users()) {
       if (user.login == login) {

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "app/services/base/assets.h"
 #include "app/services/review/case_sheet.h"
@@ -199,7 +200,7 @@ TEST(WebDesk, AsksForThePasswordIfTheSignatureRequiresIt) {
   Served served;
   {
     const auto office = served.centre.administrator();
-    setSignMinutes(*office, 0);
+    setCentreSetting<kSignMinutes>(*office, 0);
   }
   WebClient client = served.physician(0);
   const std::string path = "/api/cases/" + firstCase(client);

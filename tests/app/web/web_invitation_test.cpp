@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "app/connectors/mail/mail_settings.h"
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
@@ -32,7 +33,7 @@ class WebInvitation : public ::testing::Test {
     AccessRepository access(served.centre.connection(), PasswordCost::kTest);
     access.addUser({.id = "u-second", .login = "second", .roles = {"administrator"}}, kWebPassword);
     access.setPassword("u-second", access.sealPassword("second", kWebPassword), false);
-    SettingRepository(served.centre.connection()).set(kTwoPeopleSetting, "no", 0);
+    SettingRepository(served.centre.connection()).set(kTwoPeople.name, "no", 0);
   }
   WebClient signedIn(const std::string& login) {
     WebClient client = served.client();
@@ -86,7 +87,7 @@ TEST_F(WebInvitation, IsShownOnceAndRevoked) {
 }
 
 TEST_F(WebInvitation, NeedsTwoPeopleIfTheCentreRequiresIt) {
-  SettingRepository(served.centre.connection()).set(kTwoPeopleSetting, "yes", 0);
+  SettingRepository(served.centre.connection()).set(kTwoPeople.name, "yes", 0);
   WebClient office = signedIn("office");
   WebClient second = signedIn("second");
   json order{{"users", usersOf(office, "physician0")}};

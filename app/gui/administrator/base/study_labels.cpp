@@ -48,18 +48,6 @@ QString occasionName(const Occasion& occasion) {
   return named({}, occasion.label);
 }
 
-QString enrolmentStateName(EnrolmentState state) {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {"enrolled", QT_TRANSLATE_NOOP("Study", "enrolled")},
-      {"completed", QT_TRANSLATE_NOOP("Study", "completed")},
-      {"withdrawn", QT_TRANSLATE_NOOP("Study", "withdrew")}};
-  return named(kNames, std::string(storedText(state)));
-}
-
-QString cohortStateName(CohortState state) {
-  return toQString(Text(termsOf(state)[static_cast<std::size_t>(state)].label));
-}
-
 QString factorName(const std::string& code) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"sex", QT_TRANSLATE_NOOP("Study", "sex")},
@@ -114,20 +102,6 @@ QString sheetStateName(SheetState state) {
       return translated(QT_TRANSLATE_NOOP("Study", "taken back"));
   }
   return {};
-}
-
-QString versionStateName(CurriculumState state) {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {"draft", QT_TRANSLATE_NOOP("Study", "published, not begun")},
-      {"running", QT_TRANSLATE_NOOP("Study", "running")},
-      {"closed", QT_TRANSLATE_NOOP("Study", "closed")}};
-  return named(kNames, std::string(storedText(state)));
-}
-
-QString phaseKindName(PhaseKind kind) {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {"virtual", QT_TRANSLATE_NOOP("Study", "simulator")}, {"real", QT_TRANSLATE_NOOP("Study", "real arm")}};
-  return named(kNames, std::string(storedText(kind)));
 }
 
 std::vector<std::pair<std::string, QString>> masteryMetrics() {

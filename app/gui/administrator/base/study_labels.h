@@ -19,17 +19,12 @@ namespace torsio::gui {
 
 /// "half-way"; occasions that a centre added are called as it named them.
 [[nodiscard]] QString occasionName(const Occasion& occasion);
-[[nodiscard]] QString enrolmentStateName(EnrolmentState state);
-[[nodiscard]] QString cohortStateName(CohortState state);
 [[nodiscard]] QString factorName(const std::string& code);
-[[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);
 /// "chief physician"; classes of a centre's own keep their code.
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
-[[nodiscard]] QString versionStateName(CurriculumState state);
-[[nodiscard]] QString phaseKindName(PhaseKind kind);
 
 /// What a mastery rule may be about: id and name.
 [[nodiscard]] std::vector<std::pair<std::string, QString>> masteryMetrics();

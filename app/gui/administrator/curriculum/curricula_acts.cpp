@@ -19,7 +19,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/access/all_or_none.h"
-#include "app/services/study/occasion_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 

@@ -25,7 +25,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/services/study/occasion_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 
@@ -155,7 +155,7 @@ void CurriculaPage::showContent() {
     rows.push_back(
         {toQString(row.curriculum.id),
          {{toQString(Text(row.curriculum.name))},
-          {newest != nullptr ? tr("%1, %2").arg(newest->number).arg(versionStateName(newest->state))
+          {newest != nullptr ? tr("%1, %2").arg(newest->number).arg(toQString(labelOf(newest->state)))
                              : tr("none yet"),
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
   }
@@ -227,7 +227,7 @@ void CurriculaPage::fillVersions() {
   versions_->setProperty("of", toQString(row->curriculum.id));
   versions_->addItem(tr("Draft"), QString());
   for (auto version = row->versions.rbegin(); version != row->versions.rend(); ++version) {
-    versions_->addItem(tr("Version %1 (%2)").arg(version->number).arg(versionStateName(version->state)),
+    versions_->addItem(tr("Version %1 (%2)").arg(version->number).arg(toQString(labelOf(version->state))),
                        toQString(version->id));
   }
   versions_->setCurrentIndex(std::max(0, versions_->findData(before)));

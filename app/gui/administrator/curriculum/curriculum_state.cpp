@@ -38,7 +38,7 @@ QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale)
   return CurriculumState::tr("%1 The newest version is %2: %3.")
       .arg(next)
       .arg(newest.number)
-      .arg(versionStateName(newest.state));
+      .arg(toQString(labelOf(newest.state)));
 }
 
 QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version, const QLocale& locale) {

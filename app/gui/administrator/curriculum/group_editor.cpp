@@ -196,7 +196,7 @@ void GroupEditor::showPhases(const StudyArm& arm, int current) {
 void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
   auto* where = new QComboBox;
   for (const Term<PhaseKind>& term : kPhaseKinds) {
-    where->addItem(phaseKindName(term.value), toQString(std::string(term.stored)));
+    where->addItem(toQString(labelOf(term.value)), toQString(std::string(term.stored)));
   }
   chooseOrAdd(where, std::string(storedText(phase.kind)));
   auto* name = new QLineEdit(toQString(Text(phase.label)));

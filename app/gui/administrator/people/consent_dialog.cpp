@@ -177,7 +177,7 @@ void ConsentDialog::read() {
                          timeCell(one.decidedUtc_us),
                          {titleOf(one.purpose, one.textVersion)},
                          {one.granted ? tr("given") : tr("withdrawn")},
-                         {toQString(Text(termsOf(one.form)[static_cast<std::size_t>(one.form)].label))},
+                         {toQString(labelOf(one.form))},
                          timeCell(one.signedUtc_us),
                          {toQString(one.textVersion)}}});
       }

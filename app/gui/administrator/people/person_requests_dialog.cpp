@@ -65,15 +65,13 @@ void PersonRequestsDialog::read() {
   attempt(shell_, [&] { requests_ = personRequests(shell_.session()); });
   std::vector<Row> rows;
   for (const PersonRequest& one : requests_) {
-    rows.push_back(
-        {toQString(one.id),
-         {{toQString(one.personCode)},
-          {toQString(Text(termsOf(one.kind)[static_cast<std::size_t>(one.kind)].label))},
-          timeCell(one.askedUtc_us),
-          {one.answer ? toQString(Text(termsOf(*one.answer)[static_cast<std::size_t>(*one.answer)].label))
-                      : tr("waits")},
-          {orDash(one.reason)},
-          timeCell(one.answeredUtc_us)}});
+    rows.push_back({toQString(one.id),
+                    {{toQString(one.personCode)},
+                     {toQString(labelOf(one.kind))},
+                     timeCell(one.askedUtc_us),
+                     {one.answer ? toQString(labelOf(*one.answer)) : tr("waits")},
+                     {orDash(one.reason)},
+                     timeCell(one.answeredUtc_us)}});
   }
   table_->setRows(std::move(rows));
   showButtons();

@@ -90,14 +90,13 @@ void RequestsDialog::read() {
     for (const std::string& role : one.roles) {
       roles << roleName(role);
     }
-    rows.push_back(
-        {toQString(one.request.id),
-         {{toQString(Text(termsOf(one.request.act)[static_cast<std::size_t>(one.request.act)].label))},
-          {orDash(one.shown)},
-          {roles.isEmpty() ? QStringLiteral("\u2013") : roles.join(QStringLiteral(", "))},
-          {toQString(one.requestedBy)},
-          timeCell(one.request.requestedUtc_us),
-          {toQString(one.request.reason)}}});
+    rows.push_back({toQString(one.request.id),
+                    {{toQString(labelOf(one.request.act))},
+                     {orDash(one.shown)},
+                     {roles.isEmpty() ? QStringLiteral("\u2013") : roles.join(QStringLiteral(", "))},
+                     {toQString(one.requestedBy)},
+                     timeCell(one.request.requestedUtc_us),
+                     {toQString(one.request.reason)}}});
   }
   table_->setRows(std::move(rows));
   showButtons();

@@ -25,7 +25,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/people/people_service.h"
-#include "app/services/people/roster_accounts.h"
+#include "app/services/people/roster_import.h"
 
 namespace torsio::gui {
 

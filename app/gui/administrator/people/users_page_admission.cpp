@@ -13,7 +13,6 @@
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/services/access/access_service.h"
-#include "app/services/access/browser_sessions.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"

@@ -133,7 +133,7 @@ void LearningRecordsDialog::showView(const LearningRecordsView& view) {
   setLook(state_, "caution", !view.trouble.empty() || view.counts.dead > 0);
   std::vector<Row> rows;
   for (const auto& [event, answer] : view.dead) {
-    const QString what = toQString(Text(termsOf(event.kind)[static_cast<std::size_t>(event.kind)].label));
+    const QString what = toQString(labelOf(event.kind));
     rows.push_back({QString::number(rows.size()),
                     {{what},
                      timeCell(event.happenedUtc_us),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,15 +18,22 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
-#include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
-#include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
-#include "app/services/training/run_session.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::gui {
+
+namespace {
+
+/// A field takes what its setting takes.
+void bound(auto* box, const CentreSetting& setting) {
+  using Value = decltype(box->value());
+  box->setRange(static_cast<Value>(setting.least), static_cast<Value>(setting.most));
+}
+
+}  // namespace
 
 StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent),
@@ -42,6 +50,12 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       cards_(new QCheckBox(this)),
       signLabel_(nullptr),
       sign_(new QSpinBox(this)),
+      watchedLabel_(nullptr),
+      watched_(new QDoubleSpinBox(this)),
+      speedsLabel_(nullptr),
+      speeds_(new QLineEdit(this)),
+      apartLabel_(nullptr),
+      apart_(new QDoubleSpinBox(this)),
       note_(sentence(this)),
       learning_(new QPushButton(this)),
       keep_(new QPushButton(this)),
@@ -55,9 +69,17 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   two_->setObjectName(QStringLiteral("twoPeople"));
   cards_->setObjectName(QStringLiteral("kioskCodes"));
   sign_->setObjectName(QStringLiteral("signMinutes"));
-  sign_->setRange(0, kLongestSignMinutes);
-  lock_->setRange(kShortestIdleLock_min, kLongestIdleLock_min);
-  warn_->setRange(1, kLongestIdleLock_min - 1);
+  watched_->setObjectName(QStringLiteral("minimumWatched"));
+  speeds_->setObjectName(QStringLiteral("playbackSpeeds"));
+  apart_->setObjectName(QStringLiteral("discrepancyPoints"));
+  bound(sign_, kSignMinutes);
+  bound(lock_, kIdleLock_min);
+  bound(warn_, kIdleWarn_min);
+  bound(watched_, kMinimumWatched_percent);
+  bound(apart_, kDiscrepancy_points);
+  watched_->setDecimals(0);
+  apart_->setDecimals(1);
+  apart_->setSingleStep(0.5);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSpace);
   nameLabel_ = addField(row, name_);
@@ -71,6 +93,20 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
     return name_->text().trimmed().isEmpty() ? tr("Enter the name of your centre.") : QString();
   });
   checks_->decide(keep_);
+  auto* scoring = new QHBoxLayout;
+  scoring->setSpacing(kSpace);
+  watchedLabel_ = addField(scoring, watched_);
+  scoring->addSpacing(2 * kSpace);
+  speedsLabel_ = addField(scoring, speeds_);
+  scoring->addSpacing(2 * kSpace);
+  apartLabel_ = addField(scoring, apart_);
+  scoring->addStretch(1);
+  content()->addLayout(scoring);
+  checks_->add(content(), speeds_, [this] {
+    return validCentreSetting(kPlaybackSpeeds, speeds_->text().remove(QLatin1Char(' ')).toStdString())
+               ? QString()
+               : tr("Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.");
+  });
   content()->addWidget(mouse_);
   content()->addWidget(sound_);
   content()->addWidget(two_);
@@ -96,28 +132,35 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
 
 void StationSettingsCard::read() {
   attempt(shell_, [this] {
-    name_->setText(toQString(centreSign(shell_.session().connectionWithoutRight()).name));
-    const IdleLimits limits = centreIdleLimits(shell_.session().connectionWithoutRight());
+    Connection& connection = shell_.session().connectionWithoutRight();
+    name_->setText(toQString(centreSign(connection).name));
+    const IdleLimits limits = centreIdleLimits(connection);
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
-    mouse_->setChecked(gradesWithMouse(shell_.session()));
-    sound_->setChecked(soundsAtLimit(shell_.session()));
-    two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
-    cards_->setChecked(kioskCodesAllowed(shell_.session().connectionWithoutRight()));
-    sign_->setValue(signMinutes(shell_.session().connectionWithoutRight()));
+    mouse_->setChecked(centreSetting<kGradedWithMouse>(connection));
+    sound_->setChecked(centreSetting<kSoundAtLimit>(connection));
+    two_->setChecked(centreSetting<kTwoPeople>(connection));
+    cards_->setChecked(centreSetting<kKioskCodes>(connection));
+    sign_->setValue(centreSetting<kSignMinutes>(connection));
+    watched_->setValue(centreSetting<kMinimumWatched_percent>(connection));
+    apart_->setValue(centreSetting<kDiscrepancy_points>(connection));
+    QString speeds = toQString(asStored(kPlaybackSpeeds, centreSetting<kPlaybackSpeeds>(connection)));
+    speeds_->setText(speeds.replace(QLatin1Char(','), QStringLiteral(", ")));
   });
 }
 
 void StationSettingsCard::keep() {
   attempt(shell_, [this] {
-    setCentreName(shell_.session(), name_->text().trimmed().toStdString());
-    setCentreIdleLimits(shell_.session(), warn_->value(), lock_->value());
-    setGradedWithMouse(shell_.session(), mouse_->isChecked());
-    setSoundAtLimit(shell_.session(), sound_->isChecked());
-    setSignMinutes(shell_.session(), sign_->value());
-    if (cards_->isChecked() != kioskCodesAllowed(shell_.session().connectionWithoutRight())) {
-      setCentreSetting(shell_.session(), kKioskCodesSetting, cards_->isChecked() ? "yes" : "no");
-    }
+    SessionContext& session = shell_.session();
+    setCentreName(session, name_->text().trimmed().toStdString());
+    setCentreIdleLimits(session, warn_->value(), lock_->value());
+    setCentreSetting<kMinimumWatched_percent>(session, watched_->value());
+    changeCentreSetting(session, kPlaybackSpeeds, speeds_->text().remove(QLatin1Char(' ')).toStdString());
+    setCentreSetting<kDiscrepancy_points>(session, apart_->value());
+    setCentreSetting<kGradedWithMouse>(session, mouse_->isChecked());
+    setCentreSetting<kSoundAtLimit>(session, sound_->isChecked());
+    setCentreSetting<kSignMinutes>(session, sign_->value());
+    setCentreSetting<kKioskCodes>(session, cards_->isChecked());
     if (two_->isChecked() != needsTwoPeople(shell_.session().connectionWithoutRight())) {
       keepTwoPeople();
     }
@@ -127,10 +170,10 @@ void StationSettingsCard::keep() {
 
 void StationSettingsCard::keepTwoPeople() {
   const bool two = two_->isChecked();
-  const DutyWish wish{
-      .act = DutyAct::kOnePerson, .subject = kTwoPeopleSetting, .reason = "one person is to be enough"};
-  actOrAsk(this, shell_, wish,
-           [&] { setCentreSetting(shell_.session(), kTwoPeopleSetting, two ? "yes" : "no"); });
+  const DutyWish wish{.act = DutyAct::kOnePerson,
+                      .subject = std::string(kTwoPeople.name),
+                      .reason = "one person is to be enough"};
+  actOrAsk(this, shell_, wish, [&] { setCentreSetting<kTwoPeople>(shell_.session(), two); });
   two_->setChecked(needsTwoPeople(shell_.session().connectionWithoutRight()));
 }
 
@@ -148,6 +191,11 @@ void StationSettingsCard::retranslate() {
          "restoring and opening the allocation"));
   cards_->setText(
       tr("&Kiosks admit trainees by the code on their card, without a password (from their next start)"));
+  nameField(watchedLabel_, tr("Raters &must watch"));
+  nameField(speedsLabel_, tr("at spee&ds"));
+  nameField(apartLabel_, tr("Discrepanc&y review from"));
+  watched_->setSuffix(tr(" %"));
+  apart_->setSuffix(tr(" points"));
   nameField(signLabel_, tr("One password &entry signs for"));
   sign_->setSuffix(tr(" min"));
   sign_->setSpecialValueText(tr("one signature"));

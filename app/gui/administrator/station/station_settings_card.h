@@ -4,6 +4,7 @@
 #include "app/gui/widgets/card.h"
 
 class QCheckBox;
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -15,8 +16,8 @@ class FieldChecks;
 class ShellContext;
 
 /// What holds at every station of the centre: its name, after how many minutes an empty place warns and
-/// locks, whether runs with the mouse are graded, what needs two people, and for how long a password signs.
-/// For those who may change settings.
+/// locks, what raters must watch and when they review a discrepancy, whether runs with the mouse are graded,
+/// what needs two people, and for how long a password signs. For those who may change settings.
 class StationSettingsCard : public Card {
   Q_OBJECT
 
@@ -44,6 +45,12 @@ class StationSettingsCard : public Card {
   QCheckBox* cards_;
   QLabel* signLabel_;
   QSpinBox* sign_;
+  QLabel* watchedLabel_;
+  QDoubleSpinBox* watched_;
+  QLabel* speedsLabel_;
+  QLineEdit* speeds_;
+  QLabel* apartLabel_;
+  QDoubleSpinBox* apart_;
   QLabel* note_;
   QPushButton* learning_;
   QPushButton* keep_;

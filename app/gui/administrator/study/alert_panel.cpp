@@ -18,7 +18,7 @@
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/study/alert_labels.h"
+#include "app/services/study/day_board.h"
 
 namespace torsio::gui {
 

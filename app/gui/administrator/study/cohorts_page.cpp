@@ -119,7 +119,7 @@ void CohortsPage::showContent() {
     rows.push_back(
         {toQString(row.cohort.id),
          {{toQString(Text(row.cohort.name))},
-          {cohortStateName(row.cohort.state), static_cast<int>(row.cohort.state)},
+          {toQString(labelOf(row.cohort.state)), static_cast<int>(row.cohort.state)},
           {row.curriculumName.empty()
                ? tr("none yet")
                : tr("%1, version %2").arg(toQString(Text(row.curriculumName))).arg(row.curriculumNumber)},
@@ -179,7 +179,7 @@ void CohortsPage::showMembers() {
           {orDash(enrolment.groupCode)},
           {enrolment.numberInGroup > 0 ? QString::number(enrolment.numberInGroup) : QStringLiteral("\u2013"),
            static_cast<qlonglong>(enrolment.numberInGroup)},
-          {enrolmentStateName(enrolment.state)},
+          {toQString(labelOf(enrolment.state))},
           timeCell(enrolment.enrolledUtc_us)}});
   }
   members_->setRows(std::move(rows));

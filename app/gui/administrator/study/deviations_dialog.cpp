@@ -68,7 +68,7 @@ void DeviationsDialog::read() {
     rows.push_back({toQString(one.id),
                     {timeCell(one.happenedUtc_us),
                      {one.enrolmentId.empty() ? tr("the whole cohort") : toQString(codes[one.enrolmentId])},
-                     {deviationName(one.kind)},
+                     {toQString(Text(one.kind))},
                      {description, {}, description}}});
   }
   std::reverse(rows.begin(), rows.end());

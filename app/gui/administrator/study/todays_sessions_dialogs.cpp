@@ -45,47 +45,14 @@ class FormDialog : public QuestionDialog {
   QFormLayout* form;
 };
 
-QString exposureName(ExposureKind kind) {
-  switch (kind) {
-    case ExposureKind::kVirtual:
-      return translated(QT_TRANSLATE_NOOP("DayBoard", "on the simulator"));
-    case ExposureKind::kReal:
-      return translated(QT_TRANSLATE_NOOP("DayBoard", "on the real arm"));
-    case ExposureKind::kRest:
-      return translated(QT_TRANSLATE_NOOP("DayBoard", "rest"));
-  }
-  return {};
-}
-
 }  // namespace
-
-QString deviationName(const std::string& kind) {
-  static const std::pair<const char*, const char*> kNames[] = {
-      {"late", QT_TRANSLATE_NOOP("DayBoard", "came late")},
-      {"absent", QT_TRANSLATE_NOOP("DayBoard", "did not come")},
-      {"device failed", QT_TRANSLATE_NOOP("DayBoard", "device failed")},
-      {"swapped", QT_TRANSLATE_NOOP("DayBoard", "swapped with somebody")},
-      {"phase cut short", QT_TRANSLATE_NOOP("DayBoard", "phase cut short")},
-      {"trained before scoring", QT_TRANSLATE_NOOP("DayBoard", "trained before scoring")},
-      {"trained outside the plan", QT_TRANSLATE_NOOP("DayBoard", "trained outside the plan")},
-      {"phase too long", QT_TRANSLATE_NOOP("DayBoard", "phase too long")},
-      {"rest too long", QT_TRANSLATE_NOOP("DayBoard", "rest too long")},
-      {"other", QT_TRANSLATE_NOOP("DayBoard", "something else")},
-  };
-  for (const auto& [code, name] : kNames) {
-    if (kind == code) {
-      return translated(name);
-    }
-  }
-  return toQString(kind);
-}
 
 std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
                                        const std::map<ExposureKind, QStringList>& unplanned) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("DayBoard", "Log time")), trainee);
   auto* kind = new QComboBox(&dialog);
   for (const ExposureKind one : {ExposureKind::kReal, ExposureKind::kVirtual, ExposureKind::kRest}) {
-    kind->addItem(exposureName(one), QVariant::fromValue(static_cast<int>(one)));
+    kind->addItem(toQString(labelOf(one)), QVariant::fromValue(static_cast<int>(one)));
   }
   kind->setObjectName(QStringLiteral("exposureKind"));
   const auto beside = [kind, &unplanned] {
@@ -141,8 +108,10 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
 std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("DayBoard", "Report a deviation")), trainee);
   auto* kind = new QComboBox(&dialog);
-  for (const std::string& code : deviationKinds()) {
-    kind->addItem(deviationName(code), toQString(code));
+  for (const Term<DeviationKind>& term : kDeviationKinds) {
+    if (term.value < DeviationKind::kTrainedBeforeScoring) {
+      kind->addItem(toQString(term.label), toQString(std::string(term.stored)));
+    }
   }
   auto* text = new QPlainTextEdit(&dialog);
   text->setTabChangesFocus(true);

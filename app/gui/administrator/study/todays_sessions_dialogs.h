@@ -15,7 +15,6 @@ class QWidget;
 namespace torsio::gui {
 
 /// Name of a kind of deviation in the user's language.
-[[nodiscard]] QString deviationName(const std::string& kind);
 
 /// Minutes on the real arm, on the simulator or resting; `unplanned`: codes of those among the trainees whose
 /// arm spends no time on it, which needs a reason. Cohort, enrolment and start are the caller's. Empty: given

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/services/devices/station_device.h"
+#include "app/services/devices/device_readiness.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/live_call.h"
 

@@ -24,7 +24,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/people_service.h"
@@ -362,7 +362,7 @@ TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
 TEST(RetentionQueue, AsksOnceForASecondPersonWhenSeveralAreErased) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainTrainee, 1, "contract");
-  setCentreSetting(office.centre.session(), kTwoPeopleSetting, "yes");
+  setCentreSetting<kTwoPeople>(office.centre.session(), true);
   office.centre.addTrainees(2);
   office.centre.passTime_us(3 * kDay_us);
   auto page = office.open<MaintenancePage>("administrator");

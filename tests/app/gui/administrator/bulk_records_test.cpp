@@ -23,7 +23,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/access/all_or_none.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/roster_undo.h"
@@ -261,7 +261,7 @@ TEST(SeveralPeople, AreErasedOnRequestTogether) {
 TEST(SeveralPeople, AreAskedForOnceWhereErasingNeedsTwo) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
-  setCentreSetting(office.centre.as("administrator"), kTwoPeopleSetting, "yes");
+  setCentreSetting<kTwoPeople>(office.centre.as("administrator"), true);
   auto page = office.open<RosterPage>("administrator");
   child<DataTable>(*page, "table").view().selectAll();
   answer([](QDialog& dialog) {

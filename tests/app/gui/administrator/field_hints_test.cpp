@@ -28,6 +28,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/study/cohort_service.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/support/administrator_desk.h"
@@ -227,6 +228,30 @@ TEST(StationSettings, AreNotSavedWithoutANameWhichIsSaidBelowIt) {
   retype(name, QStringLiteral("Hospital"));
   EXPECT_TRUE(hintBelow(card, name).isEmpty());
   EXPECT_TRUE(child<QPushButton>(card, "keepSettings").isEnabled());
+}
+
+TEST(StationSettings, SetWhatRatersMustWatchAndRefuseSpeedsThatAreNone) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  StationSettingsCard card(office.shell());
+  card.read();
+  card.resize(1200, 400);
+  card.show();
+  auto& speeds = child<QLineEdit>(card, "playbackSpeeds");
+  retype(speeds, QStringLiteral("fast"));
+  EXPECT_FALSE(hintBelow(card, speeds).isEmpty());
+  EXPECT_FALSE(child<QPushButton>(card, "keepSettings").isEnabled());
+  retype(speeds, QStringLiteral("0.5, 2"));
+  child<QDoubleSpinBox>(card, "minimumWatched").setValue(50.0);
+  child<QDoubleSpinBox>(card, "discrepancyPoints").setValue(1.5);
+  child<QPushButton>(card, "keepSettings").click();
+
+  Connection& connection = office.centre.connection();
+  EXPECT_DOUBLE_EQ(centreSetting<kMinimumWatched_percent>(connection), 50.0);
+  EXPECT_EQ(centreSetting<kPlaybackSpeeds>(connection), (std::vector{0.5, 1.0, 2.0}));
+  EXPECT_DOUBLE_EQ(centreSetting<kDiscrepancy_points>(connection), 1.5);
+  card.read();
+  EXPECT_EQ(speeds.text(), QStringLiteral("0.5, 1, 2"));
 }
 
 TEST(RosterHints, StandBelowThePathAndBelowAColumnThatTheHeadingsDoNotTell) {

@@ -29,16 +29,15 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/person_requests.h"
 #include "app/services/serving/review_desk.h"
 #include "app/services/study/cohort_service.h"
-#include "app/services/study/occasion_service.h"
 #include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/domain/study/allocation_entry.h"
@@ -206,7 +205,7 @@ TEST(RosterPage, MarksAllWhoAreChosenAsGoneAndTakesThemBack) {
 
 TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
   AdministratorDesk office;
-  setCentreSetting(office.centre.as("administrator"), kKioskCodesSetting, "yes");
+  setCentreSetting<kKioskCodes>(office.centre.as("administrator"), true);
   auto page = office.open<UsersPage>("administrator");
   const std::filesystem::path file = office.centre.folder() / "cards.pdf";
   answer([&file](QDialog& dialog) {

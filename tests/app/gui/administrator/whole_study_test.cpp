@@ -29,7 +29,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/outputs/report/report_export.h"
-#include "app/services/devices/station_device.h"
+#include "app/services/devices/device_readiness.h"
 #include "app/services/people/people_service.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
@@ -38,9 +38,9 @@
 #include "assessment/domain/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/file_io.h"
-#include "tests/app/gui/support/administrator_desk.h"
 #include "tests/app/gui/administrator/by_hand.h"
 #include "tests/app/gui/administrator/study_crowd.h"
+#include "tests/app/gui/support/administrator_desk.h"
 
 namespace torsio::gui {
 namespace {

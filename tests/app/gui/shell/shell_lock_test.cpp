@@ -13,8 +13,8 @@
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/access/signing.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/signature.h"
@@ -61,7 +61,7 @@ TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   const QString meaning = labelOf(SignatureMeaning::kFroze);
   EXPECT_TRUE(readyToSign(window_.get(), window_->desk()->context(), meaning)) << "shown a moment ago";
-  setSignMinutes(window_->desk()->context().session(), 0);
+  setCentreSetting<kSignMinutes>(window_->desk()->context().session(), 0);
   ASSERT_TRUE(window_->signOut());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
 
@@ -236,7 +236,7 @@ TEST_F(Shell, AKioskTakesTheCodeOfACardWhereTheCentreAllowsItAndNoOtherPlaceDoes
     key.station = "office";
     SessionContext office(key);
     ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
-    setCentreSetting(office, kKioskCodesSetting, "yes");
+    setCentreSetting<kKioskCodes>(office, true);
     std::vector<UserId> trainees;
     for (const UserAccount& user : users(office)) {
       if (user.login == "chen") {

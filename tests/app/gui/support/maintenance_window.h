@@ -18,7 +18,7 @@
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/main_window.h"
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/people/people_service.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -49,7 +49,7 @@ class MaintenancePages : public ::testing::Test {
     {
       const std::unique_ptr<SessionContext> office = foundCentre(record());
       office->beginCall();
-      setCentreSetting(*office, "two_people", "no");  // there is one administrator only
+      setCentreSetting<kTwoPeople>(*office, false);  // there is one administrator only
       addPerson(*office, person());
       addPerson(*office, person());
     }

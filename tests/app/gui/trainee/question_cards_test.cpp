@@ -22,7 +22,7 @@
 #include "app/gui/trainee/remarks_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/base/assets.h"
-#include "app/services/review/remark_replies.h"
+#include "app/services/review/case_remarks.h"
 #include "app/services/training/questions.h"
 #include "app/services/training/remarks.h"
 #include "db/repository/people/people_repository.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/access/signing.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/audit_entry.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
@@ -45,7 +46,7 @@ class Invitations : public ::testing::Test {
     return signIn(centre.as(""), login, password).outcome;
   }
   void askForTwo() {
-    SettingRepository(centre.connection()).set(kTwoPeopleSetting, "yes", 0);
+    SettingRepository(centre.connection()).set(kTwoPeople.name, "yes", 0);
     AccessRepository access(centre.connection(), PasswordCost::kTest);
     access.addUser({.id = "u-second", .login = "second", .roles = {"administrator"}}, kStudyPassword);
     access.setPassword("u-second", access.sealPassword("second", kStudyPassword), false);

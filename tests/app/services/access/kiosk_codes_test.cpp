@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
@@ -28,9 +28,7 @@ class KioskCodes : public ::testing::Test {
     }
     return {};
   }
-  void allow(bool allowed) {
-    setCentreSetting(centre.as("administrator"), kKioskCodesSetting, allowed ? "yes" : "no");
-  }
+  void allow(bool allowed) { setCentreSetting<kKioskCodes>(centre.as("administrator"), allowed); }
   std::string cardOf(const std::string& login) {
     const std::vector<UserId> ids{userOf(login)};
     return makeKioskCodes(centre.as("administrator"), ids).at(0).code;
@@ -58,7 +56,7 @@ TEST_F(KioskCodes, LetATraineeInUnderTheirOwnAccount) {
 
 TEST_F(KioskCodes, AreOffUnlessTheCentreSwitchesThemOn) {
   const std::vector<UserId> ids{userOf("trainee")};
-  EXPECT_FALSE(kioskCodesAllowed(centre.connection()));
+  EXPECT_FALSE(centreSetting<kKioskCodes>(centre.connection()));
   EXPECT_THROW((void)makeKioskCodes(centre.as("administrator"), ids), Error);
   allow(true);
   const std::string code = cardOf("trainee");

@@ -16,27 +16,23 @@
 #include "app/outputs/report/report_export.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/audit_service.h"
-#include "app/services/access/browser_sessions.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_copy.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/demonstration_removal.h"
-#include "app/services/maintenance/others_at_work.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/maintenance/server_move.h"
-#include "app/services/maintenance/server_preparation.h"
 #include "app/services/maintenance/station_heads.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/person_requests.h"
-#include "app/services/people/roster_accounts.h"
 #include "app/services/people/roster_import.h"
 #include "app/services/people/roster_undo.h"
 #include "app/services/recording/competence_service.h"
@@ -47,9 +43,7 @@
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/evaluation_form.h"
-#include "app/services/review/own_severity.h"
 #include "app/services/review/rater_calibration.h"
-#include "app/services/review/remark_replies.h"
 #include "app/services/review/review_queue.h"
 #include "app/services/review/viewing_report.h"
 #include "app/services/serving/review_desk.h"
@@ -61,7 +55,6 @@
 #include "app/services/study/day_plan.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/live_call.h"
-#include "app/services/study/occasion_service.h"
 #include "app/services/study/paper_sheets.h"
 #include "app/services/study/reassignment.h"
 #include "app/services/study/reminders.h"
@@ -169,7 +162,6 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path folder) {
          (void)copyDatabase(w, (folder / kNoSuch / "a.sqlite").string());
        }},
-      {O::kSettingsEdit, "setSignMinutes", [](SessionContext& w, Path) { setSignMinutes(w, -1); }},
       {O::kUserManage, "resetPassword",
        [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},
@@ -204,14 +196,17 @@ std::vector<ServiceCall> administratorCalls() {
        [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](SessionContext& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecords", [](SessionContext& w, Path) { lockRecords(w, {}, ""); }},
-      {O::kSettingsEdit, "setCentreSetting", [](SessionContext& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kSettingsEdit, "changeCentreSetting",
+       [](SessionContext& w, Path) { changeCentreSetting(w, kSignMinutes, "-1"); }},
+      {O::kSettingsEdit, "setCentreSettingNamed",
+       [](SessionContext& w, Path) { setCentreSettingNamed(w, "", ""); }},
+      {O::kSettingsEdit, "storedCentreSetting",
+       [](SessionContext& w, Path) { (void)storedCentreSetting(w, kSignMinutes); }},
       {O::kSettingsEdit, "setCentreName", [](SessionContext& w, Path) { setCentreName(w, ""); }},
       {O::kSettingsEdit, "setCentreIdleLimits",
        [](SessionContext& w, Path) { setCentreIdleLimits(w, 0, 0); }},
       {O::kUserManage, "simulatedPerson",
        [](SessionContext& w, Path) { (void)simulatedPerson(w, SimulatedRole::kPhysician); }},
-      {O::kSettingsEdit, "setSoundAtLimit", [](SessionContext& w, Path) { setSoundAtLimit(w, true); }},
-      {O::kSettingsEdit, "setGradedWithMouse", [](SessionContext& w, Path) { setGradedWithMouse(w, false); }},
       {O::kUserManage, "setUserRoles", [](SessionContext& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
       {O::kAuditView, "auditActors", [](SessionContext& w, Path) { (void)auditActors(w); }},
       {O::kPersonViewCoded, "consentHistory",

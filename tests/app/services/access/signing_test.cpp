@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
@@ -84,7 +85,7 @@ TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
 }
 
 TEST_F(Signing, ACentreCanAskForEachSignature) {
-  setSignMinutes(centre_.as("administrator"), 0);
+  setCentreSetting<kSignMinutes>(centre_.as("administrator"), 0);
   signedIn();
 
   EXPECT_THROW(signOne("a"), PasswordDue) << "the sign-in is no signature";
@@ -94,7 +95,7 @@ TEST_F(Signing, ACentreCanAskForEachSignature) {
   showPassword(centre_.session(), kStudyPassword);
   signOne("b");
   EXPECT_TRUE(passwordIsDue(centre_.session()));
-  EXPECT_THROW(setSignMinutes(centre_.as("administrator"), kLongestSignMinutes + 1), Error);
+  EXPECT_THROW(setCentreSetting<kSignMinutes>(centre_.as("administrator"), 61), Error);
 }
 
 TEST_F(Signing, AClockThatWasSetBackSignsNothing) {

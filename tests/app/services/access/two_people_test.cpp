@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/access/settings_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/study/allocation_service.h"
 #include "db/repository/base/audit_repository.h"
@@ -26,7 +26,7 @@ using testing::StudyCentre;
 class TwoPeople : public ::testing::Test {
  protected:
   TwoPeople() {
-    SettingRepository(centre_.connection()).set(kTwoPeopleSetting, "yes", 0);
+    SettingRepository(centre_.connection()).set(kTwoPeople.name, "yes", 0);
     second_ = addAdministrator("second");
   }
   UserId addAdministrator(const std::string& login, const PersonId& personId = {}) {
@@ -234,9 +234,10 @@ TEST_F(TwoPeople, ARequestEndsAfterTwoWeeksAndCanBeDeclined) {
 }
 
 TEST_F(TwoPeople, SwitchingTheRuleOffTakesTwoWhereThereAreTwo) {
-  EXPECT_THROW(setCentreSetting(asFirst(), kTwoPeopleSetting, "no"), SecondPersonNeeded);
-  (void)askSecondPerson(asFirst(),
-                        {.act = DutyAct::kOnePerson, .subject = kTwoPeopleSetting, .reason = "we are few"});
+  EXPECT_THROW(setCentreSetting<kTwoPeople>(asFirst(), false), SecondPersonNeeded);
+  (void)askSecondPerson(
+      asFirst(),
+      {.act = DutyAct::kOnePerson, .subject = std::string(kTwoPeople.name), .reason = "we are few"});
   EXPECT_EQ(confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id), "");
 
   EXPECT_FALSE(needsTwoPeople(centre_.connection()));
@@ -255,7 +256,7 @@ TEST_F(TwoPeople, ASingleAdministratorMakesASecondOneOrSwitchesTheRuleOff) {
       SecondPersonNeeded);
 
   setUserActive(asFirst(), user("deputy").id, false, "left");
-  setCentreSetting(asFirst(), kTwoPeopleSetting, "no");
+  setCentreSetting<kTwoPeople>(asFirst(), false);
   EXPECT_FALSE(needsTwoPeople(centre_.connection()));
 }
 

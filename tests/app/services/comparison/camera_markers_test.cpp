@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/comparison/camera_markers.h"
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "app/services/comparison/measured_markers.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 

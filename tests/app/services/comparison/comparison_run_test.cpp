@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/services/comparison/comparison_files.h"
 #include "app/services/comparison/comparison_report.h"
 #include "sim/core/error.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What people read about the machine's time.
-#include "app/services/devices/servo_labels.h"
-
 #include <gtest/gtest.h>
+
+#include "app/services/devices/device_readiness.h"
 
 namespace torsio {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/people/consent_service.h"
-#include "app/services/people/roster_accounts.h"
+#include "app/services/people/roster_import.h"
 #include "assessment/domain/people/account.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"

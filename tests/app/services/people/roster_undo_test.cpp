@@ -12,10 +12,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/services/maintenance/server_preparation.h"
+#include "app/services/maintenance/server_move.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
-#include "app/services/people/roster_accounts.h"
+#include "app/services/people/roster_import.h"
 #include "app/services/study/cohort_service.h"
 #include "db/connection/locator.h"
 #include "db/repository/people/server_roles.h"

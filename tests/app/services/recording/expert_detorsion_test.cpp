@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/expert_run.h"
+#include "app/services/recording/pipeline.h"
 #include "sim/core/staged_turn.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/hollow_organ.h"

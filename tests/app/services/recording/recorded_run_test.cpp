@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "app/services/base/build_info.h"
-#include "app/services/recording/expert_run.h"
 #include "app/services/recording/pipeline.h"
 #include "sim/core/error.h"
 #include "sim/core/tick_period.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/base/build_info.h"
-#include "app/services/recording/recording_host.h"
+#include "app/services/recording/recording_spec.h"
 #include "app/services/recording/station_heartbeat.h"
 #include "app/services/recording/unstored_trials.h"
 #include "app/services/training/run_session.h"

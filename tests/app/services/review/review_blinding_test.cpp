@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/blinded_case.h"
 #include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/evaluation_form.h"
-#include "app/services/review/own_severity.h"
 #include "app/services/review/rater_calibration.h"
 #include "app/services/review/review_queue.h"
 #include "assessment/domain/rating/campaign.h"
@@ -168,6 +168,8 @@ TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
   EXPECT_TRUE(discrepancyCases(*first).empty());  // nothing lies apart any more
+  setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
+  EXPECT_FALSE(discrepancyCases(*first).empty());
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
   EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/blinded_case.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
@@ -22,7 +23,6 @@
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
-#include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"
@@ -232,8 +232,8 @@ TEST(CaseSheet, AsksForAnswersForWatchingAndForTheNaturalSpeed) {
   EXPECT_EQ(refusal([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
   EXPECT_EQ(openSheet(*desk, id).state, SheetState::kOpen);
 
-  SettingRepository(centre.connection()).set("review.speeds", "1,2", testing::kReviewTime_us);
-  SettingRepository(centre.connection()).set("review.minimum_watched_percent", "50", testing::kReviewTime_us);
+  setCentreSetting<kPlaybackSpeeds>(*centre.administrator(), {1.0, 2.0});
+  setCentreSetting<kMinimumWatched_percent>(*centre.administrator(), 50.0);
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast);
   submitSheet(*desk, centre.cases(0).back(), reviewSheet(7, 6, 6.5), half);
 }

@@ -8,6 +8,7 @@
 
 #include "app/services/demonstration/demonstration_people.h"
 #include "app/services/people/people_service.h"
+#include "app/services/scoring/cohort_inputs.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation_entry.h"
@@ -140,6 +141,21 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
 
   EXPECT_EQ(allocationDesigns(allocator, study.cohortId).at(0).stored.seed, seed);
   EXPECT_EQ(study.centre.audited("allocation.reveal"), 1);
+}
+
+TEST(AllocationService, AReportRepeatsTheDrawOfEveryMethod) {
+  for (const Term<AllocationMethod>& method : kAllocationMethods) {
+    AllocationStudy study(12);
+    SessionContext& allocator = study.centre.as("allocator");
+    const AllocationDesignRow design = lockAllocation(allocator, study.plan(method.value));
+    allocateAll(allocator, study.cohortId);
+    (void)revealSeed(allocator, design.stored.id);
+
+    const CohortInputs inputs = cohortInputs(study.centre.connection(), study.cohortId, {},
+                                             readTraining(study.centre.connection(), study.cohortId));
+
+    EXPECT_TRUE(inputs.allocation.replayed) << method.stored;
+  }
 }
 
 TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {

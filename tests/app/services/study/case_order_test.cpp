@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/study/case_order.h"
-
 #include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
+
+#include "app/services/study/scoring_plan.h"
 
 namespace torsio {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/outputs/report/coded_tables.h"
 #include "app/services/base/csv_table.h"
-#include "app/services/devices/station_device.h"
+#include "app/services/devices/device_readiness.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"

@@ -10,8 +10,8 @@
 
 #include "app/outputs/report/report_data.h"
 #include "app/services/access/access_service.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
-#include "app/services/access/settings_service.h"
 #include "app/services/demonstration/demonstration.h"
 #include "app/services/demonstration/demonstration_desk.h"
 #include "app/services/demonstration/demonstration_people.h"

@@ -9,12 +9,11 @@
 
 #include "app/outputs/report/report_data.h"
 #include "app/services/recording/trial_digests.h"
-#include "app/services/scoring/cohort_occasions.h"
+#include "app/services/scoring/scoring_service.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "app/services/study/day_board.h"
-#include "app/services/study/occasion_service.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/expert_run.h"
+#include "app/services/recording/pipeline.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "sim/record/sample_codec.h"
 #include "tests/sim/servo/hollow_bar.h"

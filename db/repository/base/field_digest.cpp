@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/base/value_digest.h"
+#include "db/repository/base/field_digest.h"
 
 #include <span>
 #include <string_view>

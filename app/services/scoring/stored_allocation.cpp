@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/study/allocation_design.h"
+#include "app/services/scoring/stored_allocation.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <charconv>
+#include <map>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/refusal.h"
 
@@ -15,12 +17,6 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::array<std::pair<AllocationMethod, const char*>, 4> kMethods{
-    {{AllocationMethod::kCompletePermutation, "complete permutation"},
-     {AllocationMethod::kPermutedBlocks, "permuted blocks"},
-     {AllocationMethod::kStratifiedBlocks, "stratified blocks"},
-     {AllocationMethod::kMinimisation, "minimisation"}}};
 
 std::size_t levelOf(const AllocationFactor& factor, const std::string& level, const std::string& code) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
@@ -48,17 +44,8 @@ std::string factorValue(const Trainee& trainee, const std::string& factor) {
   if (factor == "handedness") {
     return trainee.handedness;
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("people cannot be balanced by \"%1\"", factor),
-              Text::tr("allocation"), Text::tr("Choose sex, level, experience or handedness"));
-}
-
-std::string allocationMethodName(AllocationMethod method) {
-  for (const auto& [known, name] : kMethods) {
-    if (known == method) {
-      return name;
-    }
-  }
-  return "";
+  refuseParameter(Text::tr("people cannot be balanced by \"%1\"", factor), Text::tr("allocation"),
+                  Text::tr("Choose sex, level, experience or handedness"));
 }
 
 std::string designJson(const AllocationDesign& design) {
@@ -68,13 +55,13 @@ std::string designJson(const AllocationDesign& design) {
   }
   return json{{"format", "torsio allocation design 2"},
               {"study", design.studyId},
-              {"method", allocationMethodName(design.method)},
+              {"method", storedText(design.method)},
               {"arms", design.arms},
               {"participants", design.participants},
               {"block_sizes", design.blockSizes},
               {"factors", factors},
               {"best_arm_tenths", design.bestArm_tenths},
-              {"imbalance", design.imbalance == Imbalance::kRange ? "range" : "variance"},
+              {"imbalance", storedText(design.imbalance)},
               {"stratum_totals", design.stratumTotals}}
       .dump();
 }
@@ -91,12 +78,11 @@ AllocationDesign designFromStored(const LockedDesign& stored, const std::vector<
       return design;
     }
     const std::string method = source.at("method").get<std::string>();
-    const auto known = std::find_if(kMethods.begin(), kMethods.end(),
-                                    [&](const auto& entry) { return method == entry.second; });
-    if (known == kMethods.end()) {
+    const std::optional<AllocationMethod> known = fromStoredText<AllocationMethod>(method);
+    if (!known) {
       refuse(Text::tr("the method \"%1\" is not known", method), stored.id, "");
     }
-    design.method = known->first;
+    design.method = *known;
     design.studyId = source.at("study").get<std::string>();
     design.arms = source.at("arms").get<std::vector<std::string>>();
     design.participants = source.at("participants").get<std::size_t>();
@@ -106,7 +92,8 @@ AllocationDesign designFromStored(const LockedDesign& stored, const std::vector<
           {factor.at("name").get<std::string>(), factor.at("levels").get<std::vector<std::string>>()});
     }
     design.bestArm_tenths = source.at("best_arm_tenths").get<std::int64_t>();
-    design.imbalance = source.at("imbalance") == "variance" ? Imbalance::kVariance : Imbalance::kRange;
+    design.imbalance =
+        fromStoredText<Imbalance>(source.at("imbalance").get<std::string>()).value_or(Imbalance::kRange);
     design.stratumTotals = source.at("stratum_totals").get<std::map<std::string, std::size_t>>();
   } catch (const json::exception& problem) {
     refuse(Text::tr("the stored design cannot be read: %1", problem.what()), stored.id,
@@ -152,6 +139,85 @@ std::string numbersJson(const std::vector<std::string>& names, const std::vector
     out[names[i]] = numbers[i];
   }
   return out.dump();
+}
+
+std::vector<AllocationEntry> drawnOf(const std::vector<AllocationEntry>& records) {
+  std::vector<AllocationEntry> drawn;
+  for (const AllocationEntry& record : records) {
+    if (record.overrideReason.empty()) {
+      drawn.push_back(record);
+    }
+  }
+  return drawn;
+}
+
+std::uint64_t seedFrom(const std::string& text, const DesignId& designId) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
+    refuse(Text::tr("the sealed seed cannot be read"), designId, Text::tr("Verify the database"));
+  }
+  return seed;
+}
+
+std::map<std::string, std::string> codesOf(StudyRepository& study, const CohortId& cohortId) {
+  std::map<std::string, std::string> codes;
+  for (const Enrolment& enrolment : study.enrolments(cohortId)) {
+    codes[enrolment.id] = enrolment.traineeCode;
+  }
+  return codes;
+}
+
+AllocationCheck repeatedDraw(StudyRepository& study, const LockedDesign& stored, const std::string& seedText,
+                             const std::string& salt) {
+  AllocationCheck check;
+  const auto wrong = [&](const Text& finding) {
+    check.sound = false;
+    check.finding = finding;
+    return check;
+  };
+  std::vector<std::string> groupCodes;
+  std::map<std::string, GroupId> groupIds;
+  for (const StudyGroup& group : study.groups(stored.cohortId)) {
+    groupCodes.push_back(group.code);
+    groupIds[group.code] = group.id;
+  }
+  const std::vector<AllocationEntry> records = study.allocations(stored.id);
+  const std::vector<AllocationEntry> drawn = drawnOf(records);
+  check.records = records.size();
+  check.overrides = records.size() - drawn.size();
+  if (const auto broken = study.firstBrokenAllocation(stored.id)) {
+    return wrong(Text::tr("record %1 does not fit into the chain", *broken));
+  }
+  const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
+  const std::uint64_t seed = seedFrom(seedText, stored.id);
+  if (seedCommitment(design, seed, salt) != stored.seedCommitment) {
+    return wrong(Text::tr("seed and design do not give the published commitment"));
+  }
+  if (drawn.empty()) {
+    return check;
+  }
+  const std::map<std::string, std::string> codes = codesOf(study, stored.cohortId);
+  Allocator allocator(design, seed);
+  for (const AllocationEntry& record : drawn) {
+    const AllocationRecord again =
+        allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
+    if (groupIds[design.arms.at(again.arm)] != record.groupId ||
+        static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
+      return wrong(Text::tr("record %1 does not follow from the seed", record.sequence));
+    }
+  }
+  std::map<std::string, std::string> lastGroup;
+  for (const AllocationEntry& record : records) {
+    lastGroup[record.enrolmentId] = record.groupId;
+  }
+  for (const Enrolment& enrolment : study.enrolments(stored.cohortId)) {
+    const auto last = lastGroup.find(enrolment.id);
+    if (last != lastGroup.end() && last->second != enrolment.groupId) {
+      return wrong(Text::tr("%1 is in a group that no record tells of", enrolment.traineeCode));
+    }
+  }
+  return check;
 }
 
 }  // namespace torsio

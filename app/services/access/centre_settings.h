@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/services/access/idle_guard.h"
+#include "app/services/access/session_context.h"
+#include "assessment/domain/people/learning_event.h"
+#include "sim/core/text.h"
+
+namespace torsio {
+
+class Connection;
+
+/// What a setting holds and how it is stored: "yes" or "no"; a number; playback speeds, rising, with 1 among
+/// them
+/// ("0.5,1,1.5"); words.
+enum class SettingKind { kYesNo, kWhole, kNumber, kSpeeds, kWords };
+
+/// A choice of the centre, the same for all its stations. Changed under kSettingsEdit, audited with the old
+/// and the new value. A stored name never changes.
+struct CentreSetting {
+  std::string_view name;
+  SettingKind kind;
+  std::string_view initial;  ///< as stored; holds where nothing is stored, or a value that is not valid
+  double least;              ///< bounds of a number and of each speed
+  double most;
+  Phrase label;
+  Phrase shown{};            ///< pattern of a number: "%1 min"
+  bool inReport = false;     ///< each report states the value in force
+  std::string_view setBy{};  ///< what alone sets it, because one value alone would not make sense
+};
+
+inline constexpr CentreSetting kTwoPeople{
+    "two_people",
+    SettingKind::kYesNo,
+    "yes",
+    0,
+    1,
+    Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
+    {},
+    true};
+inline constexpr CentreSetting kMinimumWatched_percent{
+    "review.minimum_watched_percent",
+    SettingKind::kNumber,
+    "80",
+    0,
+    100,
+    Text::tr("Share of a recording that a rater must have watched"),
+    Text::tr("%1 %"),
+    true};
+inline constexpr CentreSetting kPlaybackSpeeds{"review.speeds",
+                                               SettingKind::kSpeeds,
+                                               "1",
+                                               0.1,
+                                               4,
+                                               Text::tr("Playback speeds that raters may use"),
+                                               {},
+                                               true};
+inline constexpr CentreSetting kDiscrepancy_points{
+    "review.alignment_points",
+    SettingKind::kNumber,
+    "2",
+    0.1,
+    100,
+    Text::tr("Distance from the other raters' mean that calls for a discrepancy review"),
+    Text::tr("%1 points"),
+    true};
+inline constexpr CentreSetting kSignMinutes{"sign_minutes",
+                                            SettingKind::kWhole,
+                                            "15",
+                                            0,
+                                            60,
+                                            Text::verbatim("One password entry signs for (0: one signature)"),
+                                            Text::verbatim("%1 min")};
+inline constexpr CentreSetting kIdleWarn_min{
+    "idle_warn_minutes",     SettingKind::kWhole, "4", 1, 59, Text::verbatim("An idle station warns after"),
+    Text::verbatim("%1 min")};
+inline constexpr CentreSetting kIdleLock_min{
+    "idle_lock_minutes",     SettingKind::kWhole, "5", 2, 60, Text::verbatim("An idle station locks after"),
+    Text::verbatim("%1 min")};
+inline constexpr CentreSetting kCopyKeep_days{"copy_keep_days",
+                                              SettingKind::kWhole,
+                                              "365",
+                                              1,
+                                              36'500,
+                                              Text::verbatim("Copies of the record are kept for"),
+                                              Text::verbatim("%1 days")};
+inline constexpr CentreSetting kGradedWithMouse{"graded_with_mouse",
+                                                SettingKind::kYesNo,
+                                                "no",
+                                                0,
+                                                1,
+                                                Text::verbatim("Runs with mouse and keyboard are graded")};
+inline constexpr CentreSetting kSoundAtLimit{"sound_at_limit",
+                                             SettingKind::kYesNo,
+                                             "no",
+                                             0,
+                                             1,
+                                             Text::verbatim("A sound plays when a limit is reached")};
+inline constexpr CentreSetting kKioskCodes{"kiosk_codes",
+                                           SettingKind::kYesNo,
+                                           "no",
+                                           0,
+                                           1,
+                                           Text::verbatim("Kiosks admit trainees by the code on their card")};
+inline constexpr CentreSetting kBrowserAddress{"browser_address",
+                                               SettingKind::kWords,
+                                               "",
+                                               0,
+                                               200,
+                                               Text::verbatim("Address of the review desk in invitations"),
+                                               {},
+                                               false,
+                                               "torsio invite --address"};
+inline constexpr CentreSetting kMailServer{
+    "mail_server", SettingKind::kWords, "", 0, 4000, Text::verbatim("Server that sends reminders"), {},
+    false,         "Campaigns, Remind"};
+inline constexpr CentreSetting kLearningRecords{
+    kLearningSetting, SettingKind::kYesNo, "no", 0, 1, Text::verbatim("Learning records are sent"), {}, false,
+    "torsio xapi set"};
+inline constexpr CentreSetting kLearningRecordStore{"learning_record_store",
+                                                    SettingKind::kWords,
+                                                    "",
+                                                    0,
+                                                    4000,
+                                                    Text::verbatim("Store of the learning records"),
+                                                    {},
+                                                    false,
+                                                    "torsio xapi set"};
+inline constexpr CentreSetting kLanguage{
+    "language", SettingKind::kWords, "", 0, 10, Text::verbatim("Language at sign-in"), {},
+    false,      "the first run"};
+
+inline constexpr std::array kCentreSettings{
+    &kTwoPeople,       &kMinimumWatched_percent, &kPlaybackSpeeds,      &kDiscrepancy_points,
+    &kSignMinutes,     &kIdleWarn_min,           &kIdleLock_min,        &kCopyKeep_days,
+    &kGradedWithMouse, &kSoundAtLimit,           &kKioskCodes,          &kBrowserAddress,
+    &kMailServer,      &kLearningRecords,        &kLearningRecordStore, &kLanguage};
+
+template <SettingKind kind>
+using SettingValue = std::tuple_element_t<static_cast<std::size_t>(kind),
+                                          std::tuple<bool, int, double, std::vector<double>, std::string>>;
+
+/// The value in force. Asks for no right: the shell reads some before anybody signs in, and a service asks
+/// for its own. Instantiated for each setting in centre_settings.cpp, so that a setting that nobody reads is
+/// found by .ci/unreachable.
+template <const CentreSetting& setting>
+[[nodiscard]] SettingValue<setting.kind> centreSetting(Connection& connection);
+
+/// Changes a setting to what is written as it is stored; nothing happens when that is in force already.
+/// Audited. kSettingsEdit. Throws Error{kBadParameter} for what is not valid; SecondPersonNeeded.
+void changeCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written);
+/// For a service that has asked for its own right, inside its transaction: as above, and needs no second
+/// person.
+void keepCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written,
+                       const std::string& reason = {});
+/// Numbers of a setting as they are stored; 1 for "yes", 0 for "no".
+[[nodiscard]] std::string asStored(const CentreSetting& setting, const std::vector<double>& numbers);
+/// Whether changeCentreSetting() takes what is written.
+[[nodiscard]] bool validCentreSetting(const CentreSetting& setting, const std::string& written);
+/// As changeCentreSetting().
+template <const CentreSetting& setting>
+void setCentreSetting(SessionContext& session,
+                      const std::type_identity_t<SettingValue<setting.kind>>& value) {
+  if constexpr (setting.kind == SettingKind::kWords) {
+    changeCentreSetting(session, setting, value);
+  } else if constexpr (setting.kind == SettingKind::kSpeeds) {
+    changeCentreSetting(session, setting, asStored(setting, value));
+  } else {
+    changeCentreSetting(session, setting, asStored(setting, {static_cast<double>(value)}));
+  }
+}
+
+/// For a service, inside its transaction: tells the audit trail of a choice that the record itself does not
+/// hold (a file of this station, the review desk that is open).
+void noteSetting(const SessionContext& session, std::string_view name, const nlohmann::json& before,
+                 const nlohmann::json& after, const std::string& reason = {});
+
+/// Sets what one value alone decides, by its name: for the command line. kSettingsEdit. Throws
+/// Error{kBadParameter} for an unknown name and for what changeCentreSetting() refuses.
+void setCentreSettingNamed(SessionContext& session, const std::string& name, const std::string& value);
+/// As it is stored, or its initial value. kSettingsEdit.
+[[nodiscard]] std::string storedCentreSetting(SessionContext& session, const CentreSetting& setting);
+/// Name and value in force of each setting that a report states.
+[[nodiscard]] std::vector<std::pair<Text, Text>> settingsInReport(Connection& connection);
+
+/// The name that stands at sign-in, on transcripts and in reports made from now on. Audited. kSettingsEdit.
+/// Throws Error{kBadParameter} for an empty name.
+void setCentreName(SessionContext& session, const std::string& name);
+
+/// After how many minutes without a key or the mouse the window warns and locks, at every station of the
+/// centre. For the shell, before anybody signs in: without permission.
+[[nodiscard]] IdleLimits centreIdleLimits(Connection& connection);
+/// Audited. kSettingsEdit. Throws Error{kBadParameter} unless the warning comes before the lock, and both lie
+/// within their bounds.
+void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min);
+
+}  // namespace torsio
