@@ -5,18 +5,23 @@
 #include <cmath>
 #include <utility>
 
+#include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenuBar>
+#include <QMessageBox>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
+#include "app/gui/practice/hint_line.h"
+#include "app/gui/practice/practice_commands.h"
+#include "app/gui/practice/practice_files.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/exercise_panel.h"
@@ -25,6 +30,7 @@
 #include "app/gui/simulator/replay_bar.h"
 #include "app/gui/simulator/shown_tool.h"
 #include "app/gui/simulator/validity_button.h"
+#include "app/services/base/build_info.h"
 
 namespace torsio::gui {
 
@@ -33,7 +39,6 @@ namespace {
 constexpr int kFrame_ms = 16;
 constexpr double kReadoutEvery_s = 0.08;  // figures that change faster cannot be read
 constexpr double kRateOver_s = 1.0;
-constexpr double kNoticeFor_s = 6.0;
 constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
 constexpr int kPanelWidth = 380;          // so that the longest name of an organ is read whole
 
@@ -44,10 +49,12 @@ SimulatorWindow::SimulatorWindow(const WindowSetup& setup) : setup_(setup), them
   resize(1280, 800);
   controller_ = std::make_unique<SimulationController>(setup_.loader, setup_.recording);
   createLayout();
-  createActions();
-  createMenus();
-  createToolBar();
+  createStatusBar();
+  commands_ = new PracticeCommands(*this, setup_.embedded);
+  files_ = new PracticeFiles(*controller_, *view_, *tool_, *this);
+  connectCommands();
   connectController();
+  connectPanels();
   exercise_->setOrgans(setup_.assets);
   view_->setInstrument(loadInstrument(setup_.assets, "grasper"));
   if (setup_.embedded) {
@@ -116,8 +123,10 @@ void SimulatorWindow::createLayout() {
   side_->setWidget(panel);
   row->addWidget(side_);
   setCentralWidget(centre);
+}
 
-  hint_ = new QLabel(this);
+void SimulatorWindow::createStatusBar() {
+  hint_ = new HintLine(*controller_, *detorsion_, this);
   recordingTime_ = new QLabel(this);
   recordingTime_->hide();
   source_ = new QLabel(this);
@@ -132,28 +141,68 @@ void SimulatorWindow::createLayout() {
   statusBar()->setSizeGripEnabled(false);
 }
 
+void SimulatorWindow::connectCommands() {
+  const auto on = [this](Command command, auto act) {
+    connect(&commands_->action(command), &QAction::triggered, this, act);
+  };
+  on(Command::kOpen, [this] { files_->openOrgan(); });
+  on(Command::kBring, [this] { Q_EMIT organWanted(); });
+  on(Command::kInstrument, [this] { files_->openInstrument(); });
+  on(Command::kPicture, [this] { files_->savePicture(); });
+  on(Command::kStrip, [this] { files_->saveFilmStrip(); });
+  on(Command::kRecord, [this] { toggleRecording(); });
+  on(Command::kReplay, [this] { files_->openReplay(setup_.recording, setup_.assets); });
+  on(Command::kCompare, [this] { Q_EMIT comparisonWanted(controller_->request()); });
+  on(Command::kRelease, [this] { controller_->releaseTissue(); });
+  on(Command::kRestart, [this] { controller_->load(controller_->request()); });
+  on(Command::kFront, [this] { look(ViewPreset::kFront); });
+  on(Command::kSide, [this] { look(ViewPreset::kSide); });
+  on(Command::kTop, [this] { look(ViewPreset::kTop); });
+  on(Command::kWhole, [this] { view_->frameOrgan(); });
+  on(Command::kKeys, [this] { chooseKeys(); });
+  on(Command::kHelp, [this] { showHelp(); });
+  on(Command::kFull, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  on(Command::kQuit, [this] { close(); });
+  on(Command::kAbout, [this] { showAbout(); });
+  const auto toggled = [this](Command command, auto act) {
+    connect(&commands_->action(command), &QAction::toggled, this, act);
+  };
+  toggled(Command::kLattice, [this](bool shown) { view_->setLattice(shown); });
+  toggled(Command::kWireframe, [this](bool shown) { view_->setWireframe(shown); });
+  toggled(Command::kShear, [this](bool shown) { view_->setShearVisible(shown); });
+  toggled(Command::kMarkers, [this](bool shown) { view_->setMarkersVisible(shown); });
+  toggled(Command::kGhost, [this] { showGhost(); });
+  if (!setup_.embedded) {
+    toggled(Command::kDark,
+            [this](bool shown) { setThemeKind(shown ? ThemeKind::kDark : ThemeKind::kLight); });
+  }
+  connect(commands_, &PracticeCommands::qualityChosen, view_, &SceneView::setQuality);
+}
+
 void SimulatorWindow::connectController() {
   SimulationController* c = controller_.get();
   connect(c, &SimulationController::sceneChanged, this, &SimulatorWindow::showScene);
   connect(c, &SimulationController::modeChanged, this, &SimulatorWindow::showMode);
-  connect(c, &SimulationController::failed, this, &SimulatorWindow::showProblem);
   connect(c, &SimulationController::hapticModelChanged, this, &SimulatorWindow::showDevice);
-  connect(c, &SimulationController::noticed, this, [this](const QString& sentence) {
-    notice_ = sentence;
-    noticeLeft_s_ = kNoticeFor_s;
-  });
   connect(c, &SimulationController::loadingChanged, this, [this](bool loading) {
     if (loading) {
-      notice_ = tr("Loading\u2026");
-      noticeLeft_s_ = 1e9;
+      hint_->notice(tr("Loading\u2026"), true);
     } else {
-      noticeLeft_s_ = 0.0;
+      hint_->endNotice();
     }
     exercise_->setChangeable(!loading);
     engineer_->setChangeable(!loading);
   });
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
+}
 
+void SimulatorWindow::reload(const std::function<void(SceneRequest&)>& change) {
+  SceneRequest request = controller_->request();
+  change(request);
+  controller_->load(request);
+}
+
+void SimulatorWindow::connectPanels() {
   connect(exercise_, &ExercisePanel::organChosen, this, [this](const QString& id) {
     SceneRequest request;
     request.assets = setup_.assets;
@@ -163,50 +212,41 @@ void SimulatorWindow::connectController() {
     controller_->load(request);
   });
   connect(exercise_, &ExercisePanel::patternChosen, this, [this](const QString& id) {
-    SceneRequest request = controller_->request();
-    request.pattern = id.toStdString();
-    controller_->load(request);
+    reload([&](SceneRequest& request) { request.pattern = id.toStdString(); });
   });
   connect(exercise_, &ExercisePanel::formulationChosen, this, [this](Formulation formulation) {
-    SceneRequest request = controller_->request();
-    request.formulation = formulation;
-    request.tissue = TissueModel::kTwist;
-    request.model = choiceFor(request.model, formulation);
-    controller_->load(request);
+    reload([&](SceneRequest& request) {
+      request.formulation = formulation;
+      request.tissue = TissueModel::kTwist;
+      request.model = choiceFor(request.model, formulation);
+    });
   });
   connect(exercise_, &ExercisePanel::tissueChosen, this, [this](TissueModel tissue) {
-    SceneRequest request = controller_->request();
-    request.formulation = Formulation::kSaintVenant;
-    request.tissue = tissue;
-    request.model = {};
-    controller_->load(request);
+    reload([&](SceneRequest& request) {
+      request.formulation = Formulation::kSaintVenant;
+      request.tissue = tissue;
+      request.model = {};
+    });
   });
   connect(engineer_, &EngineerPanel::chosen, this, [this](const ModelChoice& choice) {
-    SceneRequest request = controller_->request();
-    request.model = choice;
-    controller_->load(request);
+    reload([&](SceneRequest& request) { request.model = choice; });
   });
   connect(exercise_, &ExercisePanel::targetChosen, this, [this](double target_rad) {
     controller_->setTarget(target_rad);
     showGhost();
   });
 
-  connect(replayBar_, &ReplayBar::playToggled, this, [this] {
-    if (TrialPlayback* playback = controller_->playback()) {
-      playback->setPlaying(!playback->playing());
-    }
-  });
-  connect(replayBar_, &ReplayBar::soughtTo, this, [this](qint64 position_us) {
-    if (TrialPlayback* playback = controller_->playback()) {
-      playback->seek_us(position_us);
-    }
-  });
-  connect(replayBar_, &ReplayBar::speedChosen, this, [this](double speed) {
-    if (TrialPlayback* playback = controller_->playback()) {
-      playback->setSpeed(speed);
-    }
-  });
-  connect(replayBar_, &ReplayBar::closed, c, &SimulationController::closeReplay);
+  const auto onPlayback = [this](auto signal, auto act) {
+    connect(replayBar_, signal, this, [this, act](auto... value) {
+      if (TrialPlayback* playback = controller_->playback()) {
+        act(*playback, value...);
+      }
+    });
+  };
+  onPlayback(&ReplayBar::playToggled, [](TrialPlayback& one) { one.setPlaying(!one.playing()); });
+  onPlayback(&ReplayBar::soughtTo, [](TrialPlayback& one, qint64 position_us) { one.seek_us(position_us); });
+  onPlayback(&ReplayBar::speedChosen, [](TrialPlayback& one, double speed) { one.setSpeed(speed); });
+  connect(replayBar_, &ReplayBar::closed, controller_.get(), &SimulationController::closeReplay);
 }
 
 void SimulatorWindow::setThemeKind(ThemeKind kind) {
@@ -221,14 +261,12 @@ void SimulatorWindow::applyColours(ThemeKind kind) {
   readout_->setTheme(colours);
   replayBar_->setTheme(colours);
   recordingTime_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colours.recording.name()));
-  applyIcons();
-  if (actions_.dark != nullptr) {
-    actions_.dark->setChecked(kind == ThemeKind::kDark);
-  }
+  commands_->applyIcons(colours);
+  commands_->action(Command::kDark).setChecked(kind == ThemeKind::kDark);
 }
 
 void SimulatorWindow::retranslate() {
-  nameActions();
+  commands_->retranslate();
   exercise_->retranslate();
   engineer_->retranslate();
   readout_->retranslate();
@@ -243,7 +281,7 @@ void SimulatorWindow::retranslate() {
   if (controller_->scene() != nullptr) {
     showTitle();
   }
-  noticeLeft_s_ = 0.0;
+  hint_->endNotice();
   hint_->clear();  // the next frame says it again
   showMode();
 }
@@ -285,7 +323,7 @@ void SimulatorWindow::frame(double elapsed_s) {
     }
   }
   readoutDue_s_ -= elapsed_s;
-  noticeLeft_s_ -= elapsed_s;
+  hint_->pass(elapsed_s);
   if (readoutDue_s_ > 0.0) {
     return;
   }
@@ -294,7 +332,11 @@ void SimulatorWindow::frame(double elapsed_s) {
   readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
   detorsion_->show(state);
   exercise_->showBeside(controller_->besideRate_per_s(), (state.limits & kForceModelLate) != 0);
-  showHint(state);
+  hint_->show(state);
+  if (controller_->mode() == SimulationController::Mode::kRecording) {
+    recordingTime_->setText(
+        tr("\u25cf Recording  %1").arg(clockTime(std::llround(1e6 * controller_->recorded_s()))));
+  }
   replayBar_->show(controller_->playback());
 }
 
@@ -314,7 +356,7 @@ void SimulatorWindow::showScene() {
   detorsion_->setScene(&scene);
   validity_->setScene(&scene);
   showGhost();
-  actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
+  commands_->action(Command::kMarkers).setEnabled(!controller_->viewScene().markers.empty());
   exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
   engineer_->showModel(scene.model.options(), scene.model.material(), scene.modelChoice,
                        controller_->request().model.any());
@@ -328,7 +370,7 @@ void SimulatorWindow::showScene() {
 
 void SimulatorWindow::showGhost() {
   const Scene* scene = controller_->scene();
-  if (scene == nullptr || !actions_.ghost->isChecked()) {
+  if (scene == nullptr || !commands_->action(Command::kGhost).isChecked()) {
     view_->setGhost(std::nullopt);
     return;
   }
@@ -348,31 +390,28 @@ void SimulatorWindow::showMode() {
   const Mode mode = controller_->mode();
   const bool recording = mode == Mode::kRecording;
   const bool practice = mode == Mode::kPractice;
-  actions_.record->setText(recording ? tr("Stop") : tr("Record"));
-  actions_.record->setEnabled(recording || (practice && !controller_->request().model.any()));
-  actions_.record->setVisible(setup_.recording.open != nullptr);
-  actions_.replay->setVisible(setup_.recording.open != nullptr);
-  actions_.replay->setEnabled(!recording && setup_.recording.list != nullptr);
-  actions_.release->setEnabled(recording || practice);
-  actions_.restart->setEnabled(practice);
-  actions_.open->setEnabled(!recording);
-  actions_.bring->setEnabled(!recording);
-  actions_.compare->setEnabled(practice && controller_->scene() != nullptr);
+  const auto action = [this](Command command) -> QAction& { return commands_->action(command); };
+  commands_->showRecording(recording);
+  action(Command::kRecord).setEnabled(recording || (practice && !controller_->request().model.any()));
+  action(Command::kRecord).setVisible(setup_.recording.open != nullptr);
+  action(Command::kReplay).setVisible(setup_.recording.open != nullptr);
+  action(Command::kReplay).setEnabled(!recording && setup_.recording.list != nullptr);
+  action(Command::kRelease).setEnabled(recording || practice);
+  action(Command::kRestart).setEnabled(practice);
+  action(Command::kOpen).setEnabled(!recording);
+  action(Command::kBring).setEnabled(!recording);
+  action(Command::kCompare).setEnabled(practice && controller_->scene() != nullptr);
   recordingTime_->setVisible(recording);
   replayBar_->setVisible(mode == Mode::kReplay);
   exercise_->setChangeable(practice && !controller_->loading());
   detorsion_->setUsable(practice || recording);
   engineer_->setChangeable(practice && !controller_->loading());
-  applyIcons();
+  commands_->applyIcons(theme(themeKind_));
 }
 
 void SimulatorWindow::look(ViewPreset preset) {
   view_->camera().look(preset);
   view_->applyCamera();
-}
-
-void SimulatorWindow::lookWhole() {
-  view_->frameOrgan();
 }
 
 void SimulatorWindow::toggleRecording() {
@@ -384,16 +423,66 @@ void SimulatorWindow::toggleRecording() {
   }
 }
 
+void SimulatorWindow::showInstrument(const std::filesystem::path& file) {
+  view_->setInstrument(loadInstrument(file));
+}
+
+std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
+  std::vector<std::pair<QString, QString>> all{
+      {tr("Move the instrument"), tr("Mouse, or arrow keys")},
+      {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
+      {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
+      {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
+      {tr("Tilt the instrument"), tr("A, D, W, S")},
+      {tr("Release"), tr("Release the button, or Esc")},
+      {tr("Bookmark"), tr("B")},
+      {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
+      {tr("Move the view"), tr("Middle drag")},
+      {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
+  };
+  for (auto& key : DetorsionPanel::keys()) {
+    all.push_back(std::move(key));
+  }
+  return all;
+}
+
+void SimulatorWindow::chooseKeys() {
+  if (askPointerKeys(this)) {
+    pointer_->setKeys(PointerKeys::stored());
+  }
+}
+
+void SimulatorWindow::showHelp() {
+  QString text = QStringLiteral("<table cellspacing='6'>");
+  for (const auto& [what, how] : pointerKeys()) {
+    text +=
+        QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
+  }
+  text += QStringLiteral("</table>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Controls"), text, QMessageBox::Close, this);
+  box.setTextFormat(Qt::RichText);
+  box.exec();
+}
+
+void SimulatorWindow::showAbout() {
+  QMessageBox::about(this, tr("About Torsio"),
+                     tr("<h3>Torsio %1</h3><p>Training and assessment of surgical twist skills.</p>"
+                        "<p>A training tool; not a medical device.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+                         .arg(toQString(softwareVersion())));
+}
+
 void SimulatorWindow::restoreChoices() {
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  actions_.lattice->setChecked(settings.value(QStringLiteral("view/lattice"), false).toBool());
+  commands_->action(Command::kLattice)
+      .setChecked(settings.value(QStringLiteral("view/lattice"), false).toBool());
 }
 
 void SimulatorWindow::saveChoices() const {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("view/lattice"), actions_.lattice->isChecked());
+  settings.setValue(QStringLiteral("view/lattice"), commands_->action(Command::kLattice).isChecked());
   settings.setValue(QStringLiteral("view/dark"), themeKind_ == ThemeKind::kDark);
 }
 

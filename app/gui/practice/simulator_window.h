@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,26 +13,26 @@
 #include <QTimer>
 
 #include "app/connectors/tracker/instrument_outlet.h"
-#include "app/gui/simulator/film_strip.h"
+#include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/theme.h"
 
-class QAction;
 class QLabel;
-class QMenu;
 class QScrollArea;
-class QToolButton;
 
 namespace torsio::gui {
 
+class DetorsionPanel;
 class EngineerPanel;
 class ExercisePanel;
+class HintLine;
 class PointerControls;
+class PracticeCommands;
+class PracticeFiles;
 class ReadoutPanel;
-class DetorsionPanel;
-class ValidityButton;
 class ReplayBar;
 class ShownTool;
+class ValidityButton;
 
 /// What the window needs from outside.
 struct WindowSetup {
@@ -44,8 +46,9 @@ struct WindowSetup {
   bool remember = true;  ///< read and write geometry and choices (off for pictures and tests)
 };
 
-/// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
-/// controller's, drawing the scene view's, steering the pointer controls'.
+/// The window of free practice: the scene, and exercise and readouts beside it. It only connects them:
+/// simulation is the controller's, drawing the scene view's, steering the pointer controls', menus and keys
+/// the commands', files and pictures PracticeFiles'.
 class SimulatorWindow : public QMainWindow {
   Q_OBJECT
 
@@ -85,59 +88,14 @@ class SimulatorWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  struct Actions {
-    QAction* open = nullptr;
-    QAction* bring = nullptr;
-    QAction* instrument = nullptr;
-    QAction* picture = nullptr;
-    QAction* strip = nullptr;
-    QAction* record = nullptr;
-    QAction* replay = nullptr;
-    QAction* compare = nullptr;
-    QAction* release = nullptr;
-    QAction* restart = nullptr;
-    QAction* front = nullptr;
-    QAction* side = nullptr;
-    QAction* top = nullptr;
-    QAction* whole = nullptr;
-    QAction* lattice = nullptr;
-    QAction* wireframe = nullptr;
-    QAction* shear = nullptr;
-    QAction* markers = nullptr;
-    QAction* ghost = nullptr;
-    QAction* dark = nullptr;
-    QAction* keys = nullptr;
-    QAction* help = nullptr;
-    QAction* automatic = nullptr;
-    QAction* fast = nullptr;
-    QAction* fine = nullptr;
-    QAction* best = nullptr;
-    QAction* quit = nullptr;
-    QAction* full = nullptr;
-    QAction* about = nullptr;
-  };
-
-  // main_window_actions.cpp
-  void createActions();
-  void createMenus();
-  void createMenuBar();
-  void createToolBar();
-  void nameActions();
-  void name(QAction* action, const QString& text, const QString& tip);
-  void applyIcons();
-  QAction* addKeyed(const QKeySequence& keys);
-
   void createLayout();
+  void createStatusBar();
+  void connectCommands();
   void connectController();
+  void connectPanels();
+  /// Loads the present scene with a change.
+  void reload(const std::function<void(SceneRequest&)>& change);
   void look(ViewPreset preset);
-  void lookWhole();
-  void chooseOrganFile();
-  void chooseInstrument();
-  void choosePicture();
-  void chooseFilmStrip();
-  [[nodiscard]] std::vector<StripFrame> replayFrames();
-  void savePicture(const QImage& picture, const QString& file);
-  void chooseReplay();
   void toggleRecording();
   void chooseKeys();
   void showHelp();
@@ -146,12 +104,6 @@ class SimulatorWindow : public QMainWindow {
   void showGhost();
   void showTitle();
   void showMode();
-  void showProblem(const QString& happened, const QString& remedy, const QString& details);
-
-  // simulator_window_hints.cpp
-  void showHint(const LiveState& state);
-  [[nodiscard]] QString hapticHint(const LiveState& state) const;
-
   void showDevice();
   void measureRate();
   void restoreChoices();
@@ -159,21 +111,12 @@ class SimulatorWindow : public QMainWindow {
 
   WindowSetup setup_;
   ThemeKind themeKind_;
-  struct Menus {
-    QMenu* file = nullptr;
-    QMenu* exercise = nullptr;
-    QMenu* view = nullptr;
-    QMenu* quality = nullptr;
-    QMenu* help = nullptr;
-    QToolButton* more = nullptr;
-  };
-
-  Actions actions_;
-  Menus menus_;
   std::unique_ptr<SimulationController> controller_;
   SceneView* view_ = nullptr;
   PointerControls* pointer_ = nullptr;
   std::unique_ptr<ShownTool> tool_;
+  PracticeCommands* commands_ = nullptr;
+  PracticeFiles* files_ = nullptr;
   ExercisePanel* exercise_ = nullptr;
   ReadoutPanel* readout_ = nullptr;
   DetorsionPanel* detorsion_ = nullptr;
@@ -181,12 +124,10 @@ class SimulatorWindow : public QMainWindow {
   EngineerPanel* engineer_ = nullptr;
   QScrollArea* side_ = nullptr;
   ReplayBar* replayBar_ = nullptr;
-  QLabel* hint_ = nullptr;
+  HintLine* hint_ = nullptr;
   QLabel* recordingTime_ = nullptr;
   QLabel* source_ = nullptr;
   QLabel* device_ = nullptr;
-  QString notice_;
-  double noticeLeft_s_ = 0.0;
   QTimer frameTimer_;
   QElapsedTimer sinceFrame_;
   QElapsedTimer sinceRate_;
