@@ -8,10 +8,9 @@ import { trendChart } from './trend_chart.js';
 
 export const kPatience_ms = 120_000; // runs that nobody has measured yet are measured first
 
-/// "3 of 4 on target", or what an untwisting is.
+/// "3 of 4 on target · passed", in the words of the window.
 export function runText(run) {
-  if (run.interrupted) return t('interrupted');
-  return run.untwisting ? t('untwisting') : t('%1 of %2 on target', figure(run.on_target), figure(run.twists));
+  return run.result === '' ? t('running') : `${run.result}  \u00b7  ${run.outcome.word}`;
 }
 
 /// A level never stands alone: what counts as competent, and how often that is wrong, stand beside it. Returns what tells the

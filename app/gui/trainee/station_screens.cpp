@@ -143,7 +143,7 @@ std::vector<ScreenEntry> stationScreens() {
           screen(
               "station-trend", PageId::kTrend,
               [](SessionContext& session) -> QVariant { return toQString(laidOut(session).firstModuleId); },
-              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
+              [](Page& page) { static_cast<TrendPage&>(page).chooseQuantity(Quantity::kTime); }),
           screen("station-remarks", PageId::kRemarks, nothing),
           screen("station-transcript", PageId::kTranscript, nothing)};
 }

@@ -15,15 +15,6 @@
 
 namespace torsio {
 
-/// What a module of a curriculum asks of a run.
-struct ExerciseRulesRow {
-  double tolerance_rad = 0.0;
-  std::int64_t hold_us = 0;
-  std::int64_t leastTwists = 1;
-  std::optional<double> forceLimit_N{};
-  std::optional<double> torqueLimit_Nm{};
-};
-
 /// Digests of recordings. Append-only: another version of the formulas or other rules add a row.
 class DigestRepository {
  public:
@@ -41,9 +32,6 @@ class DigestRepository {
   /// Reads those of one trial that versions of the formulas before `formulaVersion` made, newest first.
   [[nodiscard]] std::vector<TrialDigest> olderOfTrial(const TrialId& trialId,
                                                       std::int64_t formulaVersion) const;
-
-  /// Reads what a module asks of a run; empty: there is no such module.
-  [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const ModuleId& moduleId) const;
 
  private:
   Connection& connection_;
