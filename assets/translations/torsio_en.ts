@@ -55,13 +55,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more attempt(s) until a level is shown</source>
-        <translation>
-            <numerusform>One more attempt until a level is shown</numerusform>
-            <numerusform>%n more attempts until a level is shown</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
         <translation>
             <numerusform>Competence not shown yet. %n successful attempt would show it.</numerusform>

@@ -1424,22 +1424,6 @@
         <translation>解锁：%1</translation>
     </message>
     <message>
-        <source>Learning</source>
-        <translation>学习中</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>稳定</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>需关注</translation>
-    </message>
-    <message>
-        <source>Relapsed</source>
-        <translation>退步</translation>
-    </message>
-    <message>
         <source>Connected</source>
         <translation>已连接</translation>
     </message>
@@ -1499,20 +1483,10 @@
         <source>Previously competent; the latest attempts raise doubts.</source>
         <translation>此前已胜任；最近几次尝试令人存疑。</translation>
     </message>
-    <message>
-        <source>Previously competent, but not now. Practise until your level is steady again.</source>
-        <translation>此前已胜任，目前未达到。请继续练习，直到水平重新稳定。</translation>
-    </message>
     <message numerus="yes">
         <source>%n day(s)</source>
         <translation>
             <numerusform>%n 天</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more attempt(s) until a level is shown</source>
-        <translation>
-            <numerusform>再尝试 %n 次后才能判定水平</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1528,6 +1502,10 @@
     <message>
         <source>Level: %1. %2</source>
         <translation>水平：%1。%2</translation>
+    </message>
+    <message>
+        <source>Previously competent, but not now. Practise until you are competent again.</source>
+        <translation>曾经胜任，但目前不再胜任。请练习，直到再次胜任。</translation>
     </message>
 </context>
 <context>

@@ -99,20 +99,7 @@ QString StationLabels::earlier(const EarlierMeasure& earlier) {
 }
 
 QString StationLabels::level(const CompetenceVerdict& verdict) {
-  switch (verdict.level) {
-    case SkillLevel::kNotShown:
-      return tr("%n more attempt(s) until a level is shown", nullptr,
-                static_cast<int>(verdict.attemptsUntilLevel));
-    case SkillLevel::kLearning:
-      return tr("Learning");
-    case SkillLevel::kSteady:
-      return tr("Steady");
-    case SkillLevel::kWatch:
-      return tr("Watch");
-    case SkillLevel::kRelapsed:
-      return tr("Relapsed");
-  }
-  return {};
+  return capitalised(toQString(competenceLevelText(verdict)));
 }
 
 QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
@@ -127,7 +114,7 @@ QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
     case SkillLevel::kWatch:
       return tr("Previously competent; the latest attempts raise doubts.");
     case SkillLevel::kRelapsed:
-      return tr("Previously competent, but not now. Practise until your level is steady again.");
+      return tr("Previously competent, but not now. Practise until you are competent again.");
   }
   return {};
 }

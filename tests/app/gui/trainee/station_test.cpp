@@ -180,7 +180,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
-  EXPECT_TRUE(station.find<QLabel>("level")->text().endsWith(QStringLiteral("until a level is shown")));
+  EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet, ")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
                   .contains(QStringLiteral("are judged competent (false pass)")));
