@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coefficients of scores on a scale: the overview, ICC, Krippendorff, Bland-Altman.
+// Coefficients of scores on a scale: overview, ICC, Krippendorff, Bland-Altman.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,7 +24,7 @@ Outcome<IccResult> intraclass(const CompleteTargets& complete) {
 
 Json formJson(const IccForm& form, double errorVariance) {
   const std::string reason =
-      errorVariance > 0.0 ? "so few ratings bound nothing" : "the error variance is zero";
+      errorVariance > 0.0 ? "too few ratings for an interval" : "the error variance is zero";
   Json out{{"estimate", form.estimate}};
   out["lower"] = form.interval ? Json(form.interval->lower) : undefinedJson(reason);
   out["upper"] = form.interval ? Json(form.interval->upper) : undefinedJson(reason);
@@ -53,7 +53,7 @@ Json measurementErrorJson(const Outcome<IccResult>& icc) {
   });
 }
 
-/// Agreement within each group: what is left when differences between the groups do not count.
+/// Agreement within each group, with differences between the groups removed.
 Json withinGroupsJson(const RatingGrid& grid) {
   Json list = Json::array();
   for (std::size_t g = 0; g < grid.groups.size(); ++g) {
@@ -68,9 +68,9 @@ Json withinGroupsJson(const RatingGrid& grid) {
   return list;
 }
 
-/// Reliability by restricted maximum likelihood, which marks that are missing do not stop.
+/// Reliability by restricted maximum likelihood; allows missing marks.
 Json reliabilityJson(const RatingGrid& grid) {
-  return outcomeJson(holedReliability(grid.ratersByTarget), [](const HoledReliability& result) {
+  return outcomeJson(incompleteReliability(grid.ratersByTarget), [](const IncompleteReliability& result) {
     return Json{{"marks", result.marks},
                 {"raters_of_mean", result.usualRaters},
                 {"variances",
@@ -90,7 +90,7 @@ bool anyNegative(const RatingGrid& grid) {
   });
 }
 
-/// What `show` makes of each metric; a ratio scale has no negative scores.
+/// Calls `show` for each metric; a ratio scale has no negative scores.
 template <class Show>
 Json byMetric(const RatingGrid& grid, const Show& show) {
   Json out;
@@ -119,7 +119,7 @@ Json panelJson(const RatingGrid& grid, const Outcome<NumberTable>& complete) {
     return undefinedJson(complete.reason().str());
   }
   if (grid.raters.size() < 3) {
-    return undefinedJson("two raters make no panel: see the pair");
+    return undefinedJson("two raters form no panel: see the pair");
   }
   Json list = Json::array();
   const std::vector<Outcome<BlandAltmanResult>> results = blandAltmanAgainstPanel(*complete);
@@ -131,7 +131,7 @@ Json panelJson(const RatingGrid& grid, const Outcome<NumberTable>& complete) {
   return list;
 }
 
-/// Resamples of so many scores that take about a second for all metrics.
+/// Number of resamples of so many scores that takes about a second for all metrics.
 int resamplesWithin(std::size_t scores) {
   constexpr double kMaxDrawn = 8e7;
   constexpr double kFewest = 999.0;

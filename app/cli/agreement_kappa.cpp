@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxKappaCategories = 100;
 
-/// The categories of the ratings: as given, or the scores that occur.
+/// Categories of the ratings: as given, or the scores that occur.
 class CategoryList {
  public:
   CategoryList(const RatingGrid& grid, const AgreementOptions& options)
@@ -31,13 +31,13 @@ class CategoryList {
     }
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (std::find(values_.begin(), value, *value) != value) {
-        throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " stands twice",
+        throw Error(ErrorCode::kBadParameter, "the category " + shown(*value) + " appears twice",
                     Text::verbatim("--categories"), Text::verbatim("Name every category once"));
       }
     }
     for (const double score : distinctScores(grid)) {
       if (!find(score)) {
-        throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is none of the categories",
+        throw Error(ErrorCode::kBadData, "the score " + shown(score) + " is not one of the categories",
                     Text::verbatim("--categories"),
                     Text::verbatim("Name every category that raters could give"));
       }
@@ -59,7 +59,7 @@ class CategoryList {
   std::vector<double> values_;
 };
 
-/// Own weights: 0 on the diagonal, the same in both directions; a pair that the file leaves out is refused.
+/// Reads custom disagreements: 0 on the diagonal, symmetric; throws for a missing pair.
 NumberTable readDisagreement(const std::string& file, const CategoryList& categories) {
   const CsvTable table = CsvTable::read(file, {"first", "second", "disagreement"});
   noteIgnoredColumns(table);
@@ -70,7 +70,7 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
     const auto second = categories.find(table.number(row, "second"));
     const double weight = table.number(row, "disagreement");
     if (!first || !second) {
-      table.refuse(row, Text::verbatim("this is no pair of categories"),
+      table.refuse(row, Text::verbatim("this is not a pair of categories"),
                    Text::verbatim("Give two of the categories, or name them in --categories"));
     }
     if (weight < 0.0 || (first == second && weight != 0.0)) {
@@ -81,7 +81,7 @@ NumberTable readDisagreement(const std::string& file, const CategoryList& catego
     }
     for (std::optional<double>* place : {&weights[*first][*second], &weights[*second][*first]}) {
       if (*place && **place != weight) {
-        table.refuse(row, Text::verbatim("these two categories have another disagreement further up"),
+        table.refuse(row, Text::verbatim("these two categories already have another disagreement"),
                      Text::verbatim("Give one for each pair"));
       }
       *place = weight;

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::int64_t kMaxCategories = 100;
 constexpr double kLargestScore = 1e6;
 
-/// The lowest and the highest category of a scale in whole numbers.
+/// Lowest and highest category of an integer scale.
 struct Scale {
   std::int64_t lowest = 0;
   std::int64_t highest = 0;
@@ -36,7 +36,7 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
   for (const double score : scores) {
     if (score != std::floor(score) || std::abs(score) > kLargestScore) {
       throw Error(ErrorCode::kBadData,
-                  "the score " + Json(score).dump() + " is no whole number up to a million",
+                  "the score " + Json(score).dump() + " is not a whole number up to a million",
                   Text::verbatim("the ratings"),
                   Text::verbatim("Give categories in whole numbers; collapse finer steps first"));
     }
@@ -147,7 +147,7 @@ Json simpleStudyJson(const CsvTable& table, const AgreementOptions& options) {
   return out;
 }
 
-/// A design with a third facet: what it is called, how its study and its plans are computed.
+/// A design with a third facet: its names, its study and its projections.
 struct FacetDesign {
   std::string name;
   std::string column;
@@ -178,7 +178,7 @@ Json facetStudyJson(const CsvTable& table, const FacetDesign& design, const std:
   return out;
 }
 
-/// An option about a facet that the table does not have.
+/// Throws for an option about a facet that the table does not have.
 void refuseWithout(const CsvTable& table, const std::vector<double>& numbers, const std::string& column) {
   if (!numbers.empty() && !table.has(column)) {
     throw Error(ErrorCode::kBadParameter, "the table has no column \"" + column + "\"", "--" + column + "s",

@@ -30,22 +30,22 @@ Input parsed(const std::string& file) {
   }
 }
 
-/// A value of the wrong kind is the file's fault, not ours.
+/// A value of the wrong type is an error in the file, not a bug.
 template <class T>
 T as(JsonFields& fields, const std::string& name) {
   try {
     return fields.child(name).get<T>();
   } catch (const Input::exception&) {
-    fields.refuse(name, Text::verbatim("has the wrong kind of value"),
+    fields.refuse(name, Text::verbatim("has a value of the wrong type"),
                   Text::verbatim("See docs/cli.md, allocate"));
   }
 }
 
-/// Whole numbers of at least 0; nlohmann would turn -1 into a very large one.
+/// Reads a nonnegative integer; nlohmann would turn -1 into a very large one.
 std::uint64_t count(JsonFields& fields, const std::string& name) {
   const Input& value = fields.child(name);
   if (!value.is_number_unsigned()) {
-    fields.refuse(name, Text::verbatim("is no whole number of at least 0"), Text::verbatim("Correct it"));
+    fields.refuse(name, Text::verbatim("is not a whole number of at least 0"), Text::verbatim("Correct it"));
   }
   return value.get<std::uint64_t>();
 }
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
                        return value.is_number_unsigned();
                      });
   if (!sound) {
-    fields.refuse(name, Text::verbatim("is no list of whole numbers of at least 0"),
+    fields.refuse(name, Text::verbatim("is not a list of whole numbers of at least 0"),
                   Text::verbatim("Correct it"));
   }
   return list.get<std::vector<std::uint64_t>>();
@@ -65,7 +65,7 @@ std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
 const Input& listAt(JsonFields& fields, const std::string& name) {
   const Input& list = fields.child(name);
   if (!list.is_array()) {
-    fields.refuse(name, Text::verbatim("is no list"), Text::verbatim("Write it in square brackets"));
+    fields.refuse(name, Text::verbatim("is not a list"), Text::verbatim("Write it in square brackets"));
   }
   return list;
 }
@@ -80,7 +80,7 @@ std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& wh
   return factors;
 }
 
-/// The fields of a design; the caller finishes, because a design file also lists persons.
+/// Reads the fields of a design; the caller finishes, because a design file also lists persons.
 AllocationDesign designOf(JsonFields& fields) {
   AllocationDesign design;
   design.studyId = fields.text("study");
@@ -102,7 +102,7 @@ AllocationDesign designOf(JsonFields& fields) {
     design.bestArm_tenths = std::llround(tenths);
     constexpr double kRounding = 1e-9;
     if (std::abs(tenths - static_cast<double>(design.bestArm_tenths)) > kRounding) {
-      fields.refuse("best_arm_probability", Text::verbatim("is no multiple of 0.1"),
+      fields.refuse("best_arm_probability", Text::verbatim("is not a multiple of 0.1"),
                     Text::verbatim("Give 0.5, 0.6, 0.7, 0.8 or 0.9"));
     }
   }
@@ -136,7 +136,7 @@ Json designJson(const AllocationDesign& design) {
   return out;
 }
 
-/// Persons as codes, or as {"code", "levels": {factor: level}}.
+/// Reads persons given as codes, or as {"code", "levels": {factor: level}}.
 std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesign& design,
                                         const std::string& where) {
   std::vector<AllocationPerson> persons;
@@ -152,7 +152,7 @@ std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesig
       const std::string level = levels.text(factor.name);
       const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
       if (found == factor.levels.end()) {
-        levels.refuse(factor.name, "\"" + level + "\" is none of its levels",
+        levels.refuse(factor.name, "\"" + level + "\" is not one of its levels",
                       Text::verbatim("Give a level of the design"));
       }
       person.levels.push_back(static_cast<std::size_t>(found - factor.levels.begin()));
@@ -212,7 +212,7 @@ AllocationRecord recordOf(const Input& json, const AllocationDesign& design, con
   return record;
 }
 
-/// How many persons each arm has, by its name.
+/// Number of persons in each arm, by its name.
 Json armCounts(const Allocation& allocation) {
   Json counts = Json::object();
   for (const std::string& arm : allocation.design.arms) {

@@ -11,10 +11,10 @@
 
 namespace torsio::cli {
 
-// Files of torsio allocate: the plan that it reads, the allocation that it writes and --replay reads. Private
-// to app/cli's .cpp files.
+// Files of torsio allocate: its input, and the allocation that it writes and --replay reads. Private to
+// app/cli's .cpp files.
 
-/// A design and who is to be allocated.
+/// A design and the persons to allocate.
 struct AllocationOrder {
   AllocationDesign design;
   bool jointLeftovers = true;
@@ -25,13 +25,12 @@ struct AllocationOrder {
 
 [[nodiscard]] nlohmann::ordered_json allocationJson(const Allocation& allocation);
 
-/// An allocation as it was kept; its head is the line of the file, signed or not.
+/// A stored allocation; its head is the file's line, signed or not.
 struct KeptAllocation {
   Allocation allocation;
-  std::optional<bool>
-      countsFit{};  ///< the counts of the arms are those of the records; empty: there are none
+  std::optional<bool> countsFit{};  ///< whether the stored counts match the records; empty: no counts stored
 };
-/// Throws Error as readAllocationOrder(), and kBadData for another version of the format.
+/// Throws Error like readAllocationOrder(), and kBadData for another format version.
 [[nodiscard]] KeptAllocation readAllocation(const std::string& file);
 
 }  // namespace torsio::cli

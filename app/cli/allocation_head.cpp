@@ -16,13 +16,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A head, taken apart.
+/// A parsed head.
 struct HeadLine {
   std::string words{};  ///< format, version, records, hash
   std::int64_t utc_us = 0;
   std::string publicKey{};
   std::string signature{};
-  bool isSigned = false;  ///< more than the four words stand there, whole or not
+  bool isSigned = false;  ///< there are more than four words, complete or not
 
   [[nodiscard]] std::string signedText() const { return words + " " + std::to_string(utc_us); }
 };
@@ -39,15 +39,15 @@ HeadLine headLineOf(const std::string& line) {
   std::string more;
   in >> head.utc_us >> head.publicKey >> head.signature;
   if (in >> more) {
-    head.signature.clear();  // something was written behind it
+    head.signature.clear();  // something was appended
   }
   return head;
 }
 
-/// The key that must have signed, and those that replaced it or that it replaced.
+/// The expected signing key, and the keys before and after it.
 struct Expected {
   std::string root{};  ///< public part; empty: none
-  bool named = false;  ///< by the command, not by the station
+  bool named = false;  ///< given by the command, not taken from the station
   std::vector<KeyReplacement> replacements{};
 };
 
@@ -75,11 +75,12 @@ Expected expectedOf(const HeadKeys& keys) {
 }
 
 constexpr const char* kUnsigned =
-    "nobody signed this head: whoever has the file has seed and salt, and can write another one that repeats";
+    "this head is not signed: anybody who has the file has seed and salt, and can write another one that "
+    "repeats";
 constexpr const char* kUnknownKey =
-    "the signature is genuine, but no key was named and this station has none: whoever writes the file anew "
-    "can sign it with a key of their own; give --public-key as its owner made it known";
-constexpr const char* kGenuine = "nobody without this key can have written the file anew";
+    "the signature is genuine, but no key was given and this station has none: anybody who rewrites the file "
+    "can sign it with their own key; give --public-key as published by its owner";
+constexpr const char* kGenuine = "nobody without this key can have rewritten the file";
 
 }  // namespace
 
@@ -118,7 +119,7 @@ SignatureFinding checkSignatures(const std::string& fileHead, const std::string&
   }
   finding.isSigned = shown.has_value();
   if (!shown && expected.named) {
-    finding.flaw = "the head is not signed, and the key that must have signed it was named";
+    finding.flaw = "the head is not signed, although a signing key was given";
   }
   const bool known = trusted.asksForSignatures();
   const std::string good = known ? kGenuine : kUnknownKey;

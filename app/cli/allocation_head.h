@@ -8,32 +8,31 @@
 
 namespace torsio::cli {
 
-// The signature under the head of an allocation. Private to app/cli's .cpp files.
+// Signatures of allocation heads. Private to app/cli's .cpp files.
 
-/// The head of an allocation with its signature: "torsio-allocation 1 RECORDS HASH TIME PUBLIC SIGNATURE",
-/// time in microseconds since 1970 UTC. `key`: file; empty: the head as it is, without the last three. Throws
-/// Error as readKey().
+/// Signs the head of an allocation: "torsio-allocation 1 RECORDS HASH TIME PUBLIC SIGNATURE", time in
+/// microseconds since 1970 UTC. `key`: file; empty: returns the head unsigned. Throws Error like readKey().
 [[nodiscard]] std::string signedAllocationHead(const std::string& head, const std::string& key,
                                                std::int64_t now_us);
 
-/// The first four words of such a line, which say what is signed apart from the time.
+/// Returns the first four words of such a line: the signed part except for the time.
 [[nodiscard]] std::string unsignedAllocationHead(const std::string& line);
 
-/// By what the signatures are checked, as the command names it; empty: as this station has it.
+/// Keys for checking signatures, from the command line; empty: those of this station.
 struct HeadKeys {
-  std::string key{};        ///< file of the key that must have signed
-  std::string publicKey{};  ///< the same, by its public part
-  std::string witness{};    ///< file with the lines by which keys replaced each other
+  std::string key{};        ///< file of the expected signing key
+  std::string publicKey{};  ///< its public part instead
+  std::string witness{};    ///< file with the lines that record replacements of keys
 };
 
-/// What the signatures under the heads of one allocation say.
+/// Result of checking the signatures of an allocation's heads.
 struct SignatureFinding {
-  std::string flaw{};  ///< empty: nothing speaks against the file
+  std::string flaw{};  ///< empty: no objection
   bool isSigned = false;
-  nlohmann::ordered_json json{};  ///< state, key, time, the key it was compared with, what that means
+  nlohmann::ordered_json json{};  ///< state, key, time, the expected key, and an explanation
 };
-/// `fileHead`: line of the file, `keptHead`: one that was kept elsewhere; empty: there is none. Throws Error
-/// as readKey(), kFileMissing for a witness that was named.
+/// `fileHead`: line of the file; `keptHead`: a line stored elsewhere; empty: none. Throws Error like
+/// readKey(), kFileMissing for a given witness.
 [[nodiscard]] SignatureFinding checkSignatures(const std::string& fileHead, const std::string& keptHead,
                                                const HeadKeys& keys);
 

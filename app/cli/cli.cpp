@@ -21,7 +21,7 @@ namespace torsio::cli {
 
 namespace {
 
-/// Everything on one line: the message of a parser or library may hold several.
+/// Joins lines: messages of a parser or library may have several.
 std::string oneLine(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) {
     text.pop_back();
@@ -30,15 +30,15 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-/// What is wrong with the value of an option in numbers; empty: nothing, or no number at all, which the
-/// parser says by itself.
+/// Returns what is wrong with a numeric option value; empty: nothing, or not a number, which the parser
+/// reports.
 std::string noFiniteNumber(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() || std::isfinite(value) ? "" : text + " is no finite number";
+  return end == text.c_str() || std::isfinite(value) ? "" : text + " is not a finite number";
 }
 
-/// Ranges let NaN pass: it is neither below one end nor above the other.
+/// Rejects NaN, which passes range checks: it is neither below one end nor above the other.
 void refuseNoNumbers(CLI::App& command) {
   for (CLI::Option* option : command.get_options({})) {
     if (option->get_type_name().starts_with("FLOAT")) {
@@ -89,7 +89,7 @@ void buildProgram(CLI::App& program) {
   refuseNoNumbers(program);
 }
 
-/// The option parser would only say that a command is missing.
+/// Otherwise the parser would only report a missing command.
 void requireKnownCommand(const CLI::App& program, const std::string& first) {
   if (first.empty() || first[0] == '-') {
     return;
@@ -146,7 +146,7 @@ int runCommand(int argc, char** argv) {
 
 int runCommandLine(int argc, char** argv) {
   try {
-    // Reports are drawn by Qt without any display; the database drivers are Qt plug-ins.
+    // Qt draws reports without a display; the database drivers are Qt plug-ins.
     const auto application = makeHeadlessGraphicsApplication(argc, argv);
     return runCommand(argc, argv);
   } catch (...) {

@@ -29,7 +29,7 @@ struct AgreementArguments {
 const std::vector<std::string> kMethods = {"overview",     "icc",   "krippendorff",    "kappa",
                                            "bland-altman", "rasch", "generalizability"};
 
-/// The only method that reads an option.
+/// The method that reads each option.
 const std::map<std::string, std::string> kMethodOf = {
     {"--categories", "kappa"},        {"--disagreement", "kappa"},
     {"--seed", "krippendorff"},       {"--lowest", "rasch"},
@@ -37,7 +37,7 @@ const std::map<std::string, std::string> kMethodOf = {
     {"--raters", "generalizability"}, {"--occasions", "generalizability"},
     {"--tasks", "generalizability"}};
 
-/// An option that the method does not read would be ignored in silence.
+/// Rejects options that the method would silently ignore.
 void requireOptionsOfMethod(const CLI::App& command, const std::string& method) {
   for (const auto& [name, owner] : kMethodOf) {
     if (command.count(name) > 0 && method != owner) {
@@ -86,18 +86,18 @@ void addMethodOptions(CLI::App& command, AgreementOptions& options) {
       .add_option("--categories", options.categories, "kappa: the full list in order; default: those used")
       ->delimiter(',');
   command.add_option("--disagreement", options.disagreement,
-                     "kappa: CSV with the columns first,second,disagreement; weights of your own");
-  command.add_option("--seed", options.seed, "krippendorff: of the resamples")->capture_default_str();
+                     "kappa: custom weights, CSV with the columns first,second,disagreement");
+  command.add_option("--seed", options.seed, "krippendorff: seed of the resamples")->capture_default_str();
   command
       .add_option("--resamples", options.resamples,
-                  "krippendorff: how many for the interval; default: 9999, of more than 8000 scores fewer")
+                  "krippendorff: resamples for the interval; default: 9999, fewer for more than 8000 scores")
       ->check(CLI::Range(99, 1'000'000));
   command.add_option("--lowest", options.lowest, "rasch: lowest category; default: the lowest score");
   command.add_option("--highest", options.highest, "rasch: highest category; default: the highest score");
   const auto planned = [&](const char* name, std::vector<double>& numbers, const char* what) {
     command.add_option(name, numbers, what)->delimiter(',')->check(CLI::Range(1.0, 1000.0));
   };
-  planned("--raters", options.raters, "generalizability: numbers of raters to plan with, as 2,5,10");
+  planned("--raters", options.raters, "generalizability: numbers of raters to plan with, such as 2,5,10");
   planned("--occasions", options.occasions, "generalizability: numbers of occasions to plan with");
   planned("--tasks", options.tasks, "generalizability: numbers of tasks to plan with");
 }

@@ -35,9 +35,9 @@ struct AllocateArguments {
   HeadKeys keys;
 };
 
-constexpr int kSaltDraws = 16;  // of 32 bits each: twice what the salt holds
+constexpr int kSaltDraws = 16;  // of 32 bits each: twice the size of the salt
 
-/// Says what is wrong with a seed; empty: it is a whole number of 64 bits, which CLI11 does not make sure of.
+/// Returns what is wrong with a seed; empty: it is a 64-bit integer, which CLI11 does not check.
 std::string seedProblem(const std::string& text) {
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();
@@ -55,7 +55,7 @@ std::string publicKeyProblem(const std::string& text) {
   return isPublicKey(text) ? std::string() : "a public key is 64 hexadecimal digits, not " + text;
 }
 
-/// 256 bits of the machine's random numbers.
+/// Returns 256 bits from the operating system's random numbers.
 std::string drawnSalt() {
   std::random_device machine;
   Digest digest;
@@ -79,7 +79,7 @@ void runAllocation(const AllocateArguments& arguments) {
   }
 }
 
-/// What of a file a sound replay vouches for, and what it could not look at.
+/// Adds what a successful replay proves about the file, and what it could not check.
 void addChecks(Json& out, const KeptAllocation& kept, const AllocateArguments& arguments, bool isSigned) {
   out["checked"] = {"commitment", "chain of records", "draws repeated from the seed"};
   out["not_checked"] = Json::array();
@@ -148,23 +148,21 @@ void run(const AllocateArguments& arguments) {
 
 void addAllocate(CLI::App& program) {
   auto arguments = std::make_shared<AllocateArguments>();
-  CLI::App* command = program.add_subcommand("allocate", "Random allocation to groups that can be repeated");
+  CLI::App* command = program.add_subcommand("allocate", "Reproducible random allocation to groups");
   command->add_option("--design", arguments->design, "Design and persons, JSON: docs/cli.md");
-  command->add_option("--seed", arguments->seed, "Decides everything; keep it sealed until the end")
+  command->add_option("--seed", arguments->seed, "Determines the allocation; keep it sealed until the end")
       ->check(CLI::Validator(seedProblem, "UINT64"));
-  command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; without it they are drawn")
+  command->add_option("--salt", arguments->salt, "256 bits in hexadecimal; default: drawn at random")
       ->check(CLI::Validator(saltProblem, "HEX"));
-  command->add_option("--head", arguments->head,
-                      "With --replay: the head that was kept elsewhere, in quotes");
-  CLI::Option* key = command->add_option("--key", arguments->keys.key,
-                                         "File of the key that signs the head, or must have signed it; "
-                                         "without it that of the station");
-  command
-      ->add_option("--public-key", arguments->keys.publicKey, "With --replay: the same, by its public part")
+  command->add_option("--head", arguments->head, "With --replay: a head stored elsewhere, in quotes");
+  CLI::Option* key = command->add_option(
+      "--key", arguments->keys.key,
+      "File of the key that signs the head, or must have signed it; default: the station's key");
+  command->add_option("--public-key", arguments->keys.publicKey, "With --replay: the public part of that key")
       ->check(CLI::Validator(publicKeyProblem, "HEX"))
       ->excludes(key);
   command->add_option("--witness", arguments->keys.witness,
-                      "With --replay: file with the lines by which keys replaced each other");
+                      "With --replay: file with the lines that record replacements of keys");
   command->add_option("--replay", arguments->replay, "Repeat an allocation and compare: exit code 13");
   command->callback([arguments] { run(*arguments); });
 }

@@ -42,7 +42,7 @@ nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
   return {{"entries", check.auditEntries}, {"findings", std::move(findings)}};
 }
 
-/// What the heads that were kept elsewhere say of this record.
+/// Compares the record with heads stored elsewhere.
 std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
   std::vector<std::string> heads;
   if (!arguments.witness.empty()) {
@@ -146,31 +146,32 @@ void addAudit(CLI::App& program) {
     addDatabaseOption(command, arguments->database);
   };
   CLI::App* command =
-      audit->add_subcommand("verify", "Finds any change to the audit trail and to what reports read");
+      audit->add_subcommand("verify", "Detects any change to the audit trail and to the data of reports");
   addDatabase(*command);
   command->add_option("--since", arguments->since, "A line of torsio audit head, in quotes");
-  command->add_option("--witness", arguments->witness, "File of such lines");
+  command->add_option("--witness", arguments->witness, "File with such lines");
   command->add_option("--key", arguments->key, "File of the key that must have signed them");
-  command->add_option("--public-key", arguments->publicKey, "The same, by its public part");
+  command->add_option("--public-key", arguments->publicKey, "The public part of that key");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { verify(*arguments); });
 
-  command = audit->add_subcommand("head", "Prints the head of the audit trail, to be kept elsewhere");
+  command = audit->add_subcommand("head", "Prints the head of the audit trail, to be stored elsewhere");
   addDatabase(*command);
   command->add_option("--key", arguments->key, "File of the key that signs it");
-  command->add_option("--witness", arguments->witness, "File that the line is added to");
+  command->add_option("--witness", arguments->witness, "File to which the line is appended");
   command->callback([arguments] { printHead(*arguments); });
 
   command = audit->add_subcommand("station", "Shows or sets where this station keeps heads, and its key");
   command->add_option("--witness", arguments->witness,
-                      "File that gets a head at each sign-out of an administrator");
+                      "File to which a head is appended whenever an administrator signs out");
   command->add_option("--key", arguments->key, "File of the key that signs them");
   command->callback([arguments] { setStation(*arguments); });
 
   command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
   command->add_option("FILE", arguments->file, "The new file")->required();
-  command->add_option("--replaces", arguments->key, "File of the key in whose place it comes");
-  command->add_option("--witness", arguments->witness, "File that the line of the replacement is added to");
+  command->add_option("--replaces", arguments->key, "File of the key that it replaces");
+  command->add_option("--witness", arguments->witness,
+                      "File to which the line of the replacement is appended");
   addDatabase(*command);
   command->callback([arguments] { makeKey(*arguments); });
 }

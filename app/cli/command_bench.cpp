@@ -26,7 +26,7 @@ constexpr double kRodTickTarget_us = 60.0;  // docs/model.md R.6
 constexpr int kGraspFrames = 40;
 constexpr double kGraspTurn_rad = 1.0;
 
-/// Times a frame of every model in a hand: the arm, turned at the grasp of its pattern.
+/// Times one frame of every model of a grasped organ: the arm, turned at the grasp of its pattern.
 void addGraspedModels(std::vector<TissueBenchRow>& rows) {
   using Clock = std::chrono::steady_clock;
   SceneRequest request;

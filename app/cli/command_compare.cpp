@@ -126,9 +126,11 @@ void addCompare(CLI::App& program) {
   command->add_option("--reference-rings", arguments->options.referenceRings, "Rings of the reference")
       ->check(CLI::Range(1, 12))
       ->capture_default_str();
-  command->add_option("--substeps", arguments->options.springs.substeps, "Substeps of the springs a frame")
+  command->add_option("--substeps", arguments->options.springs.substeps, "Substeps of the springs per frame")
       ->capture_default_str();
-  command->add_option("--calibration", arguments->calibration, "Of the springs: affine or equilibrium")
+  command
+      ->add_option("--calibration", arguments->calibration,
+                   "Calibration of the springs: affine or equilibrium")
       ->check(CLI::IsMember({"affine", "equilibrium"}))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print comparison.json");

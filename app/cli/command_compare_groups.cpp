@@ -31,7 +31,7 @@ struct CompareArguments {
   std::optional<double> highest;
   bool residuals = false;
   std::string adjust = "holm";
-  std::string paired;     ///< empty: groups are compared
+  std::string paired;     ///< empty: compare groups
   std::string bootstrap;  ///< empty: none
   BootstrapRequest request;
 };
@@ -65,7 +65,7 @@ Json groupsJson(const Study& study, const Groups& groups) {
   return out;
 }
 
-/// What --paired prints: the same subjects at two or more occasions.
+/// Prints the --paired tests: the same subjects at two or more occasions.
 void comparePaired(const CompareArguments& arguments) {
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "occasion", "score"}, {"group", "rater"});
   noteIgnoredColumns(table);
@@ -96,8 +96,7 @@ std::string occasionOr(const Study& study, const CsvTable& table, const std::str
   return wanted;
 }
 
-/// Which occasion is compared, and which one it is adjusted for; said aloud, as the wrong way round reverses
-/// it.
+/// Returns the compared occasion and the covariate. Both are printed, as confusing them reverses the result.
 CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Study& study,
                                     const CsvTable& table) {
   CovarianceRequest request;
@@ -136,7 +135,7 @@ void compareGroups(const CompareArguments& arguments) {
                 {kAdjustments.at(arguments.adjust), arguments.margin, arguments.request.seed});
   if (study.occasions.size() > 1) {
     const bool adjustable = request.covariate != request.outcome;
-    const std::string reason = "the occasion that is compared is the first: --covariate names another";
+    const std::string reason = "the compared occasion is the first one: give another with --covariate";
     out["ancova"] = adjustable ? ancovaJson(study, request) : undefinedJson(reason);
     if (table.has("rater")) {
       out["mixed_model"] = adjustable ? mixedModelJson(study, request) : undefinedJson(reason);
@@ -155,7 +154,7 @@ void compareGroups(const CompareArguments& arguments) {
   printJson(out);
 }
 
-/// Options that would be ignored in silence.
+/// Rejects options that would be silently ignored.
 void requireOptionsThatCount(const CLI::App& command) {
   for (const char* name : {"--resamples", "--every-resample"}) {
     if (command.count(name) > 0 && command.count("--bootstrap") == 0) {
@@ -178,15 +177,13 @@ void addResampling(CLI::App& command, CompareArguments& arguments) {
       .add_option("--bootstrap", arguments.bootstrap,
                   "Bootstrap intervals of the mean or median of each group; with --paired of the gains")
       ->check(CLI::IsMember({"mean", "median"}));
-  command.add_option("--resamples", arguments.request.resamples, "Of the bootstrap")
+  command.add_option("--resamples", arguments.request.resamples, "Resamples of the bootstrap")
       ->check(CLI::Range(99, 1'000'000))
       ->capture_default_str();
-  command
-      .add_option("--seed", arguments.request.seed,
-                  "Of the bootstrap, and of permutations that are too many to count")
+  command.add_option("--seed", arguments.request.seed, "Seed of the bootstrap, and of random permutations")
       ->capture_default_str();
   command.add_flag("--every-resample", arguments.request.everyResample,
-                   "Every resample instead of a random choice: up to seven subjects");
+                   "All resamples instead of random ones: up to seven subjects");
 }
 
 }  // namespace
@@ -195,7 +192,7 @@ void addCompareGroups(CLI::App& program) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       program.add_subcommand("compare-groups", "Tests and effect sizes between groups and occasions");
-  command->add_option("FILE", arguments->file, "CSV: subject,group,score and maybe occasion,rater")
+  command->add_option("FILE", arguments->file, "CSV: subject,group,score and optionally occasion,rater")
       ->required();
   command->add_option("--occasion", arguments->occasion,
                       "Occasion at which the groups are compared; default: the last of the file");
@@ -206,12 +203,12 @@ void addCompareGroups(CLI::App& program) {
                    "Largest difference that does not matter: tests equivalence, in the unit of the scores")
       ->check(CLI::PositiveNumber);
   auto* lowest = command->add_option("--lowest", arguments->lowest,
-                                     "Lowest mark of the scale, for bounds on what missing marks can do");
+                                     "Lowest mark of the scale, for bounds on the effect of missing marks");
   auto* highest = command->add_option("--highest", arguments->highest, "Highest mark of the scale");
   lowest->needs(highest);
   highest->needs(lowest);
   command->add_flag("--residuals", arguments->residuals,
-                    "Adds what the analysis of covariance leaves of each subject, for plots");
+                    "Adds each subject's residual of the analysis of covariance, for plots");
   command->add_option("--adjust", arguments->adjust, "Adjustment of p over the pairs of more than two groups")
       ->check(CLI::IsMember(kAdjustments))
       ->capture_default_str();

@@ -47,7 +47,7 @@ Json designJson(const CompetenceDesign& design) {
   return json;
 }
 
-/// Somebody who signed in; rights are asked for by the services, as in the window.
+/// Signs in; rights are checked by the services, as in the window.
 MaintenanceDesk deskOf(const CompetenceArguments& arguments) {
   return {arguments.maintenance.maintainer(), arguments.database};
 }
@@ -107,16 +107,17 @@ void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& a
   CompetenceDesign& design = arguments->design;
   command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is competent")
       ->capture_default_str();
-  command.add_option("--inadequate", design.inadequate, "Failure rate of one who is not")
+  command.add_option("--inadequate", design.inadequate, "Failure rate of a trainee who is not competent")
       ->capture_default_str();
-  command.add_option("--attempts", design.attempts, "Attempts within which the error rates are promised")
+  command.add_option("--attempts", design.attempts, "Number of attempts for which the error rates hold")
       ->capture_default_str();
   command.add_option("--false-pass", design.falsePassMost, "Largest share of inadequate trainees that pass")
       ->capture_default_str();
   command
       .add_option("--false-fail", design.falseFailMost, "Largest share of adequate trainees that do not pass")
       ->capture_default_str();
-  command.add_option("--tolerance", arguments->tolerance_deg, "Degrees; without it that of the exercise");
+  command.add_option("--tolerance", arguments->tolerance_deg,
+                     "Tolerance in degrees; default: the exercise's");
 }
 
 void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
@@ -129,8 +130,8 @@ void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& argu
 
 void addCompetence(CLI::App& program) {
   auto arguments = std::make_shared<CompetenceArguments>();
-  CLI::App* competence = program.add_subcommand(
-      "competence", "By what trainees count as competent, and how often that is wrong");
+  CLI::App* competence =
+      program.add_subcommand("competence", "When trainees count as competent, with the error rates");
   competence->require_subcommand(1);
 
   CLI::App* command = competence->add_subcommand("plan", "Chooses the limit and prints both error rates");
@@ -141,13 +142,14 @@ void addCompetence(CLI::App& program) {
   addDesk(*command, arguments);
   command->callback([arguments] { show(*arguments); });
 
-  command = competence->add_subcommand("register", "Registers a design for an exercise; it never changes");
+  command =
+      competence->add_subcommand("register", "Registers a design for an exercise; it cannot be changed");
   addDesk(*command, arguments);
   addNumbers(*command, arguments);
   command->add_option("--exercise", arguments->exercise, "Id of the exercise, as show prints it")->required();
   command->add_option("--experts", arguments->expertCohort,
                       "Id of a cohort of experts: the tolerance covers nine in ten of them");
-  command->add_option("--reason", arguments->design.reason, "Why; needed with a tolerance of one's own");
+  command->add_option("--reason", arguments->design.reason, "Reason; required with --tolerance");
   command->callback([arguments] { enrolDesign(*arguments); });
 }
 

@@ -44,7 +44,7 @@ void printContent(const BackupContent& content) {
             << "\n";
 }
 
-/// Says what is wrong, and ends with the exit code for it.
+/// Prints the findings and throws with the exit code for them.
 void requireSound(const DatabaseCheck& check, const std::string& remedy) {
   for (const std::string& damage : check.damage) {
     std::cout << "damaged: " << damage << "\n";
@@ -60,7 +60,7 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
               remedy);
 }
 
-/// Every place that holds the record besides itself, with the day by which it should be gone.
+/// Prints every copy of the record with the date by which it should be deleted.
 void printCopies(const DbArguments& arguments) {
   for (const ListedCopy& listed : copiesOf(arguments.database.locator())) {
     const RecordCopy& copy = listed.copy;
@@ -170,12 +170,13 @@ void prepareServerRoles(const DbArguments& arguments) {
 void addDb(CLI::App& program) {
   auto arguments = std::make_shared<DbArguments>();
   CLI::App* db = program.add_subcommand(
-      "db", "Care of the database: backup, verify, restore, check, copy, copies, prepare-server");
+      "db", "Database maintenance: backup, verify, restore, check, copy, copies, prepare-server");
   db->require_subcommand(1);
 
   CLI::App* command = db->add_subcommand("backup", "Copies a database in use into one checked file");
   command->add_option("FILE", arguments->file, "The backup to write")->required();
-  command->add_flag("--replace", arguments->replace, "An older backup of that name may go; a record never");
+  command->add_flag("--replace", arguments->replace,
+                    "Replaces an older backup of that name, but never a record");
   addDatabaseOption(*command, arguments->database);
   addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { backUp(*arguments); });
@@ -184,18 +185,18 @@ void addDb(CLI::App& program) {
   command->add_option("FILE", arguments->file, "The backup")->required();
   command->callback([arguments] { verify(*arguments); });
 
-  command = db->add_subcommand("restore", "Puts a backup in the place of a database that nobody has open");
+  command = db->add_subcommand("restore", "Replaces a database that nobody has open by a backup");
   command->add_option("FILE", arguments->file, "The backup")->required();
   addDatabaseOption(*command, arguments->database);
   addMaintenanceOptions(*command, arguments->maintenance);
   addSecondPerson(*command, arguments->maintenance);
   command->callback([arguments] { restore(*arguments); });
 
-  command = db->add_subcommand("copies", "Lists the places that hold this record besides itself");
+  command = db->add_subcommand("copies", "Lists all copies of this record");
   addDatabaseOption(*command, arguments->database);
   command->callback([arguments] { listCopies(*arguments); });
 
-  command = db->add_subcommand("check", "Looks for damage, and for anything changed behind the audit trail");
+  command = db->add_subcommand("check", "Checks for damage, and for changes not in the audit trail");
   addDatabaseOption(*command, arguments->database);
   command->callback([arguments] { check(*arguments); });
 
@@ -206,13 +207,12 @@ void addDb(CLI::App& program) {
   addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { copy(*arguments); });
 
-  command = db->add_subcommand("prepare-server", "Writes the roles of a PostgreSQL server, as its owner");
+  command = db->add_subcommand("prepare-server", "Creates the roles of a PostgreSQL server, as its owner");
   addDatabaseArgument(*command, "ADDRESS", arguments->database.address, "postgresql://owner@... address")
       ->required();
   command->add_flag("--ask-server-password", arguments->database.askPassword,
                     "Asks at the terminal for the password of the server");
-  command->add_option("--station-role", arguments->role, "The role that stations work as")
-      ->capture_default_str();
+  command->add_option("--station-role", arguments->role, "Role of the stations")->capture_default_str();
   addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { prepareServerRoles(*arguments); });
 }

@@ -71,22 +71,22 @@ void runDemo(const DemoArguments& arguments) {
 void addDemo(CLI::App& program) {
   auto arguments = std::make_shared<DemoArguments>();
   CLI::App* command = program.add_subcommand(
-      "demo", "The whole main job with simulated people: twist, record, mark, evaluate, report");
+      "demo", "A whole study with simulated people: twist, record, mark, evaluate, report");
   command->add_option("--out", arguments->out, "Folder for cohort.pdf, cohort.csv and torsio.sqlite")
       ->required();
   command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
   command
       ->add_option("--shorten", arguments->shorten,
-                   "Training time is shortened by this factor, however few twists remain (usually 60)")
+                   "Shortens training time by this factor, however few twists remain (default: 60)")
       ->check(CLI::Range(1, 600));
   command
       ->add_option("--twists", arguments->twists,
-                   "Twists in every phase at least (usually 10; none with --shorten or --full)")
+                   "Minimum number of twists per phase (default: 10; none with --shorten or --full)")
       ->check(CLI::Range(0, 200));
   command->add_option("--language", arguments->language, "Language of the report; the table stays English")
       ->check(CLI::IsMember(reportLanguages()))
       ->capture_default_str();
-  command->add_flag("--full", arguments->full, "Full length: twenty minutes a phase");
+  command->add_flag("--full", arguments->full, "Full length: twenty minutes per phase");
   addOrganOptions(*command, arguments->organ);
   command->callback([arguments] { runDemo(*arguments); });
 }

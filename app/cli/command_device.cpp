@@ -20,15 +20,15 @@ namespace torsio::cli {
 
 namespace {
 
-// A signal can reach nothing but a global.
+// A signal handler can only reach globals.
 volatile std::sig_atomic_t stopAsked = 0;
 
 void askToStop(int) {
   stopAsked = 1;
 }
 
-/// An interrupted program would leave the device with its last force until the vendor's watchdog notices, and
-/// some units unusable until they are replugged.
+/// An interrupted program would leave the last force on the device until the vendor's watchdog notices, and
+/// some units unusable until replugged.
 void closeInOrderOnSignals() {
   std::signal(SIGINT, askToStop);
   std::signal(SIGTERM, askToStop);
@@ -192,7 +192,7 @@ nlohmann::ordered_json readoutJson(const DeviceReadout& r) {
           {"events", r.events}};
 }
 
-/// One document, a reading a line as it comes: `readings`, then how it ended.
+/// Writes one JSON document incrementally, one reading per line: `readings`, then how it ended.
 class ReadoutDocument {
  public:
   ReadoutDocument() { std::cout << "{\"readings\": ["; }
@@ -238,14 +238,15 @@ void runMonitor(const DeviceArguments& arguments) {
 
 void addDevice(CLI::App& program) {
   auto arguments = std::make_shared<DeviceArguments>();
-  CLI::App* command = program.add_subcommand("device", "Haptic devices: what there is and whether it works");
+  CLI::App* command = program.add_subcommand("device", "Haptic devices: list, choose, test and monitor them");
   command->require_subcommand(1);
   const auto addChoice = [arguments](CLI::App* sub) {
     sub->add_option("--library", arguments->choice.library, "The vendor's library, path or name");
   };
   const auto addName = [arguments](CLI::App* sub) {
-    sub->add_option("--device", arguments->choice.driver,
-                    "Its driver, as `torsio device list` calls it; else the one that is chosen or there");
+    sub->add_option(
+        "--device", arguments->choice.driver,
+        "Driver, as listed by `torsio device list`; default: the chosen or first available device");
     sub->add_option("--name", arguments->choice.name, "Name of one of several devices of a driver");
   };
 
@@ -255,12 +256,12 @@ void addDevice(CLI::App& program) {
   list->callback([arguments] { runList(*arguments); });
 
   CLI::App* choose = command->add_subcommand("choose", "Remembers which device this station works with");
-  choose->add_option("device", arguments->choice.driver, "Its driver; left out: the first that is there");
+  choose->add_option("device", arguments->choice.driver, "Driver; default: the first available device");
   choose->add_option("--name", arguments->choice.name, "Name of one of several devices of a driver");
   choose->callback([arguments] { runChoose(*arguments); });
 
   CLI::App* check =
-      command->add_subcommand("check", "Tests the haptic device; exit code 12 unless it is ready");
+      command->add_subcommand("check", "Tests the haptic device; exit code 12 if it is not ready");
   addChoice(check);
   addName(check);
   check->add_option("--seconds", arguments->checkSeconds, "Length of the measurement")->capture_default_str();
@@ -270,7 +271,7 @@ void addDevice(CLI::App& program) {
   check->add_flag("--json", arguments->json, "Print JSON");
   check->callback([arguments] { runCheck(*arguments); });
 
-  CLI::App* monitor = command->add_subcommand("monitor", "Shows what the haptic device reads; no force");
+  CLI::App* monitor = command->add_subcommand("monitor", "Shows the haptic device's readings; no force");
   addChoice(monitor);
   addName(monitor);
   monitor->add_option("--seconds", arguments->monitorSeconds, "How long")->capture_default_str();

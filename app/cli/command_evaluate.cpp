@@ -36,7 +36,7 @@ struct EvaluateArguments {
   std::uint64_t seed = 1;
 };
 
-/// "0.15" or "name=0.15"; the name is empty when there is none.
+/// Parses "0.15" or "name=0.15"; the name is empty if missing.
 std::pair<std::string, double> namedWeight(const std::string& text, const std::string& option) {
   const std::size_t sign = text.rfind('=');
   const std::string name = sign == std::string::npos ? "" : text.substr(0, sign);
@@ -50,7 +50,7 @@ std::pair<std::string, double> namedWeight(const std::string& text, const std::s
   return {name, weight};
 }
 
-/// Weights in the order given, with their names; all named or none.
+/// Returns the weights in the given order with their names; all named or none.
 std::vector<std::pair<std::string, std::int64_t>> weightList(const std::vector<std::string>& texts,
                                                              const std::string& option) {
   std::vector<std::string> names;
@@ -73,8 +73,8 @@ std::vector<std::pair<std::string, std::int64_t>> weightList(const std::vector<s
   return list;
 }
 
-/// The paper's instrument, changed by the options. Unnamed weights of another number make indices 1, 2, 3
-/// ... and classes A, B, C ...
+/// Returns the paper's instrument, modified by the options. Unnamed weights in another number create indices
+/// 1, 2, 3 ... and classes A, B, C ...
 EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
   EvaluationInstrument instrument = paperInstrument();
   instrument.scale = {arguments.lowest * arguments.stepsPerPoint, arguments.highest * arguments.stepsPerPoint,
@@ -123,7 +123,7 @@ EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
   return instrument;
 }
 
-/// The position of what a cell names, by identifier or name.
+/// Returns the position of the item with this id or name.
 template <class Item>
 std::optional<std::size_t> named(const std::vector<Item>& items, const std::string& text) {
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -134,7 +134,7 @@ std::optional<std::size_t> named(const std::vector<Item>& items, const std::stri
   return std::nullopt;
 }
 
-/// The same by number, counted from 1.
+/// Returns the position of an item given by number, from 1.
 std::optional<std::size_t> numbered(std::size_t count, const std::string& text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -144,7 +144,7 @@ std::optional<std::size_t> numbered(std::size_t count, const std::string& text) 
   return number - 1;
 }
 
-/// Reads the marks and remembers how the file spells each index, so that the answer uses the same words.
+/// Reads the marks and remembers how the file spells each index, so that the output uses the same words.
 class MarkReader {
  public:
   MarkReader(const CsvTable& table, const EvaluationInstrument& instrument)
@@ -158,8 +158,8 @@ class MarkReader {
     return ratings;
   }
 
-  /// Refuses what the policy does not allow by the line of the missing score. A rater who has no line for an
-  /// index is left to the evaluation. `ratings`: as read().
+  /// Throws at the line of a missing score that the policy forbids. A rater without a line for an index is
+  /// left to the evaluation. `ratings`: from read().
   void requireScores(const std::vector<EvaluationRating>& ratings, MissingPolicy policy) const {
     if (policy == MissingPolicy::kRefuse) {
       for (std::size_t row = 0; row < ratings.size(); ++row) {
@@ -187,7 +187,7 @@ class MarkReader {
 
  private:
   void requireScoreOfEachClass(const std::vector<EvaluationRating>& ratings) const {
-    // model, class, index -> its first line, as long as none has a score
+    // model, class, index -> its first line, unless one has a score
     std::map<std::tuple<std::string, std::size_t, std::size_t>, std::optional<std::size_t>> without;
     for (std::size_t row = 0; row < ratings.size(); ++row) {
       const EvaluationRating& rating = ratings[row];
@@ -255,7 +255,7 @@ class MarkReader {
     rating.raterClass = classAt(row);
     rating.index = indexAt(row);
     if (!table_.cell(row, "score").empty()) {
-      (void)table_.number(row, "score");  // says what is wrong with text, NaN and decimal commas
+      (void)table_.number(row, "score");  // reports text, NaN and decimal commas
       rating.steps = stepsFromText(table_.cell(row, "score"), instrument_.scale, table_.where(row));
     }
     const auto [first, isNew] = seen_.emplace(std::tuple{rating.model, rating.rater, rating.index}, row);
@@ -413,7 +413,7 @@ void addEvaluate(CLI::App& program) {
       ->add_option("--class-weights", arguments->classWeights,
                    "Weights of the rater classes: 0.2,0.3,0.5 (A, B, C) or id=0.2,...; default: the paper's")
       ->delimiter(',');
-  command->add_option("--policy", arguments->policy, "When marks are missing")
+  command->add_option("--policy", arguments->policy, "Treatment of missing marks")
       ->check(CLI::IsMember({"refuse", "renormalise", "available", "list-wise"}))
       ->capture_default_str();
   command->add_option("--lowest", arguments->lowest, "Lowest score, points")
@@ -422,15 +422,15 @@ void addEvaluate(CLI::App& program) {
   command->add_option("--highest", arguments->highest, "Highest score, points")
       ->check(CLI::Range(-1000, 1000))
       ->capture_default_str();
-  command->add_option("--steps-per-point", arguments->stepsPerPoint, "10: scores in tenths")
+  command->add_option("--steps-per-point", arguments->stepsPerPoint, "Steps per point; 10: scores in tenths")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option("--resamples", arguments->resamples,
-                   "Panels drawn anew from the raters, for an interval of N; 0: none")
+                   "Resampled panels of raters for an interval of N; 0: none")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Seed of the drawing")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Seed of the resampling")->capture_default_str();
   command->callback([arguments] { runEvaluate(*arguments); });
 }
 

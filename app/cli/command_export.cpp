@@ -39,14 +39,14 @@ struct ExportArguments {
   bool json = false;
 };
 
-/// Somebody who signs in, or the owner of the record's file.
+/// Returns somebody who signs in, or the owner of the record's file.
 Maintainer maintainerOf(const ExportArguments& arguments) {
   MaintenanceOptions maintenance = arguments.maintenance;
   maintenance.asSystem = maintenance.login.empty();
   return maintenance.maintainer();
 }
 
-/// The key in a file, which is made where it is missing.
+/// Returns the key in a file, creating it if missing.
 std::string keyOf(const std::string& file) {
   if (file.empty()) {
     return {};
@@ -58,7 +58,8 @@ std::string keyOf(const std::string& file) {
   while (!key.empty() && (key.back() == '\n' || key.back() == '\r')) {
     key.pop_back();
   }
-  (void)Pseudonyms(key);  // refuses one that is too short; an empty one would silently be another each time
+  (void)Pseudonyms(
+      key);  // rejects short keys; an empty one would silently be replaced by a random one each time
   return key;
 }
 
@@ -150,8 +151,9 @@ void printImport(const Outcome& done, bool json) {
 void runImport(const ImportArguments& given) {
   const bool own = given.layout == "torsio";
   if (own ? given.folder.empty() || !given.map.empty() : given.map.empty() || !given.folder.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a data set of Torsio is a folder, all others need a map"),
-                given.layout, Text::verbatim("Give --from FOLDER with --as torsio, --map FILE otherwise"));
+    throw Error(ErrorCode::kUsage,
+                Text::verbatim("a data set of Torsio is a folder; other formats need a map"), given.layout,
+                Text::verbatim("Give --from FOLDER with --as torsio, --map FILE otherwise"));
   }
   MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   auto line = std::make_unique<ProgressLine>();
@@ -172,22 +174,22 @@ void runImport(const ImportArguments& given) {
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
   addDatabaseArgument(command, "--database", arguments.database, "SQLite file or postgresql://... address")
       ->capture_default_str();
-  command.add_option("--cohort", arguments.cohort, "Name of the cohort; the oldest one");
+  command.add_option("--cohort", arguments.cohort, "Name of the cohort; default: the oldest");
   command.add_option("--out", arguments.out, out)->required();
-  command.add_option("--reason", arguments.request.reason, "Why, for the audit trail");
+  command.add_option("--reason", arguments.request.reason, "Reason, for the audit trail");
   addSignIn(command, arguments.maintenance, "--login");
   command.add_flag("--json", arguments.json, "Print JSON");
 }
 
 void addPseudonyms(CLI::App& command, ExportArguments& arguments) {
   command.add_option("--evaluation", arguments.campaign,
-                     "Name of the evaluation of models; the oldest one with marks");
+                     "Name of the evaluation of models; default: the oldest with marks");
   command.add_flag("--pseudonymised", arguments.request.pseudonymised,
-                   "Opaque names, times moved, rare properties and free text left out");
+                   "Opaque names, shifted times, without rare attributes and free text");
   command.add_option("--key-file", arguments.keyFile,
-                     "Key of the pseudonyms, made where it is missing: exports with one key can be joined");
+                     "Key of the pseudonyms, created if missing: exports with the same key can be joined");
   command.add_flag("--with-free-text", arguments.request.withFreeText,
-                   "Pseudonymised: keep what people wrote");
+                   "With --pseudonymised: keep free text");
 }
 
 }  // namespace
@@ -218,7 +220,7 @@ void addDataset(CLI::App& program) {
   auto arguments = std::make_shared<ExportArguments>();
   arguments->format = "frictionless";
   CLI::App* parent =
-      program.add_subcommand("dataset", "A cohort's data with its recordings, to be published");
+      program.add_subcommand("dataset", "A cohort's data with its recordings, for publication");
   parent->require_subcommand(1);
 
   CLI::App* out = parent->add_subcommand("export", "Tables, trajectories and definitions, with a descriptor");
@@ -230,10 +232,11 @@ void addDataset(CLI::App& program) {
   out->add_option("--licence", about.licence, "SPDX identifier of the licence: CC-BY-4.0")->required();
   out->add_option("--description", about.description, "What the data are about");
   out->add_option("--citation", about.citation, "How users cite the data");
-  out->add_option("--creator", about.creator, "Person or centre that publishes");
-  out->add_option("--rate", arguments->dataset.rate_Hz, "Lines of a trajectory a second; divides 1000")
+  out->add_option("--creator", about.creator, "Author: person or centre");
+  out->add_option("--rate", arguments->dataset.rate_Hz,
+                  "Samples of a trajectory per second; a divisor of 1000")
       ->capture_default_str();
-  out->add_flag("--whole", arguments->dataset.whole, "Also what an import into another record needs");
+  out->add_flag("--whole", arguments->dataset.whole, "Also include what an import into another record needs");
   out->callback([arguments] {
     arguments->dataset.layout = datasetLayout(arguments->format);
     requireWhole(arguments->dataset.about);
@@ -246,8 +249,8 @@ void addDataset(CLI::App& program) {
       ->capture_default_str();
   in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor or csv")->required();
   in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");
-  in->add_option("--map", incoming->map, "Others: what the files do not say of themselves (JSON)");
-  in->add_option("--reason", incoming->reason, "Why, for the audit trail");
+  in->add_option("--map", incoming->map, "Other formats: a map of what the files do not contain (JSON)");
+  in->add_option("--reason", incoming->reason, "Reason, for the audit trail");
   addSignIn(*in, incoming->maintenance, "--login")->required();
   in->add_flag("--json", incoming->json, "Print JSON");
   in->callback([incoming] { runImport(*incoming); });

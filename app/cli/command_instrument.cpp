@@ -22,12 +22,12 @@ namespace torsio::cli {
 
 namespace {
 
-/// What reconstruct and import have in common.
+/// Options common to reconstruct and import.
 struct InstrumentArguments {
   std::string source;
   std::string out;
-  ToolRequest tool;             // of a scan; the places of a mesh, too
-  std::optional<double> scale;  // of a mesh: millimetres in one file unit
+  ToolRequest tool;             // of a scan; for a mesh, only the positions
+  std::optional<double> scale;  // for a mesh: millimetres per file unit
   std::string unit = "mm";
   double drawnOpen_deg = 0.0;
   std::vector<double> seed;
@@ -48,7 +48,7 @@ nlohmann::ordered_json numbersOf(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// `origin`: "scan" or "file", whose axes the places are given in.
+/// `origin`: "scan" or "file", whose axes apply to the positions.
 nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string& origin,
                                       const std::string& out) {
   nlohmann::ordered_json json;
@@ -72,7 +72,7 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
   return json;
 }
 
-/// Checks the name of the file to write and takes the places, `unit_mm` being that of the ones given.
+/// Checks the output name and converts the positions, given in units of `unit_mm`.
 void takePlaces(InstrumentArguments& arguments, double unit_mm) {
   if (!arguments.out.ends_with(".json")) {
     throw Error(ErrorCode::kUsage, Text::verbatim("an instrument's file ends with .json"),
@@ -129,17 +129,20 @@ void runImport(InstrumentArguments& arguments) {
   finishInstrument(arguments, importInstrument(request), "file");
 }
 
-/// What is said of an instrument, whatever it is made of; `unit` is that of its places.
+/// Adds the options of an instrument of any source; `unit`: unit of its positions.
 void addPlaces(CLI::App& command, InstrumentArguments& arguments, const std::string& unit) {
   command.add_option("--out", arguments.out, "Instrument to write, NAME.json, with its meshes beside it")
       ->required();
   const auto vector = [&command](const char* name, std::vector<double>& xyz, const std::string& meaning) {
     command.add_option(name, xyz, meaning)->delimiter(',')->expected(3);
   };
-  vector("--tip", arguments.tip, "x,y,z near its tip, " + unit + "; else the narrower end");
-  vector("--shaft", arguments.shaft, "x,y,z: direction from the tip to the hand; else found");
-  vector("--jaw-axis", arguments.jawAxis, "x,y,z: direction of the hinge; else along the jaws' broad side");
-  command.add_option("--pivot", arguments.tool.pivot_mm, "From the tip to the hinge of the jaws, mm")
+  vector("--tip", arguments.tip, "x,y,z near its tip, " + unit + "; default: the narrower end");
+  vector("--shaft", arguments.shaft,
+         "x,y,z: direction from the tip to the hand; default: found from the shape");
+  vector("--jaw-axis", arguments.jawAxis,
+         "x,y,z: direction of the hinge; default: along the jaws' broad side");
+  command
+      .add_option("--pivot", arguments.tool.pivot_mm, "Distance from the tip to the hinge of the jaws, mm")
       ->capture_default_str();
   command.add_option("--opening", arguments.facts.opening_deg, "How far each jaw opens, degrees")
       ->check(CLI::Range(0.0, 90.0))
@@ -147,21 +150,23 @@ void addPlaces(CLI::App& command, InstrumentArguments& arguments, const std::str
   command.add_option("--grip-reach", arguments.facts.gripReach_mm, "How far a closed jaw holds tissue, mm")
       ->capture_default_str();
   command.add_option("--tip-radius", arguments.facts.tipRadius_mm,
-                     "Of the ball that touches, mm; else measured");
-  command.add_option("--title", arguments.facts.title, "Its name for people");
+                     "Radius of the ball that touches, mm; default: measured");
+  command.add_option("--title", arguments.facts.title, "Display name");
   command.add_flag("--json", arguments.json, "Print JSON");
 }
 
 void addReconstruct(CLI::App& instrument) {
   auto arguments = std::make_shared<InstrumentArguments>();
   CLI::App* command = instrument.add_subcommand(
-      "reconstruct", "Make an instrument of its scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
+      "reconstruct", "Make an instrument from its scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
   command->add_option("SOURCE", arguments->source, "Folder or file of the scan")->required();
-  command->add_option("--threshold", arguments->tool.threshold_HU, "Denser than so many HU is the instrument")
+  command
+      ->add_option("--threshold", arguments->tool.threshold_HU,
+                   "Threshold in HU above which the scan shows the instrument")
       ->capture_default_str();
   command
       ->add_option("--seed", arguments->seed,
-                   "x,y,z of a point in it, mm: left, back, up; else the largest piece")
+                   "x,y,z of a point in it, mm: left, back, up; default: the largest piece")
       ->delimiter(',')
       ->expected(3);
   addPlaces(*command, *arguments, "mm");
@@ -175,7 +180,7 @@ void addReconstruct(CLI::App& instrument) {
 void addImport(CLI::App& instrument) {
   auto arguments = std::make_shared<InstrumentArguments>();
   CLI::App* command = instrument.add_subcommand(
-      "import", "Make an instrument of a mesh of it: obj, stl, ply, off, glb, gltf or dae");
+      "import", "Make an instrument from a mesh: obj, stl, ply, off, glb, gltf or dae");
   command->add_option("FILE", arguments->source, "Mesh file")->required();
   CLI::Option* scale =
       command->add_option("--scale", arguments->scale, "Millimetres in one unit of the file, such as 25.4");
@@ -184,8 +189,7 @@ void addImport(CLI::App& instrument) {
       ->excludes(scale)
       ->capture_default_str();
   command
-      ->add_option("--drawn-open", arguments->drawnOpen_deg,
-                   "How far each jaw stands open in the file, degrees")
+      ->add_option("--drawn-open", arguments->drawnOpen_deg, "How far each jaw is open in the file, degrees")
       ->check(CLI::Range(0.0, 90.0))
       ->capture_default_str();
   addPlaces(*command, *arguments, "the file's unit");

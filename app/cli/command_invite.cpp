@@ -54,7 +54,7 @@ void inviteUsers(const InviteArguments& arguments) {
   }
   const std::string address = browserAddress(desk.session());
   if (address.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("nobody has said where browsers find the review desk"), "",
+    throw Error(ErrorCode::kUsage, Text::verbatim("the address of the review desk is not set"), "",
                 Text::verbatim("Give --address https://..., once; the record remembers it"));
   }
   for (const Invitation& one : invite(desk.session(), ids)) {
@@ -70,8 +70,9 @@ void addInvite(CLI::App& program) {
       program.add_subcommand("invite", "Makes links with which users set a password in a browser");
   addDatabaseOption(*command, arguments->database);
   addSignIn(*command, arguments->maintenance, "--as")->required();
-  command->add_option("--address", arguments->address, "https://... as browsers reach the review desk");
-  command->add_option("--revoke", arguments->revoke, "Takes their links back instead: why");
+  command->add_option("--address", arguments->address,
+                      "Address of the review desk for browsers, https://...");
+  command->add_option("--revoke", arguments->revoke, "Revokes their links instead, for this reason");
   command->add_option("login", arguments->logins, "Sign-in names")->required();
   command->callback([arguments] { inviteUsers(*arguments); });
 }

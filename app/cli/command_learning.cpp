@@ -43,10 +43,10 @@ struct LearningArguments {
 };
 
 constexpr std::int64_t kMaxAttempts = 100'000;
-constexpr std::size_t kMaxWatched = 10'000;  // attempts over which the watch for relapse is computed
+constexpr std::size_t kMaxWatched = 10'000;  // attempts for which the relapse monitoring is computed
 constexpr double kDefaultReference = 0.5;    // k of the tabular CUSUM, in sigma
 
-/// Attempts of one subject in their order.
+/// Attempts of one subject, in order.
 struct Attempts {
   std::string subject;
   std::map<std::int64_t, std::size_t> rowOf;  // attempt -> row
@@ -84,7 +84,7 @@ std::optional<bool> failedAt(const CsvTable& table, std::size_t row) {
   return std::nullopt;
 }
 
-/// Whether the table holds pass and fail; both kinds together are refused.
+/// True if the table contains pass and fail; throws if it contains both kinds of scores.
 bool holdsOutcomes(const CsvTable& table) {
   const bool outcomes = failedAt(table, 0).has_value();
   for (std::size_t row = 1; row < table.rows(); ++row) {
@@ -123,7 +123,7 @@ Json curveJson(LearningFamily family, const std::vector<double>& t, const std::v
   });
 }
 
-/// `runLength`: the same for everybody.
+/// `runLength`: common to all subjects.
 Json tabularJson(const LearningArguments& arguments, const std::vector<double>& y, const Json& runLength) {
   if (const std::optional<Text> reason =
           beyondArithmetic(y, std::array{*arguments.target, *arguments.sigma, arguments.h})) {
@@ -141,7 +141,7 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
   return out;
 }
 
-/// The attempt with which the trainee has shown proficiency: so many in a row, and so many more after these.
+/// Returns the attempt by which proficiency was shown: so many in a row, and so many more after these.
 Json proficiencyJson(const LearningArguments& arguments, const std::vector<double>& t,
                      const std::vector<double>& y) {
   const Better better = arguments.better == "lower" ? Better::kLower : Better::kHigher;
@@ -168,7 +168,7 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
     entry["exponential"] = curveJson(LearningFamily::kExponential, t, y);
     const bool both = entry["power"].contains("aicc") && entry["exponential"].contains("aicc");
     entry["better_by_aicc"] =
-        !both ? undefinedJson("it takes a fit of both families")
+        !both ? undefinedJson("it requires a fit of both families")
               : Json(entry["power"]["aicc"].get<double>() < entry["exponential"]["aicc"].get<double>()
                          ? "power"
                          : "exponential");
@@ -194,7 +194,7 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
   return {{"kind", "values"}, {"subjects", list}};
 }
 
-/// The outcomes of attempts 1, 2, 3 ...: a CUSUM has no place for a gap.
+/// Returns the outcomes of attempts 1, 2, 3 ...; a CUSUM allows no gaps.
 std::vector<bool> outcomesOf(const CsvTable& table, const Attempts& subject) {
   std::vector<bool> failed;
   for (const auto& [attempt, row] : subject.rowOf) {
@@ -238,7 +238,8 @@ Json outcomeSubjectJson(const LearningArguments& arguments, const LcCusumDesign&
 
 Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                   const std::vector<Attempts>& subjects) {
-  std::vector<std::vector<bool>> failed;  // first, so that a faulty table is named before anything else
+  std::vector<std::vector<bool>>
+      failed;  // read first, so that an invalid table is reported before anything else
   std::size_t longest = 0;
   for (const Attempts& subject : subjects) {
     failed.push_back(outcomesOf(table, subject));
@@ -266,7 +267,7 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)},
                    {"not_able_in_the_end_if_adequate",
                     longest <= kMaxWatched ? Json(lcCusumNotAble(design, design.adequate, longest))
-                                           : undefinedJson("it takes at most 10,000 attempts")}};
+                                           : undefinedJson("it is computed for at most 10,000 attempts")}};
   out["subjects"] = Json::array();
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));
@@ -330,10 +331,10 @@ void addLearning(CLI::App& program) {
       ->capture_default_str();
   command->add_option("--limit", arguments->limit, "Limit h of the LC-CUSUM instead of the chosen one")
       ->check(CLI::Range(0.01, 100.0));
-  command->add_option("--alpha", arguments->alpha, "Of the success-failure CUSUM")
+  command->add_option("--alpha", arguments->alpha, "Error rate of the success-failure CUSUM")
       ->check(rate)
       ->capture_default_str();
-  command->add_option("--beta", arguments->beta, "Of the success-failure CUSUM")
+  command->add_option("--beta", arguments->beta, "Error rate of the success-failure CUSUM")
       ->check(rate)
       ->capture_default_str();
   command->add_option("--target", arguments->target, "Values: target of a tabular CUSUM");

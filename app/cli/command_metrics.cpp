@@ -91,7 +91,7 @@ Json verdictJson(const RunVerdict& verdict) {
   return out;
 }
 
-/// An untwisting: its metrics, the angle that it came with, and its times in those of the tissue.
+/// An untwisting: its metrics, the initial angle, and the tissue's times.
 Json detorsionJson(const MeasuredDetorsion& measured, const AttemptRules& rules) {
   return outcomeJson(measured.metrics, [&](const DetorsionMetrics& detorsion) {
     const double timeScale = rules.detorsion ? rules.detorsion->timeScale : 1.0;
@@ -128,7 +128,7 @@ LoadedRun readRunFile(const std::filesystem::path& file) {
   return run;
 }
 
-/// A trial file when there is one of this name, else a trial of the database, judged by the rules of its
+/// Loads a trial file if there is one with this name, otherwise a trial of the database with the rules of its
 /// exercise. Options override the rules.
 LoadedRun loadRun(const MetricsArguments& arguments) {
   LoadedRun run = std::filesystem::is_regular_file(arguments.trial)
@@ -146,7 +146,7 @@ LoadedRun loadRun(const MetricsArguments& arguments) {
   return run;
 }
 
-/// What the metrics ask of the scene, which must outlive the answer.
+/// What the metrics need to know of the scene, which must outlive the result.
 OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
   OrganKnowledge organ;
   organ.axisAt = [&scene](double arc_m) {
@@ -190,7 +190,7 @@ Json twistJson(const MeasuredTwist& measured) {
   return entry;
 }
 
-/// The scene on which the trial was recorded.
+/// Returns the scene in which the trial was recorded.
 Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   const SceneRequest chosen = sceneRequest(arguments.organ);
   SceneRequest wanted = sceneRequestFor(header.parametersJson);
@@ -287,13 +287,17 @@ void addMetrics(CLI::App& program) {
   addDatabaseOption(*command, arguments->database);
   command
       ->add_option("--tolerance", arguments->tolerance_deg,
-                   "About the target angle, degrees, in place of that of the exercise")
+                   "Tolerance about the target angle, degrees; default: the exercise's")
       ->check(CLI::Range(0.001, 360.0));
-  command->add_option("--force-limit", arguments->forceLimit_N, "Counts violations, N")
+  command->add_option("--force-limit", arguments->forceLimit_N, "Limit above which violations are counted, N")
       ->check(CLI::PositiveNumber);
-  command->add_option("--torque-limit", arguments->torqueLimit_Nm, "Counts violations, N m")
+  command
+      ->add_option("--torque-limit", arguments->torqueLimit_Nm,
+                   "Limit above which violations are counted, N m")
       ->check(CLI::PositiveNumber);
-  command->add_option("--shear-limit", arguments->shearLimit_Pa, "Time above it, Pa; loads the scene")
+  command
+      ->add_option("--shear-limit", arguments->shearLimit_Pa,
+                   "Limit above which time is counted, Pa; loads the scene")
       ->check(CLI::PositiveNumber);
   command->add_flag("--scene", arguments->scene, "Load the scene: adds the wander about the organ's axis");
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");

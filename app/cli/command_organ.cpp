@@ -22,7 +22,7 @@ constexpr double kMetresPerMillimetre = 1e-3;
 struct OrganImportArguments {
   std::string file;
   OrganResultOptions result;
-  std::optional<double> scale;  // millimetres in one file unit
+  std::optional<double> scale;  // millimetres per file unit
   std::string unit = "mm";
   bool closeHoles = false;
 };
@@ -55,7 +55,7 @@ void addOrgan(CLI::App& program) {
       ->excludes(scale)
       ->capture_default_str();
   command->add_flag("--close-holes", arguments->closeHoles,
-                    "Close gaps of the surface, and the ends of a tube that was drawn open");
+                    "Close gaps of the surface, and the open ends of a tube");
   command->callback([arguments] { runOrganImport(*arguments); });
   addOrganReconstruct(*organ);
   addOrganMake(*organ);

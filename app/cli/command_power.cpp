@@ -31,7 +31,7 @@ struct PowerArguments {
   int raters = 2;
 };
 
-/// The three questions of one test: size, power and effect each follow from the other two.
+/// Three questions about one test: size, power and effect each follow from the other two.
 struct Design {
   std::string effectName;
   std::function<double(double n, double effect)> power;
@@ -65,13 +65,13 @@ void requireTwoOfThree(const PowerArguments& arguments) {
                 Text::verbatim("Give exactly two of --n, --effect and --power"));
   }
   if (arguments.power && *arguments.power <= arguments.alpha) {
-    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power not above alpha needs nobody"),
+    throw Error(ErrorCode::kBadParameter, Text::verbatim("a power up to alpha needs no trainees"),
                 Text::verbatim("--power"),
                 "Give a power above " + Json(arguments.alpha).dump() + ", for example 0.8");
   }
 }
 
-/// Adds a size as computed, and the whole number of trainees that it takes.
+/// Adds a size as computed, and rounded up to whole trainees.
 void addSize(Json& out, const std::string& name, double size) {
   out[name] = size;
   out[name + "_needed"] = static_cast<std::int64_t>(std::ceil(size));
@@ -118,7 +118,7 @@ Json intraclassJson(const PowerArguments& arguments) {
   return out;
 }
 
-/// Options that would be ignored in silence.
+/// Rejects options that would be silently ignored.
 void requireOptionsThatCount(const CLI::App& command, const PowerArguments& arguments) {
   const auto refuse = [&](const char* name, bool counts, const char* owner) {
     if (command.count(name) > 0 && !counts) {
@@ -161,11 +161,11 @@ void addPower(CLI::App& program) {
       ->capture_default_str();
   command
       ->add_option("--correlation", arguments->correlation,
-                   "Of the scores before and after: size of an analysis of covariance")
+                   "Correlation of the scores before and after: size of an analysis of covariance")
       ->check(CLI::Range(-0.999, 0.999));
   command->add_option("--icc", arguments->icc, "icc: the expected coefficient")
       ->check(CLI::Range(0.0, 0.999));
-  command->add_option("--raters", arguments->raters, "icc: raters of each target")
+  command->add_option("--raters", arguments->raters, "icc: raters per target")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
   command->add_option("--width", arguments->width, "icc: wanted width of the 95 % interval")

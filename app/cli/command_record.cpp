@@ -38,7 +38,7 @@ void runRecord(const RecordArguments& arguments) {
   SceneRequest request = sceneRequest(arguments.organ);
   request.tissue = tissueModelOf(arguments.model);
   const Scene scene = loadScene(request);
-  const TrialStore store(arguments.database.locator());  // makes the database when there is none
+  const TrialStore store(arguments.database.locator());  // creates the database if missing
   for (const Text& closed : closeRecordFiles(arguments.database.locator(), {})) {
     say(closed);
   }
@@ -78,7 +78,7 @@ void addRecord(CLI::App& program) {
   auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = program.add_subcommand("record", "Record a simulated hand that twists an organ");
   addDatabaseOption(*command, arguments->database)->required();
-  command->add_option("--model", arguments->model, "What answers the hand: twist, fem, msm")
+  command->add_option("--model", arguments->model, "Model that responds to the hand: twist, fem, msm")
       ->check(CLI::IsMember({"twist", "fem", "msm"}))
       ->capture_default_str();
   command->add_option("--duration", arguments->duration_s, "Seconds to record")

@@ -44,17 +44,17 @@ void addReport(CLI::App& program) {
   CLI::App* report = program.add_subcommand("report", "The cohort report");
   report->require_subcommand(1);
   CLI::App* command = report->add_subcommand(
-      "trace", "Follows a number to its marks, criteria, scoring sheet, recording and program");
+      "trace", "Traces a number to its marks, criteria, scoring sheet, recording and program");
   addDatabaseArgument(*command, "--database", arguments->trace.record,
                       "SQLite file or postgresql://... address")
       ->capture_default_str();
-  command->add_option("--cohort", arguments->trace.cohort, "Name of the cohort; the oldest one");
+  command->add_option("--cohort", arguments->trace.cohort, "Name of the cohort; default: the oldest");
   command->add_option("--evaluation", arguments->trace.campaign,
-                      "Name of the evaluation of models; the oldest one with marks");
+                      "Name of the evaluation of models; default: the oldest with marks");
   command->add_flag("--json", arguments->json, "Print JSON");
   command
       ->add_option("CELL", arguments->trace.cell,
-                   "The first seven cells of a line of the table of numbers, from section to statistic")
+                   "The first seven cells of a row of cohort.csv, from section to statistic")
       ->required();
   command->callback([arguments] {
     const TraceStep step = traceCell(arguments->trace);

@@ -7,7 +7,7 @@ class App;
 
 namespace torsio::cli {
 
-/// Adds `torsio report`; as the functions of commands.h.
+/// Adds `torsio report`; see commands.h.
 void addReport(CLI::App& program);
 
 }  // namespace torsio::cli

@@ -70,19 +70,19 @@ void takeBack(const RosterArguments& arguments) {
 }  // namespace
 
 void addRoster(CLI::App& program) {
-  CLI::App* roster = program.add_subcommand("roster", "Rosters that were imported: list, take back");
+  CLI::App* roster = program.add_subcommand("roster", "Imported rosters: list, undo");
   roster->require_subcommand(1);
   auto arguments = std::make_shared<RosterArguments>();
-  CLI::App* list = roster->add_subcommand("imports", "Every import, and whether it can be taken back");
+  CLI::App* list = roster->add_subcommand("imports", "Lists imports, and whether they can be undone");
   addDatabaseOption(*list, arguments->database);
   addSignIn(*list, arguments->maintenance, "--as")->required();
   list->add_flag("--json", arguments->json, "JSON");
   list->callback([arguments] { listImports(*arguments); });
-  CLI::App* back = roster->add_subcommand("take-back", "Takes imports back whole: all of them, or nothing");
+  CLI::App* back = roster->add_subcommand("take-back", "Undoes imports completely: all of them, or none");
   addDatabaseOption(*back, arguments->database);
   addSignIn(*back, arguments->maintenance, "--as")->required();
-  back->add_option("imports", arguments->ids, "Ids, as 'torsio roster imports' shows them")->required();
-  back->add_option("--reason", arguments->reason, "Why, for the audit trail")->required();
+  back->add_option("imports", arguments->ids, "Ids, as listed by 'torsio roster imports'")->required();
+  back->add_option("--reason", arguments->reason, "Reason, for the audit trail")->required();
   back->callback([arguments] { takeBack(*arguments); });
 }
 

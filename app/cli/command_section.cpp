@@ -25,7 +25,7 @@ struct SectionArguments {
   std::string method = "auto";
   std::vector<std::string> holes;
   std::vector<std::array<double, 2>> points;
-  std::vector<double> wall;  // thickness: one, or one a point of the outline; empty: filled
+  std::vector<double> wall;  // wall thickness: one value, or one per point of the outline; empty: solid
   bool json = false;
 };
 
@@ -39,15 +39,16 @@ SectionMethod methodOf(const std::string& name) {
   return SectionMethod::kAutomatic;
 }
 
-/// Membrane, warping and stress at the points that were asked for.
+/// Membrane, warping and stress at the requested points.
 nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std::array<double, 2>>& points) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const std::array<double, 2>& point : points) {
     const std::optional<SectionField::Value> value = field.at(point);
     if (!value) {
       throw Error(ErrorCode::kBadParameter,
-                  field.elements.empty() ? Text::verbatim("boundary elements know no point inside")
-                                         : Text::verbatim("the point lies outside the section"),
+                  field.elements.empty()
+                      ? Text::verbatim("boundary elements compute nothing inside the section")
+                      : Text::verbatim("the point lies outside the section"),
                   "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
                   field.elements.empty() ? Text::verbatim("Use --method fem")
                                          : Text::verbatim("Give a point in the material"));
@@ -72,7 +73,7 @@ void printSection(const nlohmann::ordered_json& result, bool json) {
   }
 }
 
-/// A closed wall by Bredt's formula: no field inside, hence no points and no choice of a solver.
+/// Solves a closed wall by Bredt's formula: without a field inside, so without points or choice of a solver.
 void runWall(const SectionArguments& arguments) {
   if (!arguments.holes.empty() || !arguments.points.empty() || arguments.method != "auto") {
     throw Error(ErrorCode::kUsage,
@@ -149,7 +150,7 @@ void addSection(CLI::App& program) {
       ->delimiter(',');
   command
       ->add_option("--wall", arguments->wall,
-                   "Thickness of a wall inside the outline, in its unit: one, or one for each point")
+                   "Thickness of a wall inside the outline, in its unit: one value, or one per point")
       ->delimiter(',')
       ->expected(1, -1);
   command->add_option("--method", arguments->method, "Solver: auto, fem or bem")

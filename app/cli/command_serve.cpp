@@ -47,7 +47,8 @@ struct ServeArguments {
   bool quiet = false;
 };
 
-/// Names and marks travel: off this machine only encrypted, by this server or by a proxy before it.
+/// Names and marks are transmitted: beyond this machine only encrypted, by this server or a proxy in front of
+/// it.
 void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& address) {
   const bool proxied = arguments.publicUrl.rfind("https://", 0) == 0;
   if (!arguments.publicUrl.empty() && !proxied) {
@@ -72,7 +73,7 @@ void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& 
   }
 }
 
-/// The signals that end the server, held back from every thread but the one that waits for them.
+/// Signals that stop the server, blocked in every thread except the one that waits for them.
 sigset_t endingSignals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -82,14 +83,14 @@ sigset_t endingSignals() {
   return signals;
 }
 
-/// One line at a time, to standard error: a service's log keeps it, with its own time.
+/// Writes one line to standard error, where the service manager logs it with its own time.
 void writeAccess(const std::string& line) {
   static std::mutex one;
   const std::lock_guard lock(one);
   std::cerr << line << "\n";
 }
 
-/// As browsers reach it: of a desk that listens everywhere, one for each name of this machine.
+/// Returns the URLs for browsers: for a desk on all interfaces, one for each name of this machine.
 std::vector<std::string> addressesOf(const ServeArguments& arguments, const web::HttpAddress& address,
                                      bool encrypted, std::uint16_t port) {
   if (!arguments.publicUrl.empty()) {
@@ -106,7 +107,7 @@ std::vector<std::string> addressesOf(const ServeArguments& arguments, const web:
   return addresses;
 }
 
-/// Waits for a signal that ends the server, or for the end of the process that it belongs to.
+/// Waits for a signal that stops the server, or for the end of its owner process.
 void waitForTheEnd(const sigset_t& signals, std::int64_t process) {
   if (process == 0) {
     int signal = 0;
@@ -121,7 +122,7 @@ void waitForTheEnd(const sigset_t& signals, std::int64_t process) {
   }
 }
 
-/// What somebody else on this machine needs to know of a desk that is open, in a file that goes with it.
+/// Publishes an open desk to other processes of this machine in a file that is removed with it.
 class DeskNotice {
  public:
   explicit DeskNotice(std::filesystem::path file) : file_(std::move(file)) {
@@ -166,7 +167,7 @@ void serve(const ServeArguments& arguments) {
     tls = web::ownCertificate(arguments.ownCertificate, web::machineNames(), std::time(nullptr)).tls;
   }
   const std::string locator = arguments.database.locator();
-  (void)openDatabase(locator, OpenMode::kReadWrite);  // no new centre is founded here
+  (void)openDatabase(locator, OpenMode::kReadWrite);  // must exist: the server never creates a record
   const sigset_t signals = endingSignals();
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),
@@ -174,7 +175,7 @@ void serve(const ServeArguments& arguments) {
                      .accessLog = arguments.quiet ? std::function<void(const std::string&)>() : writeAccess});
   web::HttpLimits limits;
   if (!arguments.publicUrl.empty()) {
-    limits.connectionsAnAddress = limits.connections;  // all come from the proxy's
+    limits.connectionsAnAddress = limits.connections;  // all come from the proxy
   }
   const web::HttpServer server(address, tls, limits,
                                [&desk](web::HttpRequest request, web::HttpServer::Reply reply) {
@@ -204,14 +205,12 @@ void addServe(CLI::App& program) {
   command->add_option("--certificate", arguments->certificate, "PEM file: the certificate with its chain");
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,
-                      "https://... as browsers reach it through a proxy");
-  command->add_option("--own-certificate", arguments->ownCertificate,
-                      "Folder: keeps a certificate there that this machine signs for itself");
-  command->add_option("--state", arguments->state,
-                      "File that says where the desk is open, for as long as it is");
-  command->add_option("--ends-with", arguments->endsWith, "Number of a process: the desk ends with it")
+                      "Address for browsers through a proxy, https://...");
+  command->add_option("--own-certificate", arguments->ownCertificate, "Folder for a self-signed certificate");
+  command->add_option("--state", arguments->state, "File that contains the desk's address while it is open");
+  command->add_option("--ends-with", arguments->endsWith, "Process id: the desk stops when that process ends")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--quiet", arguments->quiet, "Writes no line for each answer");
+  command->add_flag("--quiet", arguments->quiet, "Switches the access log off");
   command->callback([arguments] { serve(*arguments); });
 }
 

@@ -124,7 +124,7 @@ Json standardJson(const StandardArguments& arguments) {
   return proficiencyJson(read({"expert", "value"}), options);
 }
 
-/// Options that would be ignored in silence.
+/// Rejects options that would be silently ignored.
 void requireOptionsThatCount(const CLI::App& command, const std::string& method) {
   const auto refuse = [&](const std::string& name, const std::string& owner) {
     if (command.count(name) > 0 && method != owner) {

@@ -37,7 +37,7 @@ constexpr double kMillimetres = 1e3;
 struct TrackerArguments {
   TrackerPlace place;
   double seconds = 5.0;
-  std::int64_t poses = 0;  // after which watching ends; 0: it does not
+  std::int64_t poses = 0;  // stop after so many; 0: never
   bool json = false;
   bool none = false;
   std::uint16_t outletPort = kIgtlPort;
@@ -123,9 +123,9 @@ void watch(const TrackerArguments& given) {
   }
   if (view.counts.received == 0) {
     throw Error(ErrorCode::kDevice,
-                view.trouble.empty() ? Text::verbatim("no pose of an instrument came") : view.trouble,
+                view.trouble.empty() ? Text::verbatim("no pose of an instrument arrived") : view.trouble,
                 given.place.address + ":" + std::to_string(given.place.port),
-                Text::verbatim("Look whether the tracker runs, and at address, port and instrument"));
+                Text::verbatim("Check that the tracker runs, and check address, port and instrument"));
   }
 }
 
@@ -148,7 +148,7 @@ void remember(const TrackerArguments& given, bool outlet) {
             << "\n";
 }
 
-/// As fast as it was recorded.
+/// Sends at the recorded speed.
 void send(const TrackerArguments& given) {
   requireTime(given.seconds, kLongestWatch_s, Text::verbatim("the time to wait"));
   const std::vector<Sample> samples = decodeTrial(loadStoredTrial(given.database.locator(), given.run));
@@ -189,23 +189,24 @@ void send(const TrackerArguments& given) {
 }
 
 void addPlace(CLI::App& command, TrackerArguments& given) {
-  command.add_option("--address", given.place.address, "Of the tracker; with --listen of this computer")
+  command
+      .add_option("--address", given.place.address, "Address of the tracker; with --listen, of this computer")
       ->capture_default_str();
   command.add_option("--port", given.place.port, "Its port")
       ->capture_default_str()
       ->check(CLI::Range(1, 65535));
   command.add_option("--instrument", given.place.instrument,
-                     "Name of the instrument as the tracker says it; else the first that comes");
+                     "Name of the instrument in the tracker; default: the first one");
   command.add_flag("--listen", given.place.listens, "Wait for the tracker to call");
 }
 
 void addOutlet(CLI::App& command, TrackerArguments& given) {
-  command.add_option("--port", given.outletPort, "Where others connect")
+  command.add_option("--port", given.outletPort, "Port for other programs")
       ->capture_default_str()
       ->check(CLI::Range(1, 65535));
   command
       .add_option("--address", given.outletAddress,
-                  "Of this computer; 0.0.0.0 offers it to the whole network")
+                  "Address of this computer; 0.0.0.0 offers it to the whole network")
       ->capture_default_str();
 }
 
@@ -217,26 +218,25 @@ void addTracker(CLI::App& program) {
   tracker->require_subcommand(1);
 
   CLI::App* command = tracker->add_subcommand(
-      "watch", "Shows what a tracker sends; exit code 12 when no pose of the instrument comes");
+      "watch", "Shows what a tracker sends; exit code 12 if no pose of the instrument arrives");
   addPlace(*command, *given);
   command->add_option("--seconds", given->seconds, "How long")->capture_default_str();
-  command->add_option("--poses", given->poses, "No longer than until so many have come")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--poses", given->poses, "Stop after this many poses")->check(CLI::PositiveNumber);
   command->add_flag("--json", given->json, "Print JSON");
   command->callback([given] { watch(*given); });
 
   command = tracker->add_subcommand("choose", "Remembers the tracker of this station's real arm");
   addPlace(*command, *given);
-  command->add_flag("--none", given->none, "There is none any more");
+  command->add_flag("--none", given->none, "Forget the tracker");
   command->callback([given] { remember(*given, false); });
 
   command =
       tracker->add_subcommand("offer", "Offers the simulator's instrument to other programs from now on");
   addOutlet(*command, *given);
-  command->add_flag("--none", given->none, "Not any more");
+  command->add_flag("--none", given->none, "Stop offering it");
   command->callback([given] { remember(*given, true); });
 
-  command = tracker->add_subcommand("send", "Sends the instrument of a recorded run once, for a check");
+  command = tracker->add_subcommand("send", "Sends the instrument of a recorded run once, as a test");
   command->add_option("RUN", given->run, "Id of the run, or its first characters")->required();
   addDatabaseOption(*command, given->database);
   addOutlet(*command, *given);

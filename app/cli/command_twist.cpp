@@ -45,7 +45,7 @@ struct TwistArguments {
   bool jaw = false;
   bool reference = false;
   std::string referenceElements;  // empty: wedges
-  std::string wall;               // of a hollow organ; empty: filled
+  std::string wall;               // for a hollow organ; empty: solid
   std::optional<double> pressure_mmHg;
   std::optional<double> restPressure_mmHg;
   bool sealed = false;
@@ -100,7 +100,7 @@ void addFold(nlohmann::ordered_json& result, const FoldReport& fold) {
   }
 }
 
-/// A wall folds on purpose, and its content may leave: of a hollow organ `folded` says whether the wall does.
+/// A wall folds by design, and contents may escape: for a hollow organ `folded` tells whether the wall folds.
 void addWallFolds(nlohmann::ordered_json& result, const FoldReport& fold, const HollowOrgan& organ,
                   const OrganState& state) {
   addFold(result, fold);
@@ -140,7 +140,7 @@ void print(const nlohmann::ordered_json& result, bool json) {
   }
 }
 
-/// Angle of an organ that came twisted: the one asked for, or the least that its trials begin with.
+/// Initial angle of an organ that is twisted already: the given one, or the smallest of its trials.
 OrganState hollowState(const TwistArguments& arguments, const Scene& scene) {
   if (arguments.grasp) {
     throw Error(ErrorCode::kUsage, Text::verbatim("the mobile part of this organ turns as a whole"),
@@ -150,7 +150,7 @@ OrganState hollowState(const TwistArguments& arguments, const Scene& scene) {
   return scene.stateAt(arguments.angle_deg ? angleOf_rad(arguments, scene) : start.sign * start.least_rad);
 }
 
-/// Turns the organ as the pattern's task says until the measured turn is the one asked for.
+/// Turns the organ as in the pattern's task until the measured angle is reached.
 TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad = angleOf_rad(arguments, scene);
   const std::vector<TaskPoint> path =
@@ -188,7 +188,7 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
     return scene.toDeformed_m(rest_m, state);
   });
   if (!scene.hollow) {
-    requireUnfolded(fold, arguments);  // a wall folds on purpose
+    requireUnfolded(fold, arguments);  // a wall folds by design
   }
   writeSurface(arguments, scene.mesh, std::move(twisted));
 
@@ -220,7 +220,7 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   print(result, arguments.json);
 }
 
-/// Largest difference of two profiles, as a share of the angle.
+/// Largest difference of two profiles relative to the angle.
 double profileError(const RodTwistResult& twist, const TwistReference& reference, double angle_rad) {
   double worst_rad = 0.0;
   for (std::size_t j = 0; j < twist.turn_rad.size(); ++j) {
@@ -258,7 +258,7 @@ void checkRodArguments(const TwistArguments& arguments) {
 }
 
 RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) {
-  constexpr double kReferencePoisson = 0.45;  // elements have none at 0.5
+  constexpr double kReferencePoisson = 0.45;  // the elements cannot represent 0.5
   RodTwistRequest request;
   request.ends = arguments.ends == "clamped-free" ? RodEnds::kClampedFree : RodEnds::kClampedTurned;
   request.shearModulus_Pa =
@@ -275,12 +275,12 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
     request.wall = wallMap(arguments.wall);
   }
   if (request.reference && request.ends == RodEnds::kClampedFree) {
-    request.jaw = true;  // a single face inside a body cannot be turned: the reference has a jaw
+    request.jaw = true;  // a single face inside a body cannot be turned, so the reference has a jaw
   }
   return request;
 }
 
-/// Pressure of an option in pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
+/// Converts a pressure option to pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
 double pressureOf_Pa(const char* option, double pressure_mmHg) {
   constexpr double kMaxPressure_mmHg = 100.0;
   if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMaxPressure_mmHg)) {
@@ -361,15 +361,15 @@ void checkWallArguments(const TwistArguments& arguments) {
   }
   if (!arguments.wall.empty() && (arguments.ends.empty() || arguments.reference)) {
     throw Error(ErrorCode::kUsage,
-                arguments.ends.empty() ? Text::verbatim("a wall is wrung between ends")
-                                       : Text::verbatim("the reference is a filled organ"),
+                arguments.ends.empty() ? Text::verbatim("a wall requires --ends")
+                                       : Text::verbatim("the reference is a solid organ"),
                 Text::verbatim("--wall"),
                 Text::verbatim("Give --ends, without --reference, or leave out --wall"));
   }
 }
 
 void runTwist(TwistArguments arguments) {
-  const bool organFile = isOrganFile(arguments.organ.organ);  // which may say its wall
+  const bool organFile = isOrganFile(arguments.organ.organ);  // it may define its wall
   if (!organFile) {
     checkWallArguments(arguments);
   }
@@ -416,14 +416,13 @@ void runTwist(TwistArguments arguments) {
 
 void addTwist(CLI::App& program) {
   auto arguments = std::make_shared<TwistArguments>();
-  CLI::App* command =
-      program.add_subcommand("twist", "Twist an organ and say what it costs: angles, torque, volume");
+  CLI::App* command = program.add_subcommand("twist", "Twist an organ and print angles, torque and volume");
   addOrganOptions(*command, arguments->organ);
   addModelOptions(*command, arguments->model);
   command->add_option("--angle", arguments->angle_deg,
                       "Angle at the grasp in degrees; default: the pattern's target");
   command->add_option("--grasp", arguments->grasp,
-                      "Where it is gripped, fraction of the length from the fixed end");
+                      "Position of the grasp, fraction of the length from the fixed end");
   command
       ->add_option(
           "--ends", arguments->ends,
@@ -439,22 +438,20 @@ void addTwist(CLI::App& program) {
       "With --ends clamped-free: turn the sections within half a local radius of the grasp as one");
   command->add_flag(
       "--reference", arguments->reference,
-      "With --ends: also turn quadratic neo-Hookean elements likewise, and say how far the rod is "
-      "from them");
+      "With --ends: also compute quadratic neo-Hookean elements, and print the difference from the rod");
   command
       ->add_option("--reference-elements", arguments->referenceElements,
                    "With --reference: wedges or tetrahedra on the same points; default: wedges")
       ->check(CLI::IsMember({"wedges", "tetrahedra"}));
-  command->add_option(
-      "--wall", arguments->wall,
-      "With --ends: the organ is hollow, its wall so many mm thick; or along its length, as shares "
-      "and mm: 0:2,1:5");
+  command->add_option("--wall", arguments->wall,
+                      "With --ends: the organ is hollow, with a wall of this thickness in mm; or along its "
+                      "length, as fractions and mm: 0:2,1:5");
   command->add_option("--pressure-mmhg", arguments->pressure_mmHg,
-                      "With --wall: pressure inside over outside; default: 0");
+                      "With --wall: pressure inside minus outside; default: 0");
   command->add_option("--rest-pressure-mmhg", arguments->restPressure_mmHg,
                       "With --wall: pressure at which the surface is drawn; default: --pressure-mmhg");
   command->add_flag("--sealed", arguments->sealed,
-                    "With --wall: the gas stays inside, so that the pressure rises as the organ is wrung");
+                    "With --wall: the gas stays inside, so that the pressure rises as the organ is twisted");
   command->add_flag("--allow-fold", arguments->allowFold, "Also show a twist that folds the organ");
   command->add_option("--out", arguments->out,
                       "Write the twisted surface as PLY or OBJ, by its ending (millimetres)");

@@ -105,8 +105,9 @@ void send(const XapiArguments& given) {
               << done.later << "\n";
   }
   if (done.stopped) {
-    throw Error(ErrorCode::kFileUnreadable, Text::verbatim("the learning record store takes nothing now"),
-                Text(), Text::verbatim("What is left waits; torsio xapi status says why"));
+    throw Error(ErrorCode::kFileUnreadable,
+                Text::verbatim("the learning record store does not accept anything now"), Text(),
+                Text::verbatim("The rest is kept; torsio xapi status shows why"));
   }
 }
 
@@ -135,28 +136,28 @@ void addXapi(CLI::App& program) {
     command->add_flag("--json", arguments->json, "Print JSON");
     return command;
   };
-  add("status", "What waits, what was delivered, what was refused and why", true)->callback([arguments] {
+  add("status", "Shows what is pending, delivered, and refused and why", true)->callback([arguments] {
     status(*arguments);
   });
   CLI::App* command = add("set", "Sets where learning records go, and turns them on or off", true);
   command->add_option("--endpoint", arguments->settings.endpoint, "Address of the learning record store");
   command->add_option("--home-page", arguments->settings.homePage,
                       "Address of the system to which the accounts of trainees belong");
-  CLI::Option* on = command->add_flag("--on", arguments->on, "Keeps and sends what happens from now on");
-  command->add_flag("--off", arguments->off, "Keeps and sends nothing")->excludes(on);
+  CLI::Option* on = command->add_flag("--on", arguments->on, "Stores and sends events from now on");
+  command->add_flag("--off", arguments->off, "Stores and sends nothing")->excludes(on);
   command->callback([arguments] { set(*arguments); });
 
   command = xapi->add_subcommand("key", "Sets the key by which this station signs in to the store");
-  CLI::Option* user = command->add_option("--user", arguments->user, "Name of the key; none: takes it away");
+  CLI::Option* user = command->add_option("--user", arguments->user, "Name of the key; empty: removes it");
   command
       ->add_option("--secret-fd", arguments->secretDescriptor,
                    "Reads the secret from this file descriptor instead of asking for it")
       ->needs(user);
   command->callback([arguments] { setKey(*arguments); });
 
-  add("send", "Sends what is due, now", false)->callback([arguments] { send(*arguments); });
-  command = add("retry", "Tries again at once what waits or was refused for good", true);
-  command->add_flag("--drop", arguments->drop, "Gives up what was refused for good instead");
+  add("send", "Sends now what is due", false)->callback([arguments] { send(*arguments); });
+  command = add("retry", "Retries at once what is pending or was refused for good", true);
+  command->add_flag("--drop", arguments->drop, "Instead drops what was refused for good");
   command->callback([arguments] { retry(*arguments); });
 }
 

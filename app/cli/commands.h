@@ -7,9 +7,8 @@ class App;
 
 namespace torsio::cli {
 
-// Each function below adds one command with its options to the program. The command runs while the option
-// parser parses, prints to standard output and throws torsio::Error when it refuses. One source a command:
-// command_<name>.cpp.
+// Each function adds one command with its options. The command runs during parsing, prints to standard output
+// and throws torsio::Error on failure. One source per command: command_<name>.cpp.
 
 void addAgreement(CLI::App& program);
 void addAllocate(CLI::App& program);

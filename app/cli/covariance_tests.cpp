@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests between groups that use more than one occasion: analysis of covariance, mixed model, analysis of
-// variance.
+// Tests between groups over several occasions: analysis of covariance, mixed model, analysis of variance.
 #include <algorithm>
 #include <utility>
 
@@ -18,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Who took no part for want of a score.
+/// Lists the subjects excluded for a missing score.
 void addLeftOut(const std::vector<std::string>& subjects, Json& out) {
   out["left_out"] = subjects.size();
   out["left_out_subjects"] = subjects;
 }
 
-/// Names the groups that are not among those compared.
+/// Lists the groups that are not compared.
 Json leftOutGroups(const Study& study, const std::vector<std::size_t>& compared) {
   Json left = Json::array();
   for (std::size_t g = 0; g < study.groups.size(); ++g) {
@@ -41,7 +40,7 @@ Json fTestJson(const Outcome<FTest>& outcome) {
   });
 }
 
-/// A difference of two groups with its intervals; `margin`: of the test of equivalence, empty without.
+/// A difference of two groups with its intervals; `margin`: of the equivalence test; empty: no test.
 Json differenceJson(const AdjustedDifference& pair, double df, const std::optional<double>& margin) {
   Json out{{"statistic", pair.t},
            {"df", df},
@@ -73,11 +72,10 @@ Json regionJson(const SignificantRegion& region) {
   return region.everywhere ? "everywhere" : "nowhere";
 }
 
-/// What a difference is when each group has a slope of its own; needed where the test of equal slopes says
-/// so.
+/// Differences with one slope per group; needed if the slopes differ significantly.
 Json slopesJson(const Study& study, const CompleteCases& cases) {
   return outcomeJson(
-      separateSlopes(cases.before, cases.after, usualBaselines(cases.before)),
+      separateSlopes(cases.before, cases.after, defaultBaselines(cases.before)),
       [&](const SeparateSlopes& result) {
         Json out{{"slopes", Json::array()}, {"baselines", result.baselines}, {"pairs", Json::array()}};
         for (std::size_t g = 0; g < result.slopes.size(); ++g) {
@@ -99,7 +97,7 @@ Json slopesJson(const Study& study, const CompleteCases& cases) {
       });
 }
 
-/// What is left of each subject, beside what a normal distribution of that spread would leave.
+/// Residuals by subject, with the normal quantiles.
 Json residualsJson(const std::vector<std::vector<std::string>>& subjects, const Ancova& result) {
   Json list = Json::array();
   for (std::size_t g = 0; g < subjects.size(); ++g) {
@@ -169,7 +167,7 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
 Json boundsJson(const Study& study, const std::vector<MarkedTrainee>& subjects, const Interval& scale) {
   constexpr std::size_t kMaxGroups = 20;
   if (study.groups.size() > kMaxGroups) {
-    return undefinedJson("bounds are computed for 20 groups or fewer");
+    return undefinedJson("bounds are computed for at most 20 groups");
   }
   const auto show = [](const AdjustedDifference& pair) {
     return Json{{"difference", pair.difference}, {"interval", intervalJson(pair.interval)}};

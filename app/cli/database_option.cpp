@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kWhat = "SQLite file or postgresql://user@host:port/database?sslmode=verify-full";
 
-/// An empty text: nothing is wrong. Other faults of the address are told by the command itself.
+/// Empty: no password. The command reports other faults of the address.
 std::string withoutPassword(const std::string& address) {
   try {
     if (!saysPassword(address)) {

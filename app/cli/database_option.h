@@ -10,20 +10,20 @@ class Option;
 
 namespace torsio::cli {
 
-/// The record that a command works with, as somebody wrote it.
+/// The --database option as typed.
 struct DatabaseOption {
   std::string address = "torsio.sqlite";
   bool askPassword = false;
 
-  /// The locator; asks at the terminal, once, for the password of the server where the command was told to.
+  /// Returns the locator; asks for the server's password at the terminal, once, if requested by the option.
   [[nodiscard]] std::string locator() const;
 
  private:
-  mutable std::string asked_;  // with the password that was typed
+  mutable std::string asked_;  // with the typed password
 };
 
-/// Adds --database and --ask-server-password. A password within an address is refused, since every user of
-/// the machine sees the command line.
+/// Adds --database and --ask-server-password. Rejects a password in the address, since every user of the
+/// machine can read the command line.
 CLI::Option* addDatabaseOption(CLI::App& command, DatabaseOption& option);
 
 /// Adds an argument that is such an address.

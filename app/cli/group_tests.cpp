@@ -43,7 +43,7 @@ Json hedgesJson(std::span<const double> x, std::span<const double> y) {
   });
 }
 
-/// Two lists and their names.
+/// Two groups with their names.
 struct Pair {
   std::span<const double> x;
   std::span<const double> y;
@@ -93,7 +93,7 @@ Json permutationJson(const Pair& pair, const MonteCarlo& choice) {
                      });
 }
 
-/// The comparisons between groups at one occasion.
+/// The comparisons of groups at one occasion.
 class Comparison {
  public:
   Comparison(const std::vector<std::string>& names, const Groups& groups, const GroupRequest& request)
@@ -147,7 +147,7 @@ class Comparison {
   }
 
  private:
-  /// Two groups: the test itself. More: one entry a pair, with p adjusted by Holm over the pairs.
+  /// Two groups: a single test. More: one entry per pair, with p adjusted by Holm.
   Json pairs(const PairTest& test) const {
     if (groups_.size() < 2) {
       return undefinedJson("there is only one group");
@@ -180,7 +180,7 @@ class Comparison {
     return {{"pairs", list}};
   }
 
-  /// Distances of all scores from the means of their groups.
+  /// Deviations of all scores from their group means.
   std::vector<double> residuals() const {
     std::vector<double> out;
     for (const std::vector<double>& group : groups_) {
@@ -244,7 +244,7 @@ class Comparison {
       for (const PairComparison& pair : list) {
         Json entry = testJson(pair.q, pair.df, pair.p, hedgesJson(groups_[pair.second], groups_[pair.first]),
                               intervalJson(pair.interval));
-        entry["difference"] = pair.difference;  // second minus first, as is the effect size
+        entry["difference"] = pair.difference;  // second minus first, like the effect size
         pairs.push_back(labelled(pair.first, pair.second, std::move(entry)));
       }
       return Json{{"pairs", pairs}};
@@ -265,7 +265,7 @@ void addGroupTests(Json& out, const std::vector<std::string>& names, const Group
 
 MonteCarlo permutationsWithin(std::uint64_t seed, double size, double tests) {
   constexpr double kMaxDraws = 2e7;
-  constexpr double kFewest = 299.0;  // of a thousand pairs and more
+  constexpr double kFewest = 299.0;  // minimum for a thousand pairs and more
   constexpr double kMost = 99'999.0;
   constexpr double kMaxAdditions = 1e9;
   const double each = std::max(1.0, tests);

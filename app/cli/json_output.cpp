@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSignificantDigits = 17;
 
-/// Like "%.17g", whatever the language of the system: printf would follow it and write a comma.
+/// Formats like "%.17g" in every locale; printf might write a decimal comma.
 std::string decimal(double value) {
   TORSIO_EXPECTS(std::isfinite(value));
   std::array<char, 40> text{};

@@ -43,7 +43,7 @@ void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options) {
 
 void addSecondPerson(CLI::App& command, MaintenanceOptions& options) {
   CLI::Option* login =
-      command.add_option("--with", options.secondLogin, "The second person, where the centre asks for two")
+      command.add_option("--with", options.secondLogin, "The second person, if the centre requires two")
           ->needs("--as");
   command
       .add_option("--with-password-fd", options.secondDescriptor,

@@ -13,10 +13,10 @@ class Option;
 
 namespace torsio::cli {
 
-/// Who takes care of a record from the command line.
+/// Options that identify the maintainer of a record.
 struct MaintenanceOptions {
   std::string login{};
-  int passwordDescriptor = -1;  ///< -1: asked at the terminal
+  int passwordDescriptor = -1;  ///< -1: ask at the terminal
   std::string secondLogin{};
   int secondDescriptor = -1;
   bool asSystem = false;
@@ -24,12 +24,13 @@ struct MaintenanceOptions {
   [[nodiscard]] Maintainer maintainer() const;
 };
 
-/// A line on standard error.
+/// Prints a line to standard error.
 void say(const Text& sentence);
 
-/// Adds the option `login`, by which somebody signs in, and --password-fd.
+/// Adds the sign-in option `login`, and --password-fd.
 CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const char* login);
-/// Adds --as, --password-fd and --as-system; for what needs two people --with and --with-password-fd.
+/// Adds --as, --password-fd and --as-system and, for acts that need two people, --with and
+/// --with-password-fd.
 void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options);
 void addSecondPerson(CLI::App& command, MaintenanceOptions& options);
 

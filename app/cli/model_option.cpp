@@ -10,7 +10,7 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments) {
       .add_option("--interpolation", arguments.interpolation,
                   "With --formulation paper: angle, or components (dX, dY, dZ along each ridge, Eq. 15)")
       ->check(CLI::IsMember({"angle", "components"}));
-  command.add_option("--drift", arguments.drift, "Of kriging: constant (Eq. 16 as printed) or linear")
+  command.add_option("--drift", arguments.drift, "Drift of kriging: constant (Eq. 16 as printed) or linear")
       ->check(CLI::IsMember({"constant", "linear"}));
   command.add_option("--beta", arguments.choice.beta,
                      "With --formulation paper: beta of Eq. 18, in sections; default: infinite");

@@ -11,17 +11,17 @@ class App;
 
 namespace torsio::cli {
 
-/// What the options say that change the twist model of a pattern.
+/// Options that modify the twist model of a pattern.
 struct ModelArguments {
   std::string interpolation;  ///< of the paper: "angle", "components" (Eq. 15); empty: not given
   std::string drift;          ///< of kriging: "constant" (Eq. 16), "linear"; empty: not given
-  ModelChoice choice;         ///< the other parts
+  ModelChoice choice;         ///< other options
 };
 
-/// Adds these options, but for G, to a command; `arguments` outlives it.
+/// Adds these options, except for G; `arguments` must outlive the command.
 void addModelOptions(CLI::App& command, ModelArguments& arguments);
 
-/// Returns what the options ask for.
+/// Returns the resulting choice.
 [[nodiscard]] ModelChoice modelChoice(const ModelArguments& arguments);
 
 }  // namespace torsio::cli

@@ -35,7 +35,7 @@ void runMakeArm(const CLI::App& command, ArmArguments& arguments) {
     std::copy(arguments.fingers_mm.begin(), arguments.fingers_mm.end(), person.fingers_mm.begin());
   }
   OrganImportRequest named;
-  applyOrganResultOptions(arguments.result, 1.0, named);  // refuses a name that is no organ file's
+  applyOrganResultOptions(arguments.result, 1.0, named);  // rejects a name that is not an organ file's
   const JudgedArm arm = importArm(person, assetsFolder());
   finishOrgan(arm.import, arguments.result, "arm", organJson(arm.import, arguments.result.out));
   if (!arguments.result.out.empty()) {
@@ -46,9 +46,9 @@ void runMakeArm(const CLI::App& command, ArmArguments& arguments) {
 }  // namespace
 
 void addOrganMake(CLI::App& organ) {
-  CLI::App* make = organ.add_subcommand("make", "Draw an organ with the measures of a person");
+  CLI::App* make = organ.add_subcommand("make", "Make an organ with a person's measurements");
   make->require_subcommand(1);
-  CLI::App* command = make->add_subcommand("arm", "Forearm and hand; what is not given is that of a man");
+  CLI::App* command = make->add_subcommand("arm", "Forearm and hand; default measurements: a man's");
   auto arguments = std::make_shared<ArmArguments>();
   PersonArm& person = arguments->person;
   const auto length = [command](const char* name, double& value_mm, const PersonLength& range,

@@ -7,7 +7,7 @@ class App;
 
 namespace torsio::cli {
 
-/// Adds `make arm`: an arm with the measures of a person.
+/// Adds `make arm`: an arm with a person's measurements.
 void addOrganMake(CLI::App& organ);
 
 }  // namespace torsio::cli

@@ -27,10 +27,11 @@ void addOrganOptions(CLI::App& command, OrganArguments& arguments) {
   command.add_option("--organ-unit", arguments.unit, "Unit of the mesh file: mm, cm or m")
       ->check(CLI::IsMember({"mm", "cm", "m"}))
       ->capture_default_str();
-  CLI::Option* fixedEnd = command
-                              .add_option("--fixed-end", arguments.fixedEnd,
-                                          "x y z of the mesh file's held end, in its unit; else found")
-                              ->expected(3);
+  CLI::Option* fixedEnd =
+      command
+          .add_option("--fixed-end", arguments.fixedEnd,
+                      "x y z of the mesh file's held end, in its unit; default: found from the shape")
+          ->expected(3);
   command.add_option("--free-end", arguments.freeEnd, "x y z of its other end")->expected(3)->needs(fixedEnd);
   command.add_option("--material", arguments.material,
                      "Tissue of assets/scenes/materials.json; default: the scene's");
@@ -45,7 +46,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
   SceneRequest request;
   request.assets = assetsFolder();
   const std::vector<std::string> known = sceneIds(request.assets);
-  // Other names of a scene, as the paper and people say.
+  // Other names of scenes in use.
   static const std::map<std::string, std::string> kOtherNames{{"arm", "forearm"}, {"wrist", "forearm"}};
   const auto other = kOtherNames.find(arguments.organ);
   const std::string organ = other == kOtherNames.end() ? arguments.organ : other->second;
@@ -69,7 +70,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.fixedEnd_m = point_m(arguments.fixedEnd);
     request.freeEnd_m = point_m(arguments.freeEnd);
   } else if (!arguments.fixedEnd.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone decides nothing"),
+    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone is not enough"),
                 Text::verbatim("--fixed-end"), Text::verbatim("Give --free-end too"));
   }
   request.material = arguments.material;

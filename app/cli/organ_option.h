@@ -13,7 +13,7 @@ class App;
 
 namespace torsio::cli {
 
-/// What the options say that choose an organ and its model; the same words in every command.
+/// Options that choose an organ and its model; identical in all commands.
 struct OrganArguments {
   std::string organ = "forearm";  ///< a scene's name, or a mesh file
   std::string unit = "mm";        ///< unit of the mesh file
@@ -26,11 +26,11 @@ struct OrganArguments {
   std::optional<int> sections;    ///< sections of the lattice (M); empty: the scene's
 };
 
-/// Adds these options to a command; `arguments` outlives it.
+/// Adds these options; `arguments` must outlive the command.
 void addOrganOptions(CLI::App& command, OrganArguments& arguments);
 
-/// Turns the options into a request for a scene. Throws Error{kUsage} for a name that is neither a scene nor
-/// a file.
+/// Converts the options to a scene request. Throws Error{kUsage} for a name that is neither a scene nor a
+/// file.
 [[nodiscard]] SceneRequest sceneRequest(const OrganArguments& arguments);
 
 }  // namespace torsio::cli

@@ -116,7 +116,7 @@ void runReconstruct(const ReconstructArguments& arguments) {
 void addOrganReconstruct(CLI::App& organ) {
   auto arguments = std::make_shared<ReconstructArguments>();
   CLI::App* command = organ.add_subcommand(
-      "reconstruct", "Make an organ of a scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
+      "reconstruct", "Make an organ from a scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
   command->add_option("SOURCE", arguments->source, "Folder or file of the scan")->required();
   command->add_option("--tissue", arguments->tissue, "skin, gas-lumen, wall, or label N of a label mask")
       ->required()
@@ -124,13 +124,13 @@ void addOrganReconstruct(CLI::App& organ) {
   command->add_option("--seed", arguments->seed, "x,y,z of a point inside, mm: left, back, up")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--box", arguments->box, "x,y,z,x,y,z: two corners of the part to look at, mm")
+  command->add_option("--box", arguments->box, "x,y,z,x,y,z: two corners of the region to use, mm")
       ->delimiter(',')
       ->expected(6);
   command->add_option("--series", arguments->series, "Which of several series, by its number in the list")
       ->check(CLI::Range(1, 100'000));
   command->add_flag("--fluid", arguments->fluid,
-                    "With gas-lumen or wall: take the fluid below the gas with it, down to the wall");
+                    "With gas-lumen or wall: include the fluid below the gas, down to the wall");
   command->add_flag("--resample", arguments->resample, "Accept unevenly spaced slices");
   addOrganResultOptions(*command, arguments->result, "mm");
   command->callback([arguments] { runReconstruct(*arguments); });

@@ -27,7 +27,7 @@ const char* weightName(FindingWeight weight) {
   return "note";
 }
 
-/// What was found, without its code, with which refusals of the reader begin.
+/// Returns a finding's sentence without its code, which starts the reader's refusals.
 std::string sentenceOf(const OrganFinding& finding) {
   const std::string sentence = finding.what.str();
   const std::string code = finding.code + " ";
@@ -127,16 +127,17 @@ void addOrganResultOptions(CLI::App& command, OrganResultOptions& options, const
   const auto point = [&command](const char* name, std::vector<double>& xyz, const std::string& meaning) {
     return command.add_option(name, xyz, meaning)->expected(3);
   };
-  point("--fixed-end", options.fixedEnd, "x y z of the held end, in " + unit + "; else found");
+  point("--fixed-end", options.fixedEnd,
+        "x y z of the held end, in " + unit + "; default: found from the shape");
   point("--free-end", options.freeEnd, "x y z of the other end");
   point("--fixed-cut", options.fixedCut, "Outward direction of a cut through the held end")
       ->needs(command.get_option("--fixed-end"));
   point("--free-cut", options.freeCut,
-        "Outward direction of a cut through the free end: what lies beyond follows it as a whole")
+        "Outward direction of a cut through the free end; the part beyond follows rigidly")
       ->needs(command.get_option("--free-end"));
   command.add_option("--wall", options.wall_mm, "Thickness of its wall in millimetres");
   command.add_option("--anatomy", options.anatomy,
-                     "Scene whose patterns suit it, such as stomach; without: twists about its own axis");
+                     "Scene whose patterns suit it, such as stomach; default: twists about its own axis");
   command.add_flag("--json", options.json, "Print JSON");
 }
 
@@ -147,7 +148,7 @@ void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, O
                 Text::verbatim("Name it so"));
   }
   if (options.fixedEnd.empty() != options.freeEnd.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone decides nothing"),
+    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone is not enough"),
                 Text::verbatim("--fixed-end, --free-end"), Text::verbatim("Give both"));
   }
   if (!options.fixedEnd.empty()) {

@@ -15,7 +15,7 @@ class App;
 
 namespace torsio::cli {
 
-/// What is asked of an organ that is made of something else.
+/// Options for an organ made from other data.
 struct OrganResultOptions {
   std::string out;
   std::vector<double> fixedEnd;
@@ -27,18 +27,18 @@ struct OrganResultOptions {
   bool json = false;
 };
 
-/// Adds the options; `options` outlives the command. `unit` says in what the ends are given.
+/// Adds the options; `options` must outlive the command. `unit`: unit of the ends.
 void addOrganResultOptions(CLI::App& command, OrganResultOptions& options, const std::string& unit);
 
-/// Puts the options into a request; `unit_m` is that of the ends. Throws Error{kUsage} for a name that is
-/// none of an organ file, and for one end without the other.
+/// Applies the options to a request; `unit_m`: unit of the ends. Throws Error{kUsage} for a name that is not
+/// an organ file's, or for one end without the other.
 void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request);
 
-/// What became of a surface, as --json prints it.
+/// Returns the outcome of an import, as --json prints it.
 [[nodiscard]] nlohmann::ordered_json organJson(const OrganImport& import, const std::string& out);
 
-/// Writes the organ file when it was asked for and the organ is accepted, prints `json` or what there is to
-/// say for people; `file` names what was read. Throws Error{kBadMesh} for an organ that is refused.
+/// Writes the organ file if requested and accepted, then prints `json` or a summary; `file`: the input.
+/// Throws Error{kBadMesh} for a rejected organ.
 void finishOrgan(const OrganImport& import, const OrganResultOptions& options, const std::string& file,
                  const nlohmann::ordered_json& json);
 

@@ -23,13 +23,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Scores of the same subjects, first and last.
+/// First and last scores of the same subjects.
 struct PairedScores {
   std::vector<double> before;
   std::vector<double> after;
 };
 
-/// Differences in whole steps of the scale; a step is 10^-6 or more.
+/// Differences in integer steps of the scale; a step is at least 10^-6.
 struct WholeDifferences {
   std::vector<std::int64_t> steps;
   double step = 1.0;
@@ -149,15 +149,15 @@ Json correlationJson(const PairedScores& pairs) {
     Json out{{"r", correlation.r}};
     out["interval"] = correlation.fisherInterval
                           ? intervalJson(*correlation.fisherInterval)
-                          : undefinedJson("it takes four pairs that do not lie on one line");
+                          : undefinedJson("it requires four pairs that are not on a line");
     return out;
   });
 }
 
 constexpr double kMaxResamples = 1e6;
 
-/// Median of values of which each may be drawn several times. The values are put in order once, so that a
-/// resample need only be counted.
+/// Median of values drawn with repetition. The values are sorted once, so that each resample only needs
+/// counting.
 class DrawnMedian {
  public:
   explicit DrawnMedian(const std::vector<double>& values)
@@ -178,7 +178,7 @@ class DrawnMedian {
       ++drawn_[place_[row]];
     }
     std::size_t at = 0;
-    std::size_t before = drawn_.front();  // drawn up to `at`
+    std::size_t before = drawn_.front();  // number drawn up to `at`
     const auto valueOf = [&](std::size_t rank) {
       while (before <= rank) {
         before += drawn_[++at];

@@ -7,7 +7,7 @@
 
 namespace torsio::cli {
 
-/// Shows progress on standard error: one line rewritten in place on a terminal, one line a step otherwise.
+/// Progress on standard error: one line updated in place on a terminal, one line per step otherwise.
 class ProgressLine {
  public:
   ProgressLine();
@@ -16,7 +16,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows the step and how much of it is done.
+  /// Shows the step and its progress.
   void show(const Progress& progress);
 
  private:

@@ -26,7 +26,7 @@ Text nobodyComplete() {
   return Text::tr("no target has a score by every rater");
 }
 
-/// Notes the group of a row's target, and refuses a second one.
+/// Stores the group of a row's target; throws for a second one.
 void noteGroup(const CsvTable& table, std::size_t row, std::size_t target, NamePlaces& groups,
                std::vector<std::size_t>& groupOf) {
   const std::size_t group = groups(table.text(row, "group"));
@@ -35,7 +35,7 @@ void noteGroup(const CsvTable& table, std::size_t row, std::size_t target, NameP
   } else if (groupOf[target] != group) {
     table.refuse(row,
                  "target \"" + table.text(row, "target") + "\" is in group \"" + groups.names()[group] +
-                     "\", but in another further up",
+                     "\", but in another one above",
                  Text::verbatim("A target belongs to one group"));
   }
 }
@@ -125,7 +125,7 @@ FacetTables readFacetTables(const CsvTable& table, const std::string& levelColum
   FacetTables out;
   NamePlaces levels;
   NamePlaces targets;
-  std::vector<NamePlaces> raters;  // by level; crossed: one list
+  std::vector<NamePlaces> raters;  // by level; if crossed, one list
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::size_t> rowOf;  // level, target, rater
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::size_t level = levels(table.text(row, levelColumn));

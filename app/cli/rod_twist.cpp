@@ -19,8 +19,8 @@ namespace torsio::cli {
 
 namespace {
 
-// Turns at the nodes of a rod, cubic between them. Beyond the turned section nothing carries torque, so that
-// the twist rate jumps there: pieces on either side know nothing of one another.
+// Rotation along the rod, cubic between nodes. The twist rate jumps at the turned section, beyond which
+// nothing transmits torque, so the two sides are interpolated separately.
 class NodeTurns {
  public:
   NodeTurns(std::span<const double> arcs_m, std::span<const double> turns_rad, std::size_t jump)
@@ -38,7 +38,7 @@ class NodeTurns {
   }
 
  private:
-  // Slope at a node of the parabola through it and its neighbours, seen from the element `side` beside it.
+  // Slope at a node of the parabola through it and its neighbours, on the `side` of an element.
   [[nodiscard]] double slope(std::size_t node, std::size_t side) const {
     const std::size_t first = side >= jump_ ? jump_ : 0;
     const std::size_t last = side >= jump_ ? arcs_.size() - 1 : std::min(jump_, arcs_.size() - 1);
@@ -66,11 +66,11 @@ std::size_t nearestNode(std::span<const double> arcs_m, double arc_m) {
       nearest = i;
     }
   }
-  return std::max<std::size_t>(nearest, 1);  // the first section is the clamp
+  return std::max<std::size_t>(nearest, 1);  // the first section is clamped
 }
 
-// Twist of an element is only known up to whole turns: more than half a turn in one comes back as less the
-// other way.
+// The twist of an element is only known modulo a turn: more than half a turn appears as less in the other
+// direction.
 void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
                         std::span<const double> turns_rad, double angle_rad) {
   for (std::size_t i = 0; i + 1 < arcs_m.size(); ++i) {

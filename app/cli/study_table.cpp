@@ -13,7 +13,7 @@ std::string textOr(const CsvTable& table, std::size_t row, const char* column, c
   return table.has(column) ? table.text(row, column) : otherwise;
 }
 
-/// Refuses a score that was given already.
+/// Throws for a duplicate score.
 void refuseSecond(const CsvTable& table, std::size_t row, std::size_t firstRow) {
   const bool rated = table.has("rater");
   std::string what = "subject \"" + table.text(row, "subject") + "\" has a second score";
@@ -39,7 +39,8 @@ Study readStudy(const CsvTable& table) {
   NamePlaces raters;
   NamePlaces subjects;
   Study study;
-  std::map<std::pair<std::size_t, std::string>, std::map<std::size_t, std::size_t>> rowOf;  // last: by rater
+  std::map<std::pair<std::size_t, std::string>, std::map<std::size_t, std::size_t>>
+      rowOf;  // inner key: rater
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& name = table.text(row, "subject");
     const std::string occasion = textOr(table, row, "occasion", "only");

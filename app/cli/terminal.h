@@ -5,22 +5,20 @@
 
 namespace torsio::cli {
 
-/// True when standard error is a terminal, so that a person watches it (terminal_posix.cpp,
-/// terminal_windows.cpp).
+/// True if standard error is a terminal (terminal_posix.cpp, terminal_windows.cpp).
 [[nodiscard]] bool standardErrorIsTerminal() noexcept;
 
-/// Asks a person at the terminal for a secret that is not shown while they type. Throws Error (kUsage) when
-/// the program has no terminal.
+/// Asks for a secret at the terminal without echo. Throws Error (kUsage) if there is no terminal.
 [[nodiscard]] std::string typedSecret(const std::string& question);
 
-/// The first line of an open file descriptor, for a secret that another program hands over. Throws Error
-/// (kUsage) when nothing can be read there.
+/// Returns the first line of an open file descriptor, for a secret passed by another program. Throws Error
+/// (kUsage) if nothing can be read.
 [[nodiscard]] std::string secretFrom(int descriptor);
 
-/// Whether the account that runs the program owns the file.
+/// True if the account that runs the program owns the file.
 [[nodiscard]] bool ownsFile(const std::string& file);
 
-/// The account of the operating system that runs the program, by number or name.
+/// Returns the operating system account that runs the program, by number or name.
 [[nodiscard]] std::string systemAccount();
 
 }  // namespace torsio::cli

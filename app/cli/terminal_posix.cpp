@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLongestSecret = 4096;
 
-/// Shows nothing of what is typed while it lives.
+/// Switches off the terminal's echo while it lives.
 class Unseen {
  public:
   explicit Unseen(int terminal) : terminal_(terminal), known_(tcgetattr(terminal, &before_) == 0) {
@@ -63,8 +63,8 @@ bool standardErrorIsTerminal() noexcept {
 std::string typedSecret(const std::string& question) {
   const int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal < 0) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("there is no terminal to ask at"),
-                Text::verbatim("password"), Text::verbatim("Hand the password over with --password-fd N"));
+    throw Error(ErrorCode::kUsage, Text::verbatim("there is no terminal to ask for the password"),
+                Text::verbatim("password"), Text::verbatim("Pass the password with --password-fd N"));
   }
   std::string line;
   {
@@ -80,7 +80,7 @@ std::string typedSecret(const std::string& question) {
 std::string secretFrom(int descriptor) {
   std::string line = lineOf(descriptor);
   if (line.ends_with('\r')) {
-    line.pop_back();  // a file of Windows
+    line.pop_back();  // CR of a Windows line end
   }
   if (line.empty()) {
     throw Error(ErrorCode::kUsage, Text::verbatim("no password can be read"),

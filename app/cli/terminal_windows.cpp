@@ -44,7 +44,7 @@ std::string secretFrom(int descriptor) {
 }
 
 bool ownsFile(const std::string& file) {
-  return _access(file.c_str(), 6) == 0;  // whoever may write it: Windows keeps owners in access lists
+  return _access(file.c_str(), 6) == 0;  // write access: Windows keeps owners in access lists
 }
 
 std::string systemAccount() {

@@ -10,22 +10,22 @@
 
 namespace torsio::cli {
 
-// What `torsio twist` prints of a twisted organ, by what the organ is. docs/cli.md lists the keys.
+// Output of `torsio twist` by kind of organ. docs/cli.md lists the keys.
 
-/// Section by section: place, angle and twist rate by the twist model.
+/// By section: position, angle and twist rate by the twist model.
 [[nodiscard]] nlohmann::ordered_json angleProfile(const TwistModel& model, const TwistState& state);
-/// Section by section: place and twist rate of an organ that is a rod.
+/// By section: position and twist rate of an organ modelled as a rod.
 [[nodiscard]] nlohmann::ordered_json twistProfile(const Scene& scene, const RodPose& pose);
-/// Section by section: place and turn about its own tangent, with those of the reference where there is one.
+/// By section: position and rotation about its own tangent, with those of the reference if present.
 [[nodiscard]] nlohmann::ordered_json turnProfile(const RodTwistResult& twist);
-/// Section by section: place, turn and radius of an organ that came twisted.
+/// By section: position, rotation and radius of an organ that is twisted initially.
 [[nodiscard]] nlohmann::ordered_json hollowProfile(const Scene& scene, const OrganState& state);
 
-/// Torque, compliance and what the twist model says of the shape.
+/// Torque, compliance and the twist model's measures of the shape.
 [[nodiscard]] nlohmann::ordered_json modelResult(const Scene& scene, const TwistState& state);
-/// What the task of a pattern comes to for an organ that is a rod.
+/// Result of a pattern's task for an organ modelled as a rod.
 [[nodiscard]] nlohmann::ordered_json taskResult(const Scene& scene, const TaskPoint& point);
-/// What an organ that came twisted is like at an angle and the pressure of its scene.
+/// State of an initially twisted organ at an angle and the pressure of its scene.
 [[nodiscard]] nlohmann::ordered_json hollowResult(const HollowOrgan& organ, const OrganState& state);
 
 }  // namespace torsio::cli

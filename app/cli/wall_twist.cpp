@@ -24,8 +24,9 @@ namespace {
 constexpr double kSmallTurn_rad = radians(0.1);
 
 [[noreturn]] void refuseWall(const std::string& words) {
-  throw Error(ErrorCode::kUsage, Text::verbatim("this is no thickness of a wall"), "--wall " + words,
-              Text::verbatim("Give millimetres such as 3, or shares of the length and millimetres: 0:2,1:5"));
+  throw Error(
+      ErrorCode::kUsage, Text::verbatim("this is not the thickness of a wall"), "--wall " + words,
+      Text::verbatim("Give millimetres such as 3, or fractions of the length and millimetres: 0:2,1:5"));
 }
 
 double numberOf(std::string_view word, const std::string& words) {
@@ -37,7 +38,7 @@ double numberOf(std::string_view word, const std::string& words) {
   return value;
 }
 
-// Pressure up to which a wall that is sealed is solved: P = p R / (G t) = 4 where that comes first.
+// Maximum pressure for which a sealed wall is solved: P = p R / (G t) = 4 at the first place to reach it.
 double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
   constexpr double kMaxPressure = 4.0;
   double most_Pa = 1e9;

@@ -7,38 +7,38 @@
 
 namespace torsio::cli {
 
-/// What a hollow organ holds.
+/// Contents of a hollow organ.
 struct WallTwistRequest {
-  double pressure_Pa = 0.0;      ///< over outside, now
-  double restPressure_Pa = 0.0;  ///< over outside, at which the surface is drawn
-  bool sealed = false;           ///< whether the gas stays inside while the organ is wrung
+  double pressure_Pa = 0.0;      ///< gauge pressure now
+  double restPressure_Pa = 0.0;  ///< gauge pressure at which the surface was drawn
+  bool sealed = false;           ///< the gas cannot escape while the organ is twisted
 };
 
-/// What the wall of a wrung organ comes to.
+/// Result of wallTwist().
 struct WallTwistResult {
-  double torque_Nm = 0.0;      ///< with folds; the sign of the angle
+  double torque_Nm = 0.0;      ///< with folds; same sign as the angle
   double pressure_Pa = 0.0;    ///< at this angle
   double patency = 1.0;        ///< free cross-section at the waist: 1 unfolded, 0 closed
-  double waist_m = 0.0;        ///< mean radius of the wall at its narrowest place
-  double waistPlace = 0.5;     ///< share of the twisted stretch, from the fixed end
-  double onset_rad = 0.0;      ///< at which the wall begins to fold
-  double closing_rad = 0.0;    ///< at which the waist is packed with wall
-  double peakTorque_Nm = 0.0;  ///< largest on the way to closing
-  double shortening_m = 0.0;   ///< by which free ends come nearer
-  int waves = 0;               ///< folds round the organ
-  double setUp_ms = 0.0;       ///< of the table
+  double waist_m = 0.0;        ///< mean radius at the narrowest place
+  double waistPlace = 0.5;     ///< fraction of the twisted length, from the fixed end
+  double onset_rad = 0.0;      ///< angle at which the wall begins to fold
+  double closing_rad = 0.0;    ///< angle at which the waist is filled with wall
+  double peakTorque_Nm = 0.0;  ///< maximum before closing
+  double shortening_m = 0.0;   ///< approach of free ends
+  int waves = 0;               ///< number of folds around the organ
+  double setUp_ms = 0.0;       ///< time to compute the table
 };
 
-/// Reads `--wall`: a thickness in millimetres, or places of it along the organ, `0:2,0.6:3`, each a share of
-/// the length and a thickness. Throws Error{kUsage} for anything else.
+/// Parses `--wall`: a thickness in millimetres, or thicknesses along the organ, `0:2,0.6:3`, each a fraction
+/// of the length and a thickness. Throws Error{kUsage} otherwise.
 [[nodiscard]] WallMap wallMap(const std::string& words);
 
-/// Returns the wall of a user's organ in the words of wallMap: what a scan showed, else its one thickness.
-/// Empty: it is not known.
+/// Returns the wall of a user's organ in the format of wallMap(): as scanned, otherwise its single thickness.
+/// Empty: unknown.
 [[nodiscard]] std::string wallWords(const Scene& scene);
 
-/// Wrings the hollow organ of a scene that the rod `twist` has turned: the folded wall of a straight tube
-/// with the organ's perimeters, its torque scaled by what section and bend add to that of the rod. Throws
+/// Twists the hollow organ of a scene that `rod` has rotated, as the folded wall of a straight tube with the
+/// organ's perimeters; its torque is scaled by the rod's effects of section and bend. Throws
 /// Error{kBadParameter} for a wall or a pressure out of range.
 [[nodiscard]] WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod,
                                         const WallTwistRequest& request);

@@ -48,7 +48,7 @@ void BinaryContainer::putDifferences(const std::string& name, const char* type, 
   TORSIO_EXPECTS(stride > 0);
   std::vector<Value> differences(values.begin(), values.end());
   for (std::size_t i = stride; i < values.size(); ++i) {
-    // What does not fit wraps round, and wraps back when it is added up.
+    // Differences that overflow wrap round, and wrap back when summed.
     differences[i] = static_cast<Value>(static_cast<std::uint32_t>(values[i]) -
                                         static_cast<std::uint32_t>(values[i - stride]));
   }

@@ -9,9 +9,9 @@
 
 namespace torsio::web {
 
-/// Arrays of numbers for a page: "TRS1", the length of a JSON text (32 bits), the text, then the arrays, all
-/// little-endian and aligned to four bytes. The text says what lies where: {"meta": ..., "arrays": [{"name",
-/// "type", "offset", "count", "delta", "scale"}]}, offsets from the end of the text.
+/// Container of numeric arrays for a page: "TRS1", the length of a JSON text (32 bits), the text, the arrays,
+/// all little-endian and aligned to four bytes. The text describes the arrays: {"meta": ..., "arrays":
+/// [{"name", "type", "offset", "count", "delta", "scale"}]}, with offsets from the end of the text.
 class BinaryContainer {
  public:
   [[nodiscard]] nlohmann::json& meta() noexcept { return meta_; }
@@ -21,10 +21,10 @@ class BinaryContainer {
   void add(const std::string& name, std::span<const std::uint32_t> values) { put(name, "u32", values); }
   void add(const std::string& name, std::span<const std::uint8_t> values) { put(name, "u8", values); }
 
-  /// As differences to the value `stride` before, which packs smooth rows to a fraction: "delta" says so.
+  /// Adds values as differences to the one `stride` before ("delta"), which compresses smooth rows well.
   void addDifferences(const std::string& name, std::span<const std::int16_t> values, std::size_t stride);
   void addDifferences(const std::string& name, std::span<const std::uint32_t> values, std::size_t stride);
-  /// Multiples of `step` that fit into 16 bits, as differences; the page gets them times "scale".
+  /// Adds values as multiples of `step` (in 16 bits), stored as differences; the page multiplies by "scale".
   void addMultiples(const std::string& name, std::span<const float> values, float step, std::size_t stride);
 
   [[nodiscard]] std::string bytes() const;
@@ -41,7 +41,7 @@ class BinaryContainer {
   std::string data_;
 };
 
-/// Returns `bytes` as a gzip stream (RFC 1952) without name and time: the same each time.
+/// Returns `bytes` as a reproducible gzip stream (RFC 1952), without name and time.
 [[nodiscard]] std::string gzipped(const std::string& bytes);
 
 }  // namespace torsio::web

@@ -19,22 +19,21 @@ namespace {
 
 constexpr float kWholeShare = 255.0F;
 constexpr float kFactorStep = 0.001F;
-constexpr double kClipStep_m = 0.0005;  // a clip that slides is painted anew each half millimetre
+constexpr double kClipStep_m = 0.0005;  // a sliding clip is repainted every half millimetre
 constexpr std::size_t kMaxClips = 32;
 
 std::uint8_t shareByte(float share) {
   return static_cast<std::uint8_t>(std::lround(kWholeShare * share));
 }
 
-/// Something that lies over the blood's colour in some frames.
+/// A layer over the blood's colour in a range of frames.
 struct PaintLayer {
   BloodMap::Paint paint;
   std::size_t from = 0;
-  std::size_t to = 0;  ///< the first frame without it
+  std::size_t to = 0;  ///< first frame without it
 };
 
-/// Bruises and tears in the order in which they came, then the clip wherever it was set: as BloodMap lays
-/// them.
+/// Bruises and tears in chronological order, then the clip at each place: the order of BloodMap.
 class PaintLayers {
  public:
   explicit PaintLayers(const BloodMap& map) : map_(map) {}

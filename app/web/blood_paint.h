@@ -9,10 +9,10 @@
 
 namespace torsio::web {
 
-/// Adds what BloodMap::evaluate() says of each frame, in parts that a page mixes in the same order: "fed",
-/// the share of each vertex in the twisted vessels; "blood", their factor in each frame; meta "paints"
-/// {factor, from, to} and "paint", one share a vertex each: bruises, tears and clips of the frames from .. to
-/// - 1. Nothing for an organ without blood. A bruise of the jaw takes all later frames.
+/// Adds the colours of BloodMap::evaluate() in every frame as layers that a page mixes in the same order:
+/// "fed", each vertex's share in the twisted vessels; "blood", their factor in each frame; meta "paints"
+/// {factor, from, to} and "paint", one share per vertex each: bruises, tears and clips of frames from .. to -
+/// 1. A bruise by the jaw lasts to the end. No effect for an organ without blood.
 void addBloodPaint(BinaryContainer& container, const BloodMap& map, std::span<const OrganState> states,
                    std::span<const std::size_t> stateOfFrame);
 

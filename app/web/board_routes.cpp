@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What administrators see of a day and of who has scored what. Read only.
+// The administrators' boards of the day and of marks. Read only.
 #include <cstdint>
 #include <string>
 
@@ -34,14 +34,14 @@ HttpResponse answerCohorts(Call& call) {
 }
 
 CohortId cohortOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kCohort, 0) != 0) {
     refuseParameter(Text::tr("there is no such cohort"), "", Text::tr("Load the page again"));
   }
   return CohortId(what.substr(std::string(kCohort).size()));
 }
 
-/// "14:05", with its day where that is not today; by the clock of the server's place, as at a station there.
+/// Formats a time in the server's time zone: "14:05", with the date if that is not today.
 std::string hourOf(std::int64_t utc_us) {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
   return time

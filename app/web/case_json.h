@@ -15,12 +15,12 @@
 
 namespace torsio::web {
 
-// What the pages and the services say to each other. Nothing here names a trial, an assignment, a person, a
-// group or a stage; cases go by the session's handles.
+// JSON between pages and services. Blinded: contains no trial, assignment, person, group or stage; cases are
+// identified by the session's handles.
 
 [[nodiscard]] nlohmann::json queueJson(const ReviewQueue& queue, WebSession& session);
 [[nodiscard]] nlohmann::json sheetJson(const Sheet& sheet);
-/// Shipped rubrics in the language of the page, those of the centre as they were written.
+/// Shipped rubrics in the page's language, the centre's own as written.
 [[nodiscard]] nlohmann::json rubricJson(const RubricRevision& rubric, const Wording& wording);
 [[nodiscard]] nlohmann::json checkJson(const SheetCheck& check);
 [[nodiscard]] nlohmann::json watchedJson(const WatchLog& watched);
@@ -28,7 +28,7 @@ namespace torsio::web {
 [[nodiscard]] nlohmann::json versionsJson(const std::vector<SheetVersion>& versions);
 [[nodiscard]] nlohmann::json taskJson(const BlindedTask& task);
 
-/// Throws Error{kBadParameter} for what is no sheet of `rubric`: an unknown row, one twice.
+/// Parses a sheet. Throws Error{kBadParameter} for an unknown or duplicate row.
 [[nodiscard]] Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric);
 [[nodiscard]] std::vector<PlayedStretch> playedOf(const JsonBody& body);
 

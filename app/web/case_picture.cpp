@@ -42,16 +42,16 @@ constexpr std::int64_t kTraceRate_hz = 60;
 constexpr std::int64_t kSecondOfRecording_us = 1'000'000;
 constexpr std::int64_t kMicrosAMilli = 1000;
 constexpr std::int64_t kShapeStep_ms = 33;
-// Of the shape in the middle; where a movement begins at once, twice as much beside it.
+// Tolerance against the middle shape; twice as much where a movement starts abruptly.
 constexpr float kBetween_mm = 0.025F;
-constexpr float kShared_mm = 2.0F;  // the large ones: what is finer differs from recording to recording
-constexpr std::size_t kMaxComponents = 64;  // as many as the pages' shader sums
-constexpr std::size_t kLearnt = 48;         // shapes from which most components are made
-constexpr std::size_t kAtATime = 16;        // shapes that are in memory at once
+constexpr float kShared_mm = 2.0F;          // coarse shapes only: finer ones differ between recordings
+constexpr std::size_t kMaxComponents = 64;  // limit of the pages' shader
+constexpr std::size_t kLearnt = 48;         // number of shapes from which most components are learnt
+constexpr std::size_t kAtATime = 16;        // number of shapes in memory at once
 constexpr std::size_t kToolColumns = 7;
 constexpr float kMillimetresAMetre = 1000.0F;
 
-/// The page's frame: y up, z towards the viewer; the simulation's: LPS.
+/// Appends in the page's frame, y up, z towards the viewer; the simulation's is LPS.
 void appendPoint(std::vector<float>& to, const Vec3& point_m) {
   to.push_back(kMillimetresAMetre * static_cast<float>(point_m.x));
   to.push_back(kMillimetresAMetre * static_cast<float>(point_m.z));
@@ -59,15 +59,15 @@ void appendPoint(std::vector<float>& to, const Vec3& point_m) {
 }
 
 void appendTurn(std::vector<float>& to, const Quat& orientation) {
-  constexpr double kHalfRoot = 0.70710678118654752;  // a quarter turn about x, as the frame's
+  constexpr double kHalfRoot = 0.70710678118654752;  // a quarter turn about x, like that of the frame
   const Quat turned = Quat{kHalfRoot, -kHalfRoot, 0.0, 0.0} * orientation;
   for (const double part : {turned.w, turned.x, turned.y, turned.z}) {
     to.push_back(static_cast<float>(part));
   }
 }
 
-/// The columns of the recording, one value a frame: what was true at its time, and between it and the next
-/// one the lowest and the highest force, so that no peak is lost.
+/// Columns of the recording, one value per frame: the value at its time; for forces also minimum and maximum
+/// up to the next frame, so that no peak is lost.
 class FrameColumns {
  public:
   void add(std::span<const Sample> samples, double& target_rad) {
@@ -149,8 +149,8 @@ class FrameColumns {
   bool hasLumen_ = false;
 };
 
-/// How the organ lay at some moments of a recording, so close together that a mixture of the shapes at two of
-/// them is nowhere farther than kBetween_mm from the one in their middle.
+/// Shapes of the organ at selected moments of a recording, so dense that interpolation between two neighbours
+/// deviates by at most kBetween_mm halfway.
 class ShapeTrack {
  public:
   ShapeTrack(std::shared_ptr<const Scene> scene, TrialPlayback& playback)
@@ -176,7 +176,8 @@ class ShapeTrack {
   [[nodiscard]] const std::vector<std::size_t>& stateOfFrame() const noexcept { return stateOfFrame_; }
   [[nodiscard]] std::vector<float> shape(std::size_t state) { return shapeOf(states_[state]); }
   [[nodiscard]] std::vector<float> rest() const { return flat(scene_->mesh.vertices_m); }
-  /// The organ on the way of its pattern, which most of a recording is near: the same in each of them.
+  /// Returns shapes along the twist pattern, to which most of a recording is close; identical for all
+  /// recordings.
   [[nodiscard]] std::vector<std::vector<float>> pattern() {
     const TwistPattern& pattern = scene_->pattern;
     constexpr double kBeyond = 1.1;
@@ -257,11 +258,11 @@ class ShapeTrack {
   std::vector<Vec3> places_m_;
 };
 
-/// A basis for all that happened, and the weights of each state.
+/// A basis for all shapes, and the weights of each.
 struct FoundShapes {
   ShapeBasis basis;
-  std::size_t shared = 0;      // components that every recording of the pattern has
-  std::vector<float> weights;  // as many as components for each state
+  std::size_t shared = 0;      // components common to all recordings of the pattern
+  std::vector<float> weights;  // one per component for each state
   float farthest_mm = 0.0F;
 };
 
@@ -321,7 +322,7 @@ void putOrgan(const BlindedRecording& recording, TrialPlayback& playback, const 
   rest.addDifferences("time_ms", track.times_ms(), 1);
   rest.addMultiples("weights", weights, kWeightStep_mm, std::max<std::size_t>(components, 1));
   addBloodPaint(rest, BloodMap(shared), track.all(), track.stateOfFrame());
-  // Smooth displacements pack better as differences, those of folds as they are.
+  // Smooth displacements compress better as differences, those of folds as they are.
   BinaryContainer other = rest;
   rest.addDifferences("basis", std::span<const std::int16_t>(own.steps), 3);
   other.add("basis", std::span<const std::int16_t>(own.steps));
@@ -347,7 +348,7 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
   try {
     putOrgan(recording, *playback, assets, shelf, picture);
   } catch (const Error&) {
-    picture.organ.clear();  // a user's own organ: the traces tell what can be told
+    picture.organ.clear();  // a user's own organ is not here: only traces are shown
   }
   BinaryContainer container;
   columns.writeTo(container);

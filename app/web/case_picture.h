@@ -10,21 +10,22 @@
 
 namespace torsio::web {
 
-/// What a page needs to show a recording, as BinaryContainer (docs/server.md describes the arrays), gzipped.
+/// What a page needs to display a recording: gzipped BinaryContainers (docs/server.md describes the arrays).
 struct CasePicture {
-  std::string recording{};                    ///< traces and instrument, 60 a second
-  std::string organ{};                        ///< how the organ lay; empty: it is not on this machine
-  std::shared_ptr<const std::string> body{};  ///< what they stand on (organ_body.h), on the shelf meanwhile
-  float farthest_mm = 0.0F;                   ///< by which a vertex lies off in any shape that was kept
+  std::string recording{};  ///< traces and instrument, 60 frames per second
+  std::string organ{};      ///< movement of the organ; empty: the organ is not on this machine
+  std::shared_ptr<const std::string>
+      body{};                ///< the body that `organ` refers to (organ_body.h); keeps it on the shelf
+  float farthest_mm = 0.0F;  ///< largest deviation of a vertex in the shapes kept
 };
 
-/// Largest distance of a drawn vertex from where the window would draw it, mm.
+/// Maximum deviation of a drawn vertex from the window's display, mm.
 inline constexpr float kWithin_mm = 0.15F;
 
-/// The same for every rater of a recording. Decodes, rebuilds the scene and follows it through the recording:
-/// a second of processor time, some more for long ones. Takes what it needs out of `recording`. No byte of it
-/// tells whose recording it is. Its organ's skin and body are put on the shelf. Throws as
-/// loadBlindedRecording.
+/// Makes the picture of a recording, identical for all its raters: decodes it, rebuilds the scene and replays
+/// it, in about a second of processor time, longer for long recordings. Consumes parts of `recording`.
+/// Blinded: the bytes reveal nothing about the trainee. Puts the organ's skin and body on the shelf. Throws
+/// like loadBlindedRecording.
 [[nodiscard]] CasePicture casePicture(BlindedRecording recording, const std::filesystem::path& assets,
                                       OrganShelf& shelf);
 

@@ -27,7 +27,7 @@ using nlohmann::json;
 
 constexpr std::size_t kBytesOfACharacter = 4;
 
-/// The case of an address; one that this session was never given is as absent as one of somebody else.
+/// Returns the case of a handle; an unknown handle and one of another session are treated alike (404).
 AssignmentId caseOf(const Call& call) {
   const auto found = call.session->caseOf(call.parts.front());
   if (!found) {
@@ -170,7 +170,8 @@ HttpResponse answerOrgan(Call& call) {
   return organAnswer(call, *pictureOf(call));
 }
 
-/// Body and skin of an organ are asked for by what their own bytes are: whoever knows that has been shown it.
+/// Serves body and skin of an organ by the hash of their bytes: whoever knows it has already been shown the
+/// organ.
 HttpResponse answerShelf(Call& call) {
   const auto bytes = call.desk.shelf().find(call.parts.front());
   if (bytes == nullptr) {

@@ -8,7 +8,7 @@ namespace torsio::web {
 
 namespace {
 
-constexpr std::size_t kMaxWaiting = 1000;  // a second or two of work for all
+constexpr std::size_t kMaxWaiting = 1000;  // a second or two of work for all threads
 
 }  // namespace
 

@@ -16,22 +16,22 @@
 
 namespace torsio::web {
 
-/// Threads that call services, each with a connection of its own: a connection belongs to the thread that
-/// opened it. Any thread may hand them work.
+/// Threads that call services, each with its own connection, because connections are confined to their
+/// thread. Thread-safe.
 class DeskWorkers {
  public:
   using Work = std::function<void(SessionContext&)>;
 
-  /// Opens `count` connections to the record. Throws Error, DbError when it cannot be opened.
+  /// Opens `count` connections to the record. Throws Error, DbError.
   DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost);
-  /// Finishes what is being done and drops what waits.
+  /// Finishes running work and drops queued work.
   ~DeskWorkers();
   DeskWorkers(const DeskWorkers&) = delete;
   DeskWorkers& operator=(const DeskWorkers&) = delete;
 
-  /// False: too much waits already. `work` throws nothing; nobody is signed in when it begins.
+  /// Queues work; false: the queue is full. `work` must not throw; it starts with nobody signed in.
   [[nodiscard]] bool take(Work work);
-  /// Nothing is done and nothing waits.
+  /// True if nothing is running or queued.
   [[nodiscard]] bool isIdle();
 
  private:

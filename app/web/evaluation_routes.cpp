@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nine-index form of an evaluation of tissue models.
+// The nine-index evaluation form of tissue models.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -37,7 +37,7 @@ json formsJson(Call& call) {
   json forms = json::array();
   for (const EvaluationForm& form : evaluationForms(call.context)) {
     json rubric = rubricJson(evaluationRubric(form), call.wording);
-    rubric["overall"] = nullptr;  // nine marks, and none of the whole
+    rubric["overall"] = nullptr;  // nine marks, no overall mark
     for (std::size_t i = 0; i < form.indexIds.size(); ++i) {
       const std::optional<IndexMeaning> meaning = indexMeaning(form.indexIds[i]);
       rubric["rows"][i]["description"] = meaning ? call.wording(meaning->definition).toStdString() : "";
@@ -55,9 +55,9 @@ json formsJson(Call& call) {
   return {{"forms", std::move(forms)}};
 }
 
-/// The model of an address, among those that the actor is asked about.
+/// Returns the model of an address, among those assigned to the actor.
 std::pair<CampaignId, std::string> modelOf(Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   for (const EvaluationForm& form : evaluationForms(call.context)) {
     const bool known = std::any_of(form.models.begin(), form.models.end(),
                                    [&](const auto& model) { return model.hiddenLabel == call.parts.back(); });

@@ -8,18 +8,18 @@
 
 namespace torsio::web {
 
-/// One request as it came, within the limits of HttpLimits. Names of headers in lower case.
+/// A request within HttpLimits. Header names are lower-case.
 struct HttpRequest {
   std::string method{};  ///< "GET"
-  std::string path{};    ///< "/api/queue": decoded, begins with a slash, without the query
+  std::string path{};    ///< "/api/queue": decoded, with leading slash, without query
   std::map<std::string, std::string> headers{};
   std::string body{};
-  std::string address{};  ///< of the peer as the socket knows it
+  std::string address{};  ///< of the peer, from the socket
   bool encrypted = false;
 
-  /// Returns the header, or an empty text.
+  /// Returns a header; empty if absent.
   [[nodiscard]] std::string header(const std::string& name) const;
-  /// Returns the value of a cookie, or an empty text.
+  /// Returns the value of a cookie; empty if absent.
   [[nodiscard]] std::string cookie(const std::string& name) const;
 };
 

@@ -24,14 +24,14 @@
 
 namespace torsio::web {
 
-/// A reply that may come after its connection has gone.
+/// A pending reply, which may come after its connection has closed.
 struct Pending {
   std::mutex mutex;
   MHD_Connection* connection = nullptr;  // null: not suspended
   bool gone = false;
   std::optional<HttpResponse> response;
 
-  /// The first reply counts.
+  /// Only the first reply counts.
   void answer(HttpResponse given) {
     const std::lock_guard lock(mutex);
     if (response || gone) {
@@ -42,7 +42,7 @@ struct Pending {
       MHD_resume_connection(connection);
     }
   }
-  /// The connection waits from now on.
+  /// Marks the connection as waiting.
   void suspended(MHD_Connection* waiting) {
     const std::lock_guard lock(mutex);
     connection = waiting;
@@ -52,10 +52,10 @@ struct Pending {
   }
 };
 
-/// One request while it comes in and is answered.
+/// A request while it is received and answered.
 struct Exchange {
   HttpRequest request;
-  int refusal = 0;  // status; 0: none
+  int refusal = 0;  // HTTP status; 0: not refused
   bool handed = false;
   std::shared_ptr<Pending> pending = std::make_shared<Pending>();
 };
@@ -75,7 +75,7 @@ std::string lowered(std::string_view text) {
   return lower;
 }
 
-/// The socket's own address of `address`; nothing for what is no numeric address.
+/// Returns the socket address of a numeric `address`; empty otherwise.
 std::optional<sockaddr_storage> socketAddressOf(const HttpAddress& address) {
   sockaddr_storage storage{};
   auto* v4 = reinterpret_cast<sockaddr_in*>(&storage);
@@ -122,7 +122,7 @@ MHD_Result takeHeader(void* into, MHD_ValueKind /*kind*/, const char* name, cons
   return MHD_YES;
 }
 
-/// Bodies that are announced twice are how requests are smuggled past a proxy.
+/// True for conflicting body lengths, with which requests are smuggled past a proxy.
 bool contradicts(const HeaderCount& count) {
   return count.lengths > 1 || count.encodings > 1 || (count.lengths > 0 && count.encodings > 0) ||
          count.hosts > 1;
@@ -191,7 +191,7 @@ HttpAddress addressOf(const std::string& text) {
   return address;
 }
 
-/// The library's daemon, and who is connected.
+/// The libmicrohttpd daemon and its connections.
 struct HttpServer::Daemon {
   HttpLimits limits;
   Handler handler;
@@ -199,7 +199,7 @@ struct HttpServer::Daemon {
   MHD_Daemon* daemon = nullptr;
   std::uint16_t port = 0;
 
-  /// When a connection began to wait for a whole request; none while one is being answered.
+  /// When a connection began to wait for a complete request; empty while one is answered.
   struct Waiting {
     MHD_socket socket{};
     std::optional<SteadyClock::time_point> since;
@@ -276,7 +276,7 @@ MHD_Result HttpServer::Daemon::access(MHD_Connection* connection, const char* ur
   Exchange& exchange = *static_cast<Exchange*>(*context);
   if (*size != 0) {
     if (exchange.request.body.size() + *size > limits.body_bytes) {
-      return MHD_NO;  // whoever sends on and on is not listening
+      return MHD_NO;  // a peer that keeps sending ignores the refusal
     }
     exchange.request.body.append(data, *size);
     *size = 0;
@@ -310,7 +310,7 @@ void HttpServer::Daemon::complete(MHD_Connection* connection, const Exchange* ex
   mark(connection, true);
 }
 
-/// The library ends only when nothing is suspended any more.
+/// Replies to suspended connections: the library cannot stop while there are any.
 void HttpServer::Daemon::cancelWaiting() {
   std::set<std::shared_ptr<Pending>> left;
   {
@@ -334,7 +334,8 @@ void HttpServer::Daemon::notice(MHD_Connection* connection, bool opened) {
   }
 }
 
-/// Whoever sends a byte now and then is never silent for the library; here the whole request counts.
+/// The library's idle timeout resets on every byte, so we also enforce a deadline for the whole request
+/// (slowloris).
 void HttpServer::Daemon::reap() {
   std::unique_lock lock(mutex);
   const auto longest = std::chrono::seconds(limits.request_s);
@@ -367,7 +368,7 @@ HttpServer::HttpServer(const HttpAddress& address, const TlsMaterial& tls, const
     options.push_back({MHD_OPTION_HTTPS_MEM_CERT, 0, const_cast<char*>(tls.certificate.c_str())});
     options.push_back({MHD_OPTION_HTTPS_PRIORITIES, 0, const_cast<char*>(kTlsPriorities)});
   }
-  // What stands for a zero would cut the address off there: it becomes a sign that no address has.
+  // An encoded NUL would truncate the address: replace it by a character that no address contains.
   const auto unescaped = [](void* /*self*/, MHD_Connection* /*connection*/, char* text) {
     for (char* at = std::strstr(text, "%00"); at != nullptr; at = std::strstr(at, "%00")) {
       at[2] = '1';

@@ -11,18 +11,18 @@
 
 namespace torsio::web {
 
-/// Where a server listens.
+/// Address on which a server listens.
 struct HttpAddress {
   std::string host = "127.0.0.1";  ///< IPv4 or IPv6 address, numeric
-  std::uint16_t port = 8443;       ///< 0: any that is free
+  std::uint16_t port = 8443;       ///< 0: any free port
 
-  /// Whether only this machine reaches it.
+  /// True if only this machine can connect.
   [[nodiscard]] bool isLoopback() const;
 };
 /// Reads "127.0.0.1:8443" or "[::1]:8443". Throws Error{kUsage}.
 [[nodiscard]] HttpAddress addressOf(const std::string& text);
 
-/// Certificate chain and key, both PEM; empty: not encrypted.
+/// Certificate chain and private key, both PEM; empty: no encryption.
 struct TlsMaterial {
   std::string certificate{};
   std::string key{};
@@ -33,23 +33,22 @@ struct HttpLimits {
   std::size_t body_bytes = 256 * 1024;
   unsigned connections = 1000;
   unsigned connectionsAnAddress = 64;
-  unsigned silent_s = 60;   ///< without a byte
-  unsigned request_s = 90;  ///< for a request to come in whole, counted from the end of the one before
+  unsigned silent_s = 60;   ///< idle timeout
+  unsigned request_s = 90;  ///< deadline for receiving a whole request, from the end of the previous one
 };
 
-/// HTTP/1.1 over libmicrohttpd, the only place that knows that library. Two network threads read requests and
-/// write answers; nothing else happens there. What contradicts itself (two lengths, a length beside chunks)
-/// is refused here.
+/// HTTP/1.1 server; the only user of libmicrohttpd. Two network threads only read requests and write answers.
+/// Rejects contradictory requests (two lengths, a length with chunked encoding).
 class HttpServer {
  public:
-  /// Gives the answer; exactly once, from any thread, also after the server was destroyed.
+  /// Sends the answer. Call it exactly once, from any thread, even after the server was destroyed.
   using Reply = std::function<void(HttpResponse)>;
-  /// Called in a network thread; returns at once and throws nothing.
+  /// Called in a network thread; must return at once and not throw.
   using Handler = std::function<void(HttpRequest, Reply)>;
 
-  /// Listens at once. Throws Error{kUsage}: the address cannot be used; {kBadParameter}: certificate or key.
+  /// Starts listening. Throws Error{kUsage}: unusable address; {kBadParameter}: certificate or key.
   HttpServer(const HttpAddress& address, const TlsMaterial& tls, const HttpLimits& limits, Handler handler);
-  /// Ends all connections; replies that come later are dropped.
+  /// Closes all connections; later replies are dropped.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

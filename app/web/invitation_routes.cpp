@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links of invitation: who has one, made, confirmed, sent, taken back. A link or code is in one answer and
-// never again.
+// Invitation links: list, create, confirm, send, revoke. A link or code is contained in exactly one answer.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -64,7 +63,7 @@ HttpResponse answerInvitations(Call& call) {
 std::vector<UserId> usersOf(const Call& call) {
   std::vector<UserId> ids;
   for (const JsonBody& one : call.body.objects("users", kMaxUsers)) {
-    const std::string what = call.session->whatOf(one.text("user", kLongestHandle));
+    const std::string what = call.session->objectOf(one.text("user", kLongestHandle));
     if (what.rfind(kUser, 0) != 0) {
       refuseParameter(Text::tr("there is no such user"), "", Text::tr("Load the page again"));
     }
@@ -80,7 +79,7 @@ std::string timeText(std::int64_t utc_us) {
       .toStdString();
 }
 
-/// What a phone's camera reads of a link, a row of 0 and 1 each; none without a link.
+/// Returns the QR code of a link, one string of 0 and 1 per row; empty without a link.
 json rowsOf(const std::string& link) {
   json rows = json::array();
   for (const std::vector<bool>& row : link.empty() ? std::vector<std::vector<bool>>{} : qrCode(link).dark) {
@@ -93,14 +92,14 @@ json rowsOf(const std::string& link) {
   return rows;
 }
 
-/// Where browsers find the desk: as the centre has set it, else as this one came in.
+/// Returns the desk's URL: as set by the centre, otherwise as in this request.
 std::string deskAddress(const Call& call) {
   const std::string set = browserAddress(call.context);
   return set.empty() ? call.desk.addressFor(call.request) : set;
 }
 
-/// What is handed over, with its words, and sent where that is wished: the answer's `problem` says why a mail
-/// did not go out, empty: it did.
+/// Answers with the invitations and their cards, and mails them if requested. `problem`: why mailing failed;
+/// empty: it succeeded.
 HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed, bool confirmed) {
   const std::string centre = centreSign(call.context.connectionWithoutRight()).name;
   const std::string address = deskAddress(call);
@@ -130,7 +129,7 @@ HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed,
     std::vector<Text> problems(mails.size());
     try {
       problems = sendInvitations(call.context, password, mails);
-    } catch (const Error& error) {  // the links were made, and are shown all the same
+    } catch (const Error& error) {  // the links exist and are shown anyway
       std::fill(problems.begin(), problems.end(), error.happenedText());
     }
     for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -146,7 +145,7 @@ HttpResponse answerInvite(Call& call) {
 }
 
 HttpResponse answerConfirm(Call& call) {
-  const std::string what = call.session->whatOf(call.body.text("request", kLongestHandle));
+  const std::string what = call.session->objectOf(call.body.text("request", kLongestHandle));
   const std::string id = what.rfind(kRequest, 0) == 0 ? what.substr(std::string(kRequest).size()) : "";
   return handedOver(call, {confirmInvitation(call.context, id)}, true);
 }
@@ -161,7 +160,7 @@ HttpResponse answerRevoke(Call& call) {
 
 std::vector<Route> invitationRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  // What may send mail waits for a server elsewhere.
+  // Routes that may send mail wait for a remote server.
   return {{"GET", "/api/invitations", kIn, answerInvitations},
           {"POST", "/api/invitations", kIn, answerInvite, true},
           {"POST", "/api/invitations/confirm", kIn, answerConfirm, true},

@@ -19,7 +19,7 @@ constexpr int kDeepest = 16;
 }  // namespace
 
 JsonBody JsonBody::parse(const std::string& text) {
-  // Whatever goes through a value goes down its depths by calls: what is deeper than any page's is not kept.
+  // Reading a value recurses into it, so nesting deeper than any page's is rejected.
   bool tooDeep = false;
   const auto keep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
     tooDeep = tooDeep || depth > kDeepest;

@@ -29,7 +29,7 @@ void addMesh(BinaryContainer& container, const std::string& name, const Triangle
   container.addDifferences(name, std::span<const std::uint32_t>(index), 3);
 }
 
-/// Shaft and jaws in the instrument's own frame, one after the other.
+/// Adds shaft and jaws in the instrument's frame, in this order.
 void addInstrument(BinaryContainer& container, const std::filesystem::path& assets, const std::string& id) {
   const std::filesystem::path folder = assets / "instruments";
   const nlohmann::json file = nlohmann::json::parse(readFile(folder / (id + ".json")));
@@ -58,7 +58,7 @@ void addInstrument(BinaryContainer& container, const std::filesystem::path& asse
                               {"opening_deg", file.at("jaws").at("opening_deg")}};
 }
 
-/// What the window's tissue has at each vertex before light falls on it: its own colour and its patches.
+/// Returns the unlit colour of each vertex as in the window: tissue colour and patches.
 std::vector<std::uint8_t> tissueColours(const Scene& scene) {
   const TissueLook look = tissueLook(scene.id);
   std::vector<std::uint8_t> colours;
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> tissueColours(const Scene& scene) {
   for (const Vec3& place_m : scene.mesh.vertices_m) {
     const std::array<float, 3> factor = mottle(look, place_m);
     for (std::size_t k = 0; k < factor.size(); ++k) {
-      // The factor is on light; a page's shader takes the square of what it gets for that.
+      // The factor applies to linear light; the page's shader squares its input.
       constexpr float kWhite = 255.0F;
       const float byte = static_cast<float>(look.colour[k]) * std::sqrt(std::max(factor[k], 0.0F));
       colours.push_back(static_cast<std::uint8_t>(std::lround(std::min(byte, kWhite))));

@@ -9,10 +9,10 @@
 
 namespace torsio::web {
 
-/// What a page draws an organ and the instrument from, whatever was recorded of them, as BinaryContainer,
-/// gzipped (docs/server.md describes the arrays): surface, colour, and the shapes of `basis`, which are those
-/// of the scene's pattern. The same scene and basis give the same bytes. Throws Error{kFileMissing},
-/// {kBadMesh} for the instrument's files.
+/// Makes what pages draw an organ and the instrument from, independent of the recording: a gzipped
+/// BinaryContainer (docs/server.md describes the arrays) with surface, colour, and the shapes of `basis`,
+/// those of the scene's pattern. Reproducible. Throws Error{kFileMissing}, {kBadMesh} for the instrument's
+/// files.
 [[nodiscard]] std::string organBody(const Scene& scene, const ShapeBasis& basis,
                                     const std::filesystem::path& assets);
 

@@ -27,7 +27,7 @@ constexpr int kColourQuality = 86;
 constexpr int kHeightQuality = 78;
 constexpr float kPlaceStep_px = 0.0625F;
 
-/// All that paintSkin() reads of a scene.
+/// Digest of everything that paintSkin() reads of a scene.
 std::string organDigest(const Scene& scene) {
   Digest digest;
   digest.update(scene.id);
@@ -100,7 +100,7 @@ std::string skinPicture(const Scene& scene) {
       to[x] = from[4 * x + 3];
     }
   }
-  // The colour's bytes as they are: the fourth channel is no transparency.
+  // The raw bytes of the colour: the fourth channel is not transparency.
   QImage colour = map;
   colour.reinterpretAsFormat(QImage::Format_RGBX8888);
   addPicture(container, "colour", colour, kColourQuality);
@@ -113,7 +113,7 @@ std::string skinPicture(const Scene& scene) {
 
 std::string OrganShelf::putSkin(const Scene& scene) {
   const std::string organ = organDigest(scene);
-  const std::lock_guard one(painting_);  // whoever wants the same organ waits for its skin
+  const std::lock_guard one(painting_);  // requests for the same organ wait for its skin
   {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(skins_.begin(), skins_.end(),

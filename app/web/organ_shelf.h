@@ -12,29 +12,28 @@
 
 namespace torsio::web {
 
-/// The painted skin of an organ (sim/scene/skin) for a page: BinaryContainer, gzipped. Its map travels as two
-/// pictures (JPEG): the colour, and at half the size the height of the relief. Half a second of a core.
+/// Makes the painted skin of an organ (sim/scene/skin) for a page: a gzipped BinaryContainer with two JPEGs,
+/// the colour and, at half size, the height of the relief. Half a second of one core.
 [[nodiscard]] std::string skinPicture(const Scene& scene);
 
-/// What all recordings of an organ have in common, for pages: its skin, and its body (organ_body.h). By a
-/// name that the bytes give, so that a browser needs it once, whatever number of cases show it. Keeps what
-/// was asked for lately. Any thread.
+/// Cache of what all recordings of an organ share: its skin, and its body (organ_body.h). Names are content
+/// hashes, so that browsers load each once for any number of cases. Evicts old entries. Thread-safe.
 class OrganShelf {
  public:
-  /// Returns the name of the organ's skin, which is painted when it is not there.
+  /// Returns the name of the organ's skin, painting it if needed.
   [[nodiscard]] std::string putSkin(const Scene& scene);
   struct Body {
     std::string name{};
-    std::shared_ptr<const std::string> bytes;  ///< whoever holds them can have them asked for
+    std::shared_ptr<const std::string> bytes;  ///< keeps the body available while held
   };
-  /// Returns what these bytes are found as while somebody holds them.
+  /// Returns the name of these bytes, valid while the body is held.
   [[nodiscard]] Body putBody(std::string bytes);
-  /// Returns null for a name that is none, or none any more.
+  /// Returns null for an unknown or expired name.
   [[nodiscard]] std::shared_ptr<const std::string> find(const std::string& name);
 
  private:
   struct Skin {
-    std::string organ{};  ///< digest of what is painted
+    std::string organ{};  ///< digest of the painted scene
     std::string name{};
     std::shared_ptr<const std::string> bytes;
   };

@@ -48,7 +48,7 @@ struct FreeKey {
 using Certificate = std::unique_ptr<std::remove_pointer_t<gnutls_x509_crt_t>, FreeCertificate>;
 using Key = std::unique_ptr<std::remove_pointer_t<gnutls_x509_privkey_t>, FreeKey>;
 
-/// The first of a PEM text; null where there is none.
+/// Returns the first certificate of a PEM text; null if there is none.
 Certificate certificateIn(const std::string& pem) {
   gnutls_x509_crt_t raw = nullptr;
   require(gnutls_x509_crt_init(&raw));
@@ -59,7 +59,7 @@ Certificate certificateIn(const std::string& pem) {
   return gnutls_x509_crt_import(raw, &data, GNUTLS_X509_FMT_PEM) < 0 ? nullptr : std::move(certificate);
 }
 
-/// The four or sixteen bytes of an address; empty for a name.
+/// Returns the four or sixteen bytes of an IP address; empty for a name.
 std::string addressBytes(const std::string& name) {
   std::array<unsigned char, sizeof(in6_addr)> bytes{};
   for (const auto& [family, length] : {std::pair{AF_INET, sizeof(in_addr)}, {AF_INET6, sizeof(in6_addr)}}) {
@@ -100,7 +100,7 @@ TlsMaterial madeFor(const std::vector<std::string>& names, std::int64_t now_s) {
   const Certificate certificate(raw);
   std::array<unsigned char, kSerialBytes> serial{};
   require(gnutls_rnd(GNUTLS_RND_NONCE, serial.data(), serial.size()));
-  serial[0] &= 0x7F;  // a positive number
+  serial[0] &= 0x7F;  // positive
   require(gnutls_x509_crt_set_version(raw, 3));
   require(gnutls_x509_crt_set_serial(raw, serial.data(), serial.size()));
   require(gnutls_x509_crt_set_activation_time(raw, now_s - kClockSlack_s));
@@ -129,7 +129,7 @@ TlsMaterial madeFor(const std::vector<std::string>& names, std::int64_t now_s) {
   return made;
 }
 
-/// A file of both parts, as madeFor() writes it.
+/// Reads a file written by madeFor(): certificate and key.
 std::optional<TlsMaterial> readMaterial(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     return std::nullopt;

@@ -10,21 +10,21 @@
 
 namespace torsio::web {
 
-/// How other machines of the network may call this one: its IPv4 addresses, then its name.
+/// Names of this machine in the network: its IPv4 addresses, then its host name.
 [[nodiscard]] std::vector<std::string> machineNames();
 
-/// A certificate that this machine signed for itself: browsers ask before they trust it.
+/// A self-signed certificate: browsers ask before they trust it.
 struct OwnCertificate {
   TlsMaterial tls;
-  std::string fingerprint{};  ///< SHA-256, as browsers show it: "AB:CD:..."
+  std::string fingerprint{};  ///< SHA-256 as browsers show it: "AB:CD:..."
 };
 
-/// Reads the certificate of `folder`, or makes one for these names, this machine and a year (ECDSA, P-256):
-/// when there is none, when it does not name them all, when it is good for less than two weeks from `now_s`
-/// (seconds since 1970). The file is for its owner alone. Throws Error{kFileUnwritable, kFileUnreadable}.
+/// Reads the certificate in `folder`, or makes one (ECDSA P-256, one year, for these names and this machine)
+/// if there is none, it lacks a name, or it expires within two weeks of `now_s` (seconds since 1970). The
+/// file is readable by its owner only. Throws Error{kFileUnwritable, kFileUnreadable}.
 [[nodiscard]] OwnCertificate ownCertificate(const std::filesystem::path& folder,
                                             const std::vector<std::string>& names, std::int64_t now_s);
-/// The fingerprint of the first certificate of a PEM text; empty where there is none.
+/// Returns the fingerprint of the first certificate in a PEM text; empty if there is none.
 [[nodiscard]] std::string fingerprintOf(const std::string& certificate);
 
 }  // namespace torsio::web

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What trainees see of their own record: runs, debrief, trend, remarks, transcript. Read only, but for an
-// answer to a remark.
+// A trainee's own record: runs, debrief, trend, remarks, transcript. Read only, except for replies to
+// remarks.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -44,7 +44,7 @@ std::string said(const Call& call, const Text& text) {
   return call.wording(text).toStdString();
 }
 
-/// Levels never stand alone: what counts as able, and how often that is wrong, go with them.
+/// A level is never reported alone, but with its criterion and error rates.
 json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
@@ -120,9 +120,10 @@ HttpResponse answerOwn(Call& call) {
                      {"runs", std::move(runs)}});
 }
 
-/// The own trial of an address. One that this session was never given is as absent as one of somebody else.
+/// Returns the trainee's trial of a handle; an unknown handle and one of another session are treated alike
+/// (404).
 TrialId runOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kRun, 0) != 0) {
     throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
                 Text::tr("Open your own record"));
@@ -145,8 +146,8 @@ json findingJson(const Call& call, const DebriefFinding& finding) {
           {"from_s", finding.when.from_s}};
 }
 
-/// What was asked for and what was good and bad of it, in the words of the window.
-json toldJson(const Call& call, const Debrief& shown) {
+/// Returns the targets and the findings of the debrief, in the words of the window.
+json debriefJson(const Call& call, const Debrief& shown) {
   json told{{"checks", json::array()},
             {"strengths", json::array()},
             {"weaknesses", json::array()},
@@ -197,7 +198,7 @@ HttpResponse answerRun(Call& call) {
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},
                      {"unfinished", shown.unfinishedTwists},
-                     {"told", toldJson(call, shown)},
+                     {"told", debriefJson(call, shown)},
                      {"twists", std::move(twists)},
                      {"bookmarks", std::move(bookmarks)}});
 }
@@ -253,7 +254,7 @@ HttpResponse answerRemarks(Call& call) {
 }
 
 RemarkId remarkOf(const Call& call) {
-  const std::string what = call.session->whatOf(call.parts.front());
+  const std::string what = call.session->objectOf(call.parts.front());
   if (what.rfind(kOwnRemark, 0) != 0) {
     throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
                 Text::tr("Open your own record"));

@@ -12,9 +12,9 @@ namespace {
 
 constexpr const char* kIndex = "/index.html";
 constexpr std::size_t kTagDigits = 16;
-constexpr const char* kTissueShader = "quick_tissue.frag";  // the window's own
+constexpr const char* kTissueShader = "quick_tissue.frag";  // shared with the window
 
-/// Other files of the folder (notes, tests) are not served.
+/// Returns the content type; empty for other files of the folder (notes, tests), which are not served.
 std::string typeOf(const std::filesystem::path& file) {
   static const std::map<std::string, std::string> kTypes = {{".html", "text/html; charset=utf-8"},
                                                             {".css", "text/css; charset=utf-8"},

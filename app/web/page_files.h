@@ -10,14 +10,13 @@
 
 namespace torsio::web {
 
-/// The pages of assets/web and the shader of the tissue that they share with the window, in memory: nothing
-/// on the disk is reached by an address that a browser sends.
+/// The pages of assets/web and the tissue shader shared with the window, in memory: a browser's request never
+/// reaches the disk.
 class PageFiles {
  public:
-  /// Reads them out of the folder of the program's assets. Throws Error{kFileMissing, kFileUnreadable}.
+  /// Reads the files from the assets folder. Throws Error{kFileMissing, kFileUnreadable}.
   explicit PageFiles(const std::filesystem::path& assets);
-  /// Returns the answer to a request for a page; nothing for an address that is none. "/" and "/join" are the
-  /// page itself.
+  /// Returns the answer to a page request; empty for an unknown address. "/" and "/join" are the main page.
   [[nodiscard]] std::optional<HttpResponse> answer(const HttpRequest& request) const;
 
  private:
@@ -32,7 +31,7 @@ class PageFiles {
   std::map<std::string, File> files_;  // by address
 };
 
-/// Gives the bytes as they are or packed, as the browser takes them.
+/// Puts the bytes into the response, plain or gzipped, as the browser accepts.
 void putPacked(HttpResponse& response, const HttpRequest& request, const std::string& packed,
                const std::string* plain);
 

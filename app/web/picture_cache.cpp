@@ -31,7 +31,7 @@ std::shared_ptr<const CasePicture> PictureCache::of(const std::string& recording
   }
   const std::lock_guard one(making_);
   if (auto picture = kept(recording)) {
-    return picture;  // somebody else has made it meanwhile
+    return picture;  // made by another thread meanwhile
   }
   auto made = std::make_shared<const CasePicture>(make());
   const std::lock_guard lock(mutex_);

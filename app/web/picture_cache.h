@@ -12,14 +12,14 @@
 
 namespace torsio::web {
 
-/// Pictures of recordings that were opened lately, so that the traces, the organ, a second look and the look
-/// of another rater cost one making. One is made at a time: it takes a core. Any thread.
+/// Pictures of recently opened recordings, so that traces, organ, reopening and other raters share one
+/// computation. One is made at a time, as it takes a core. Thread-safe.
 class PictureCache {
  public:
   explicit PictureCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Returns the picture of a recording (RecordingName::key); `make` is called when there is none. The caller
-  /// has asked for the right to see it in this very call.
+  /// Returns the picture of a recording (RecordingName::key), calling `make` if it is not cached. The caller
+  /// must have checked the right to see it in the same call.
   [[nodiscard]] std::shared_ptr<const CasePicture> of(const std::string& recording,
                                                       const std::function<CasePicture()>& make);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calibration on reference runs, how strict a rater is beside the others, and cases where their marks lie
-// apart.
+// Calibration on reference runs, rater severity, and cases with strongly differing marks.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -69,7 +68,7 @@ HttpResponse answerReferenceScore(Call& call) {
   return answerCalibration(call);
 }
 
-/// A reference run may be withdrawn, and later ones move up: what was loaded says which one it is.
+/// Reference runs may be withdrawn and later ones move up, so the loaded one identifies itself.
 std::shared_ptr<const CasePicture> referencePicture(Call& call) {
   BlindedRecording recording = loadReferenceRun(call.context, numberOf(call));
   const std::string key = "reference " + recording.label + " " + recording.digest;

@@ -8,7 +8,7 @@ namespace torsio::web {
 
 namespace {
 
-/// Fits a path to a pattern piece by piece; nothing when it does not.
+/// Matches a path against a pattern segment by segment; empty: no match.
 std::optional<std::vector<std::string>> partsOf(std::string_view pattern, std::string_view path) {
   std::vector<std::string> parts;
   while (!pattern.empty() && !path.empty()) {

@@ -21,20 +21,20 @@ namespace torsio::web {
 
 class WebDesk;
 
-/// One request on its way to a service.
+/// A request being passed to a service.
 struct Call {
   const HttpRequest& request;
   WebDesk& desk;
   /// Signed in as the session's actor; nobody for an open route.
   SessionContext& context;
   WebSession* session;                    ///< null for an open route
-  const std::vector<std::string>& parts;  ///< what stands for `*` in the route's path
+  const std::vector<std::string>& parts;  ///< matches of `*` in the route's path
   const JsonBody& body;                   ///< empty for GET
   const Wording& wording;
   SteadyTime now;
 };
 
-/// Who may use a route at all; the services ask for rights on top.
+/// Who may use a route; services check rights in addition.
 enum class RouteAccess { kOpen, kSignedIn };
 
 struct Route {
@@ -42,12 +42,12 @@ struct Route {
   std::string path{};  ///< "/api/cases/*/sheet"
   RouteAccess access = RouteAccess::kSignedIn;
   std::function<HttpResponse(Call&)> answer{};
-  /// May take seconds of a core: done beside the others, and never while its session waits for it. Its answer
-  /// changes nothing of the session.
+  /// Takes up to seconds of a core: runs beside the session's other requests without blocking them, and must
+  /// not change the session.
   bool heavy = false;
 };
 
-/// All addresses of the desk but those of its pages. What stands nowhere here does not exist.
+/// All routes of the desk, except its pages. Any other address is 404.
 class Router {
  public:
   explicit Router(std::vector<Route> routes) : routes_(std::move(routes)) {}
@@ -55,7 +55,7 @@ class Router {
   struct Match {
     const Route* route = nullptr;
     std::vector<std::string> parts{};
-    bool otherMethod = false;  ///< the address exists, for another method
+    bool otherMethod = false;  ///< the address exists with another method
   };
   [[nodiscard]] Match find(const std::string& method, const std::string& path) const;
   [[nodiscard]] const std::vector<Route>& routes() const noexcept { return routes_; }
@@ -64,26 +64,27 @@ class Router {
   std::vector<Route> routes_;
 };
 
-/// The routes of signing in and out, and of what a page needs before (sign_in_routes.cpp).
+/// Routes for signing in and out, and for what pages need before that (sign_in_routes.cpp).
 [[nodiscard]] std::vector<Route> signInRoutes();
-/// Who is signed in with a browser (session_routes.cpp).
+/// Routes for listing and ending browser sessions (session_routes.cpp).
 [[nodiscard]] std::vector<Route> sessionRoutes();
-/// Links of invitation (invitation_routes.cpp).
+/// Routes for invitation links (invitation_routes.cpp).
 [[nodiscard]] std::vector<Route> invitationRoutes();
-/// The form of an evaluation, calibration and own severity, own records, the boards (the files of these
+/// Routes of the evaluation form, calibration and severity, own records, and the boards (files of these
 /// names).
 [[nodiscard]] std::vector<Route> evaluationRoutes();
 [[nodiscard]] std::vector<Route> raterRoutes();
 [[nodiscard]] std::vector<Route> ownRoutes();
 [[nodiscard]] std::vector<Route> boardRoutes();
-/// The picture of an own case, made or kept; asks for the right each time (case_routes.cpp).
+/// Returns the picture of one of the actor's cases, cached or made; checks the right each time
+/// (case_routes.cpp).
 [[nodiscard]] std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
                                                            const AssignmentId& assignmentId);
-/// The routes of a rater's cases (case_routes.cpp).
+/// Routes of a rater's cases (case_routes.cpp).
 [[nodiscard]] std::vector<Route> caseRoutes();
 
 [[nodiscard]] HttpResponse jsonAnswer(const nlohmann::json& json, int status = 200);
-/// What went wrong, in the language of the page; `status` as docs/server.md lists them.
+/// Makes an error response in the page's language; docs/server.md lists the values of `status`.
 [[nodiscard]] HttpResponse refusal(int status, const Error& error, const Wording& wording,
                                    nlohmann::json more = nlohmann::json::object());
 

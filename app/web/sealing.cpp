@@ -21,7 +21,7 @@ Text meaningText(SignatureMeaning meaning) {
   return termsOf(meaning)[static_cast<std::size_t>(meaning)].label;
 }
 
-/// A password that came with an act that seals. Empty answer: go on.
+/// Checks the password sent with a sealing act. Empty answer: continue.
 std::optional<HttpResponse> shownPassword(Call& call) {
   if (!call.body.has("password")) {
     return std::nullopt;

@@ -9,14 +9,14 @@
 
 namespace torsio::web {
 
-/// Runs an act that seals, after the password that came with it; one that is due is asked for with what its
-/// signature means (403, "need_password").
+/// Performs a sealing act after checking the password sent with it. If a password is required, answers 403
+/// "need_password" with the meaning of the signature.
 [[nodiscard]] HttpResponse sealing(Call& call, SignatureMeaning meaning,
                                    const std::function<HttpResponse()>& act);
 
-/// A packed container, as the browser takes it.
+/// Answers with a gzipped container, unpacked if the browser requires.
 [[nodiscard]] HttpResponse binaryAnswer(const Call& call, const std::string& packed);
-/// The organ of a picture; 404 when it is not on this machine.
+/// Answers with the organ of a picture; 404 if it is not on this machine.
 [[nodiscard]] HttpResponse organAnswer(const Call& call, const CasePicture& picture);
 
 }  // namespace torsio::web

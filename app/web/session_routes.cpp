@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is signed in with a browser, to be seen and ended: by the person, and by whoever manages users.
+// Browser sessions: listed and ended by their owner and by user managers.
 #include <cstdint>
 #include <string>
 
@@ -44,7 +44,7 @@ HttpResponse answerAll(Call& call) {
   return jsonAnswer(sessionsJson(call, true));
 }
 
-/// The line of the list that `id` names, among those that the caller may end.
+/// Returns the session named `id` among those that the caller may end.
 WebSessions::Line lineOf(Call& call, bool ofAll) {
   const std::string id = call.body.text("id", kLongestId);
   for (WebSessions::Line& line : call.desk.sessions().list(call.now)) {

@@ -37,7 +37,7 @@ std::string cookieOf(const std::string& value) {
   return std::string(kCookie) + "=" + value + "; Path=/; Secure; HttpOnly; SameSite=Strict";
 }
 
-/// What the pages offer to whom; each route asks its service again.
+/// A page and the right that it needs; its routes check again in the services.
 struct PageRight {
   const char* page;
   Operation operation;
@@ -58,7 +58,7 @@ json userJson(const Actor& actor, const SessionContext& context) {
   return {{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
 }
 
-/// Hashes under the desk's lock. Empty: too many wait.
+/// Hashes a password under the desk's lock. Empty: too many are waiting.
 template <typename Try>
 std::optional<SignInAnswer> hashed(Call& call, const Try& tryIt) {
   if (!call.desk.enterHashing()) {
@@ -135,7 +135,7 @@ HttpResponse answerPassword(Call& call) {
   return welcome(call, changed);
 }
 
-/// The link of an invitation and a password: whatever is wrong with a link is answered alike.
+/// Redeems an invitation link with a password; all faults of a link get the same answer.
 HttpResponse answerJoin(Call& call) {
   const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
   if (left.count() > 0) {

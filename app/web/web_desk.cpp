@@ -20,11 +20,11 @@ namespace {
 
 constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
 constexpr std::size_t kSignInTries = 10;
-constexpr std::chrono::seconds kIdleSlack{60};  // a page that is used says so every half a minute
-constexpr int kMaxHashers = 4;                  // one at work, the others wait a second or two
-constexpr std::size_t kWorkersOfAFile = 4;      // they wait for each other when they write
+constexpr std::chrono::seconds kIdleSlack{60};  // pages in use report every half minute
+constexpr int kMaxHashers = 4;                  // one running, the others waiting a second or two
+constexpr std::size_t kWorkersOfAFile = 4;      // writers to a file wait for each other
 constexpr std::size_t kWorkersOfAServer = 8;
-constexpr std::size_t kHeavyThreads = 2;  // pictures are made one at a time; the other one answers trainees
+constexpr std::size_t kHeavyThreads = 2;  // one makes pictures, the other serves trainees
 
 std::size_t workersFor(const DeskSettings& settings) {
   if (settings.workers > 0) {
@@ -43,7 +43,7 @@ std::vector<Route> allRoutes() {
   return routes;
 }
 
-/// As docs/server.md lists them.
+/// See docs/server.md.
 void addSecurityHeaders(HttpResponse& response) {
   const std::pair<const char*, const char*> kHeaders[] = {
       {"Content-Security-Policy",
@@ -110,7 +110,7 @@ bool isChange(const std::string& method) {
   return method != "GET" && method != "HEAD";
 }
 
-/// What a service throws, as an answer.
+/// Converts a service's exception to an answer.
 HttpResponse answerOf(const std::exception_ptr& thrown, const Wording& wording) {
   try {
     std::rethrow_exception(thrown);
@@ -118,7 +118,7 @@ HttpResponse answerOf(const std::exception_ptr& thrown, const Wording& wording) 
     return refusal(403, due, wording, {{"need_password", true}});
   } catch (const Error& error) {
     const int status = statusOf(error);
-    // A refusal of the record may name rows: its text stays here.
+    // Database errors may name rows, so their text is not sent.
     return dynamic_cast<const DbError*>(&error) != nullptr && status == 503 ? refused(status, wording)
                                                                             : refusal(status, error, wording);
   } catch (...) {
@@ -160,14 +160,14 @@ void WebDesk::leaveHashing() {
 
 void WebDesk::prepare(const Actor& actor, const AssignmentId& assignmentId) {
   if (!heavy_.isIdle()) {
-    return;  // whoever opens a case comes first
+    return;  // somebody who opens a case has priority
   }
   (void)heavy_.take([this, actor, assignmentId](SessionContext& context) {
     context.setActor(actor);
     try {
       (void)pictureOf(*this, context, assignmentId);
     } catch (...) {
-      // Whoever opens the case is told what is wrong with it.
+      // The error is reported when the case is opened.
     }
   });
 }
@@ -256,7 +256,7 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
   }
   const SteadyTime now = std::chrono::steady_clock::now();
   if (sessions_.idleIsOld(now)) {
-    // The page locks itself then; this is for one that is asleep, closed, or not ours.
+    // The page locks itself then; this covers pages that are asleep, closed, or not ours.
     sessions_.setIdle(
         std::chrono::seconds(centreIdleLimits(context.connectionWithoutRight()).lock_us / kSecond_us) +
         kIdleSlack);
@@ -267,7 +267,7 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
     return refused(401, wording);
   }
   if (session != nullptr && passwordStamp(context, session->userId) != session->stamp) {
-    sessions_.closeAll(session->userId);  // another password since, or the account was disabled
+    sessions_.closeAll(session->userId);  // the password was changed or the account disabled
     return refused(401, wording);
   }
   std::unique_lock<std::mutex> busy;
@@ -285,7 +285,7 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
   Call call{request, *this, context, session.get(), parts, body, wording, now};
   const auto keepActor = [&] {
     if (session != nullptr && !route.heavy) {
-      session->actor = context.actor();  // a signature may have used up the password
+      session->actor = context.actor();  // a signature may have consumed the password
     }
   };
   try {

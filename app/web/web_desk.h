@@ -25,27 +25,26 @@ namespace torsio::web {
 struct DeskSettings {
   std::string locator{};
   std::filesystem::path assets{};
-  /// "https://desk.example.org": as browsers see it, behind a proxy; empty: as the request says.
+  /// URL as seen by browsers behind a proxy, "https://desk.example.org"; empty: taken from the request.
   std::string publicUrl{};
-  std::size_t workers = 0;                              ///< 0: as many as the engine of the record can use
-  PasswordCost passwordCost = PasswordCost::kModerate;  ///< of what is hashed here; tests use a cheap one
-  /// Hears of each answer: "GET /api/cases/* 200 3 ms". Of an address only what the route says of it,
-  /// nobody's name, no handle. Several threads at once; empty: nobody listens.
+  std::size_t workers = 0;                              ///< 0: as many as suit the database engine
+  PasswordCost passwordCost = PasswordCost::kModerate;  ///< for hashes made here; tests use a cheap one
+  /// Receives one line per answer: "GET /api/cases/* 200 3 ms", with the route's pattern instead of the
+  /// address, so without names or handles. Called from several threads; may be empty.
   std::function<void(const std::string& line)> accessLog{};
 };
 
-/// The review desk for browsers: sign-in, sessions, and which request goes to which service. Every rule lies
-/// in the services; here is what a network asks for on top: who sends it, from which page, how often. Any
-/// thread.
+/// The review desk for browsers: sign-in, sessions and dispatch of requests to services. All rules are in the
+/// services; added here are checks of the sender, its origin and rate. Thread-safe.
 class WebDesk {
  public:
-  /// Opens the record and reads the pages. Throws Error, DbError.
+  /// Opens the record and loads the pages. Throws Error, DbError.
   explicit WebDesk(const DeskSettings& settings);
   ~WebDesk();
   WebDesk(const WebDesk&) = delete;
   WebDesk& operator=(const WebDesk&) = delete;
 
-  /// For HttpServer: returns at once, replies later.
+  /// Handles a request for HttpServer: returns at once, replies later.
   void handle(HttpRequest request, HttpServer::Reply reply);
 
   [[nodiscard]] const Router& router() const noexcept { return router_; }
@@ -54,17 +53,16 @@ class WebDesk {
   [[nodiscard]] OrganShelf& shelf() noexcept { return shelf_; }
   [[nodiscard]] const std::map<std::string, Wording>& languages() const noexcept { return languages_; }
 
-  /// "https://desk.example.org": as the browser of this request reaches the desk.
+  /// Returns the desk's URL as this request's browser sees it.
   [[nodiscard]] std::string addressFor(const HttpRequest& request) const;
-  /// Whose address this is for counting tries: of the peer, or, where the peer is a proxy on this machine
-  /// (publicUrl), the last one that it names in X-Forwarded-For. Nobody else is believed.
+  /// Returns the client address for rate limiting: the peer's or, if the peer is a proxy on this machine
+  /// (publicUrl), the last one in X-Forwarded-For. Other peers are not trusted.
   [[nodiscard]] std::string clientOf(const HttpRequest& request) const;
-  /// Held while a password is hashed, which takes a quarter of a gigabyte: one at a time, and only few wait.
-  /// False: too many wait already.
+  /// Acquires the lock for password hashing, which takes a quarter of a gigabyte: one at a time with a short
+  /// queue. Returns false if the queue is full.
   [[nodiscard]] bool enterHashing();
   void leaveHashing();
-  /// Makes the picture of a case that somebody will open next, while nothing else is asked of the thread that
-  /// makes pictures.
+  /// Makes the picture of a case likely to be opened next, if the picture thread is idle.
   void prepare(const Actor& actor, const AssignmentId& assignmentId);
   [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
 
@@ -85,7 +83,7 @@ class WebDesk {
   std::mutex hashing_;
   std::atomic<int> hashers_{0};
   DeskWorkers workers_;  // last: their work uses all of the above
-  DeskWorkers heavy_;    // few threads: a picture takes a core
+  DeskWorkers heavy_;    // few threads: each picture takes a core
 };
 
 }  // namespace torsio::web

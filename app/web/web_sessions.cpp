@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kSecretBytes = 32;
 constexpr std::string_view kCaseThing = "case ";
 constexpr std::size_t kRightToWrong = 6;
-constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond it the old ones are forgotten
+constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond, the oldest are dropped
 
 std::string hashOf(const std::string& cookie) {
   Digest digest;
@@ -46,14 +46,14 @@ std::string WebSession::handleFor(const std::string& what) {
   }
   const std::string handle = freshSecret();
   handles_.emplace(what, handle);
-  things_.emplace(handle, what);
+  objects_.emplace(handle, what);
   return handle;
 }
 
-std::string WebSession::whatOf(const std::string& handle) const {
+std::string WebSession::objectOf(const std::string& handle) const {
   const std::lock_guard lock(mutex_);
-  const auto found = things_.find(handle);
-  return found == things_.end() ? std::string() : found->second;
+  const auto found = objects_.find(handle);
+  return found == objects_.end() ? std::string() : found->second;
 }
 
 std::string WebSession::handleOf(const AssignmentId& assignmentId) {
@@ -61,7 +61,7 @@ std::string WebSession::handleOf(const AssignmentId& assignmentId) {
 }
 
 std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const {
-  const std::string what = whatOf(handle);
+  const std::string what = objectOf(handle);
   if (what.rfind(kCaseThing, 0) != 0) {
     return std::nullopt;
   }
@@ -69,7 +69,7 @@ std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const 
 }
 
 std::string browserName(const std::string& userAgent) {
-  // A browser names those that it resembles after itself: the first that is found is it.
+  // Browsers also name those they resemble: the first match is right.
   constexpr std::array<std::pair<const char*, const char*>, 5> kBrowsers{{{"Edg/", "Edge"},
                                                                           {"Firefox/", "Firefox"},
                                                                           {"Chrome/", "Chrome"},

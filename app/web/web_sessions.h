@@ -15,56 +15,56 @@
 
 namespace torsio::web {
 
-/// The name of the cookie; the prefix makes browsers insist on this very host and on encryption.
+/// Cookie name; the prefix makes browsers bind it to this host and to encryption.
 inline constexpr const char* kCookie = "__Host-torsio";
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-/// 256 random bits as 43 characters that a cookie, a header and a path may hold.
+/// Returns 256 random bits as 43 characters that are valid in cookies, headers and paths.
 [[nodiscard]] std::string freshSecret();
 
-/// Somebody who is signed in with a browser. Whoever works for it holds `busy`, so that two requests of one
-/// browser never overtake each other; a heavy route only while it begins.
+/// A browser session. Hold `busy` while working for it, so that its requests never overtake each other; heavy
+/// routes hold it only at their start.
 struct WebSession {
   std::mutex busy;
   Actor actor{};
-  UserId userId{};  ///< as in `actor`, and never changed: read without `busy`
+  UserId userId{};  ///< same as in `actor`; immutable, readable without `busy`
   std::string login{};
-  std::string id{};       ///< names it in lists; opens nothing
-  std::string browser{};  ///< "Firefox, Windows", as it says itself
-  std::string stamp{};    ///< passwordStamp() when it began: another one ends it
-  std::string token{};    ///< asked of every change, so that no other site can order one
+  std::string id{};       ///< identifies it in lists; grants no access
+  std::string browser{};  ///< "Firefox, Windows", from the user agent
+  std::string stamp{};    ///< passwordStamp() at its start; the session ends when it changes
+  std::string token{};    ///< required for every change, against cross-site requests
   SteadyTime begun{};
 
-  /// A name for something of the record ("run 17") that means nothing outside of this session; the same one
-  /// each time.
+  /// Returns a handle for an object of the record ("run 17"): meaningless outside this session, stable within
+  /// it.
   [[nodiscard]] std::string handleFor(const std::string& what);
-  /// What is behind it; empty for what was never given out.
-  [[nodiscard]] std::string whatOf(const std::string& handle) const;
+  /// Returns the object of a handle; empty for an unknown one.
+  [[nodiscard]] std::string objectOf(const std::string& handle) const;
   /// The same for cases.
   [[nodiscard]] std::string handleOf(const AssignmentId& assignmentId);
   [[nodiscard]] std::optional<AssignmentId> caseOf(const std::string& handle) const;
 
-  /// The recording that plays: no rater watches two at once.
+  /// The recording being played: a rater cannot watch two at once.
   AssignmentId played{};
-  SteadyTime reported{};  ///< when it was reported last
+  SteadyTime reported{};  ///< time of its last report
 
  private:
-  mutable std::mutex mutex_;                    // of the handles: heavy routes read them without `busy`
-  std::map<std::string, std::string> things_;   // by handle
-  std::map<std::string, std::string> handles_;  // by thing
+  mutable std::mutex mutex_;                    // for the handles: heavy routes read them without `busy`
+  std::map<std::string, std::string> objects_;  // by handle
+  std::map<std::string, std::string> handles_;  // by object
 };
 
-/// Everybody who is signed in with a browser, by the hash of the cookie. In memory alone: whoever stops the
-/// server signs everybody out, and drafts are in the record. Any thread.
+/// All browser sessions, by the hash of their cookie. In memory only: stopping the server signs everybody
+/// out; drafts are in the record. Thread-safe.
 class WebSessions {
  public:
-  /// How long a session lasts without a request, and at all.
+  /// Maximum idle time and lifetime of a session.
   struct Limits {
     std::chrono::seconds idle{std::chrono::minutes(30)};
     std::chrono::seconds whole{std::chrono::hours(12)};
   };
-  /// One of them, for whoever asks who is signed in.
+  /// A session as listed.
   struct Line {
     std::string id{};
     UserId userId{};
@@ -75,21 +75,21 @@ class WebSessions {
   };
   explicit WebSessions(Limits limits) : limits_(limits) {}
 
-  /// Whether the centre's idle time should be read again: true once in ten seconds.
+  /// True once every ten seconds: time to re-read the centre's idle time.
   [[nodiscard]] bool idleIsOld(SteadyTime now);
-  /// How long a session lasts without a request from now on.
+  /// Sets the idle time of all sessions.
   void setIdle(std::chrono::seconds idle);
-  /// Returns what the browser's cookie will hold; nothing else can find the session.
+  /// Returns the new session's cookie; the session cannot be found otherwise.
   [[nodiscard]] std::string open(const Actor& actor, const std::string& browser, const std::string& stamp,
                                  SteadyTime now);
-  /// The newest first.
+  /// Newest first.
   [[nodiscard]] std::vector<Line> list(SteadyTime now);
-  /// Ends the session of this name. False: there is none any more.
+  /// Ends the session with this id. False: not found.
   bool end(const std::string& id);
-  /// Null: nobody, or too long ago.
+  /// Null: unknown or expired.
   [[nodiscard]] std::shared_ptr<WebSession> find(const std::string& cookie, SteadyTime now);
   void close(const std::string& cookie);
-  /// Ends all sessions of a user: before a change of password opens a new one.
+  /// Ends all sessions of a user, before a password change opens a new one.
   void closeAll(const UserId& userId);
 
  private:
@@ -105,16 +105,15 @@ class WebSessions {
   std::map<std::string, Held> held_;
 };
 
-/// A browser and a system, out of what a browser says about itself: "Firefox, Windows"; empty for none that
-/// is known. Nothing else of it is kept.
+/// Extracts browser and system from a user agent: "Firefox, Windows"; empty if unknown. The rest is not kept.
 [[nodiscard]] std::string browserName(const std::string& userAgent);
 
-/// How often something may be tried from one address. A try that was right does not count, up to six times as
-/// many: behind a centre's proxy ten physicians who sign in at once have one address. Any thread.
+/// Rate limit of attempts per address. Successful attempts are not counted, up to six times the limit: behind
+/// a proxy, ten physicians who sign in at once share one address. Thread-safe.
 class TryLimit {
  public:
   TryLimit(std::size_t most, std::chrono::seconds within) : most_(most), within_(within) {}
-  /// Counts a try; how long to wait before the next one is allowed, 0 for this one may go on.
+  /// Counts an attempt and returns the wait before it is allowed; 0: proceed.
   [[nodiscard]] std::chrono::seconds tried(const std::string& address, SteadyTime now);
   void wasRight(const std::string& address);
 

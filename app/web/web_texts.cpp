@@ -7,7 +7,7 @@ namespace torsio::web {
 
 namespace {
 
-/// The literals of t() in assets/web, in the order of the alphabet.
+/// The literals of t() in assets/web, sorted.
 constexpr Phrase kSentences[] = {
     Text::tr("%1 %"),
     Text::tr("%1 (edited)"),

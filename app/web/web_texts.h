@@ -7,8 +7,7 @@
 
 namespace torsio::web {
 
-/// The sentences that stand in the pages themselves (assets/web), for their translation. A test holds this
-/// list and the pages together.
+/// Returns the sentences of the pages (assets/web) for translation. A test compares this list with the pages.
 [[nodiscard]] const std::vector<Text>& webTexts();
 
 }  // namespace torsio::web

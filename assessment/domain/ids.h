@@ -7,8 +7,8 @@ namespace torsio {
 
 // People.
 using PersonId = Id<struct PersonIdTag>;
-using TraineeId = PersonId;  ///< a trainee is a person with a second part (table trainee)
-using RaterId = PersonId;    ///< so is a rater (table rater)
+using TraineeId = PersonId;  ///< a person with a row in table trainee
+using RaterId = PersonId;    ///< a person with a row in table rater
 using UserId = Id<struct UserIdTag>;
 
 // The study.
@@ -29,7 +29,7 @@ using ModuleId = Id<struct ModuleIdTag>;
 using ArmId = Id<struct ArmIdTag>;
 using PhaseId = Id<struct PhaseIdTag>;
 
-// Recordings and what is said about them.
+// Recordings and remarks on them.
 using RemarkId =
     Id<struct RemarkIdTag>;  ///< a bookmark, a remark or a reply; a question is a bookmark that was sent
 using SelfScoreId = Id<struct SelfScoreIdTag>;

@@ -50,13 +50,14 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
       continue;
     }
     holes = true;
-    const auto shown = [&](double HoledReliability::*value) {
+    const auto shown = [&](double IncompleteReliability::*value) {
       return at.reliability ? Text(formatFixed((*at.reliability).*value, kAgreementDecimals))
                             : notDefined(at.reliability.reason());
     };
     table.rows.push_back({Text::tr("%1, every mark", in.occasions[t]), std::to_string(at.marks.size()),
-                          shown(&HoledReliability::single), shown(&HoledReliability::mean),
-                          shown(&HoledReliability::semSingle), shown(&HoledReliability::semMean), ""});
+                          shown(&IncompleteReliability::single), shown(&IncompleteReliability::mean),
+                          shown(&IncompleteReliability::semSingle), shown(&IncompleteReliability::semMean),
+                          ""});
   }
   table.notes = {
       holes

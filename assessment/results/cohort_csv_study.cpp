@@ -114,7 +114,7 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vecto
     rows.add("krippendorff_alpha_interval", at.alpha ? std::optional<double>(at.alpha->alpha) : std::nullopt,
              at.n);
     if (at.missing > 0 && at.reliability) {
-      const HoledReliability& every = *at.reliability;
+      const IncompleteReliability& every = *at.reliability;
       rows.add("reml_one_rater", every.single, at.n);
       rows.add("reml_mean", every.mean, at.n);
       rows.add("reml_sem_of_one_rater", every.semSingle, at.n);

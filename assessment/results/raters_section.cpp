@@ -108,7 +108,7 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
       series.y.emplace_back(*row[r] - *others);
     }
   }
-  const Outcome<HoledReliability>& variances = study.occasions.back().reliability;
+  const Outcome<IncompleteReliability>& variances = study.occasions.back().reliability;
   if (!variances || variances->usualRaters < 2) {
     return std::nullopt;
   }

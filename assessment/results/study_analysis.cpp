@@ -65,7 +65,7 @@ void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& gr
   occasion.completeTrainees = static_cast<std::int64_t>(table.rows());
   occasion.icc = intraclassCorrelation(table);
   occasion.alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
-  occasion.reliability = holedReliability(byRater);
+  occasion.reliability = incompleteReliability(byRater);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const NumberTable within = completeMarks(occasion, groupOf, g);
     occasion.groups.push_back({g, static_cast<std::int64_t>(within.rows()), intraclassCorrelation(within)});
@@ -167,7 +167,7 @@ void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
   out.sameRaters = sameRatersOf(out.occasions.back());
   out.ancova = ancova(out.ends.before, out.ends.after);
   if (out.ancova && out.ancova->equalSlopes && out.ancova->equalSlopes->p < kSlopesDiffer) {
-    out.slopes = separateSlopes(out.ends.before, out.ends.after, usualBaselines(out.ends.before));
+    out.slopes = separateSlopes(out.ends.before, out.ends.after, defaultBaselines(out.ends.before));
   }
   if (!out.asPlanned()) {
     out.mixed = mixedComparison(ends.trainees, in.groups.size());

@@ -47,7 +47,8 @@ struct OccasionMarks {
   std::int64_t completeTrainees = 0;  ///< with a mark of every rater present: what `icc` is made from
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
   std::vector<GroupAgreement> groups;
-  Outcome<HoledReliability> reliability = Outcome<HoledReliability>::undefined(Text::tr("not computed"));
+  Outcome<IncompleteReliability> reliability =
+      Outcome<IncompleteReliability>::undefined(Text::tr("not computed"));
   Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined(Text::tr("not computed"));
   PointAgreement points;
 };

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kGroups = 3;
 constexpr std::size_t kOccasions = 3;
 
-// The shape that the paper describes in words: alike before; groups 1 and 2 slightly above group 3 after 20
-// min; group 2 clearly best after 40 min, group 1 a little above group 3.
+// The pattern that the paper describes in words: equal before training; groups 1 and 2 slightly above group 3
+// after 20 min; group 2 clearly best after 40 min, group 1 slightly above group 3.
 constexpr double kBaseline = 3.2;
 constexpr std::array<std::array<double, kOccasions>, kGroups> kGain = {
     {{0.0, 1.7, 2.7}, {0.0, 1.7, 4.1}, {0.0, 1.3, 2.3}}};
@@ -35,7 +35,7 @@ constexpr std::array<double, 3> kClassShift = {-0.3, 0.0, 0.2};
 constexpr double kJudgeSpread = 0.5;
 constexpr double kJudgementSpread = 0.7;
 
-// Independent streams of one seed, so that another number of people does not shift everybody's marks.
+// Independent streams of one seed, so that changing the number of people does not change everybody's marks.
 enum Stream : std::uint64_t { kTalent = 1, kSeverity, kNoise, kJudge, kJudgement };
 
 std::vector<double> centredNormals(Random& random, std::size_t count, double spread) {
@@ -51,7 +51,7 @@ std::vector<double> centredNormals(Random& random, std::size_t count, double spr
   return values;
 }
 
-/// The whole point nearest to a value, held on the scale, in steps.
+/// Rounds to the nearest whole point within the scale; returns steps.
 std::int64_t wholePoint(double points, const ScoreScale& scale) {
   const std::int64_t q = scale.stepsPerPoint;
   const auto nearest = static_cast<std::int64_t>(std::floor(points + 0.5));

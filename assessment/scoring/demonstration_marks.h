@@ -12,22 +12,22 @@
 
 namespace torsio {
 
-/// People of a demonstration. Nothing made from it is ever presented as a result of real people.
+/// Simulated people. Nothing computed from them is ever presented as a result of real people.
 struct DemonstrationPeople {
   std::vector<std::vector<std::string>> groups;        ///< trainee codes of each of the three groups
-  std::vector<std::string> raters;                     ///< who marks the trainees
-  std::vector<std::vector<std::string>> raterClasses;  ///< who marks the models, one list a rater class
+  std::vector<std::string> raters;                     ///< raters of the trainees
+  std::vector<std::vector<std::string>> raterClasses;  ///< raters of the models, one list per rater class
 };
 
-/// Simulates marks of the training study at three occasions, whole points on the scale, from the rule that
-/// demonstrationTrainingRule() states. Same seed, same marks. Ordered by occasion, group, trainee, rater.
+/// Simulates marks of the training study at three occasions in whole points, following the model described by
+/// demonstrationTrainingRule(). Same seed, same marks. Ordered by occasion, group, trainee, rater.
 [[nodiscard]] std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
                                                                    const DemonstrationPeople& people,
                                                                    std::uint64_t seed);
-/// States the rule of the training marks in words, for the report.
+/// Returns the description of the training model for the report.
 [[nodiscard]] Text demonstrationTrainingRule();
 
-/// Simulates marks of every rater for every index of every model (PM, FEM, MSM; others like MSM), whole
+/// Simulates the marks of every rater for every index of every model (PM, FEM, MSM; others like MSM) in whole
 /// points.
 [[nodiscard]] std::vector<EvaluationRating> demonstrationEvaluationMarks(
     const EvaluationInstrument& instrument, const DemonstrationPeople& people,

@@ -22,7 +22,7 @@ void addFlag(std::vector<std::string>& flags, const std::string& flag) {
   }
 }
 
-/// The working copy of one evaluation.
+/// Evaluates one model.
 class ModelSolver {
  public:
   ModelSolver(const EvaluationInstrument& instrument, const ModelRatings& ratings,
@@ -71,7 +71,7 @@ class ModelSolver {
     }
   }
 
-  /// Weights of the classes that have marks for this index; refuses or flags when one has none.
+  /// Returns the weights of the classes with marks for this index; throws or flags if one has none.
   IndexInput inputFor(const std::vector<std::vector<std::int64_t>>& values, const std::string& of,
                       std::vector<std::string>& flags) const {
     IndexInput in;

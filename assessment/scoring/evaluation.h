@@ -13,21 +13,21 @@
 
 namespace torsio {
 
-/// Version of everything in this file; stored beside each result.
+/// Version of the formulas in this file; stored with each result.
 inline constexpr const char* kEvaluationFormulaVersion = "evaluation-1";
 
-/// Policy for missing marks.
+/// Treatment of missing marks.
 enum class MissingPolicy {
   kRefuse,         ///< any missing mark is an error
-  kAvailableCase,  ///< each index uses the marks it has; a weighted class without any mark is an error
-  kListWise,     ///< a rater with a missing mark is left out altogether; an empty weighted class is an error
-  kRenormalise,  ///< available-case, and the weights of the classes that have marks are divided by their sum
+  kAvailableCase,  ///< each index uses the marks it has; a weighted class without marks is an error
+  kListWise,       ///< a rater with a missing mark is excluded; an empty weighted class is an error
+  kRenormalise,    ///< available-case, with the weights of the classes that have marks rescaled to sum to 1
 };
 
 struct EvaluationPolicy {
   MissingPolicy missing = MissingPolicy::kAvailableCase;
   bool zeroWeightClassesInVariance = false;  ///< whether a class of weight 0 enters the sum of Eq. 26
-  std::int64_t minimumPerClass = 1;          ///< below it the flag "few raters" is set
+  std::int64_t minimumPerClass = 1;          ///< fewer set the flag "few raters"
 };
 
 /// Statistics of one index of one model, in points. `m` and `s2` are the exact values rounded once.
@@ -44,12 +44,12 @@ struct ScoreStatistics {
   double classWeightedMoment = 0.0;               ///< sum of weight x mean of (x - m)^2 in the class
   std::optional<double> standardError;            ///< of m; empty when a weighted class has one rating
   std::optional<double> standardErrorDf;          ///< Welch-Satterthwaite; empty without variation
-  std::vector<std::optional<double>> classMeans;  ///< one a class; empty where nobody rated
+  std::vector<std::optional<double>> classMeans;  ///< one per class; empty without marks
   std::vector<std::int64_t> classCounts;
   std::vector<std::string> flags;
 };
 
-/// A rater's own comprehensive score: Eq. 27 applied to one rater's marks. Empty with a missing mark.
+/// One rater's comprehensive score: Eq. 27 applied to their marks. Empty with a missing mark.
 struct RaterComposite {
   std::string rater;
   std::size_t raterClass = 0;
@@ -61,18 +61,18 @@ struct ModelEvaluation {
   double n27 = 0.0;  ///< Eq. 27: N, the comprehensive score
   std::vector<ScoreStatistics> indices;
   std::vector<RaterComposite> composites;
-  /// Eqs. 25 and 26 over the composites of complete raters; its m equals n27 when nothing is missing.
+  /// Eqs. 25 and 26 over the composites of complete raters; m equals n27 if nothing is missing.
   std::optional<ScoreStatistics> compositeStatistics;
   std::int64_t missing = 0;
   std::vector<std::string> flags;  ///< "available-case", "list-wise", "renormalised", "few raters"; sorted
 };
 
-/// Evaluates one model (paper Eqs. 25, 26, 27). Throws Error{kBadData} naming class and index when the policy
-/// refuses, Error{kBadParameter} for an instrument that breaks its rules.
+/// Evaluates one model (paper Eqs. 25, 26, 27). Throws Error{kBadData} naming class and index if the policy
+/// forbids a missing mark, Error{kBadParameter} for an invalid instrument.
 [[nodiscard]] ModelEvaluation evaluateModel(const EvaluationInstrument& instrument,
                                             const ModelRatings& ratings, const EvaluationPolicy& policy = {});
 
-/// Evaluates all models of a table of marks. Throws as groupRatings and evaluateModel.
+/// Evaluates every model in a list of marks. Throws like groupRatings and evaluateModel.
 [[nodiscard]] std::vector<ModelEvaluation> evaluate(const EvaluationInstrument& instrument,
                                                     std::span<const EvaluationRating> ratings,
                                                     const EvaluationPolicy& policy = {});

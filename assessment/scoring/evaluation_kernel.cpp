@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-/// The class means as whole numbers over one denominator.
+/// Class means as integers over a common denominator.
 struct CommonDenominator {
   std::vector<std::int64_t> factors;  // of the sum of each class
   std::int64_t denominator = 1;

@@ -10,21 +10,21 @@
 
 namespace torsio {
 
-/// Eqs. 25 to 27 for complete marks, without any allocation: for repeated evaluation (resampling,
-/// simulation). Made for fixed class sizes, none of weight 0. One thread an object.
+/// Allocation-free Eqs. 25 to 27 for complete marks, for repeated evaluation (resampling, simulation). Class
+/// sizes are fixed and no class has weight 0. Not thread-safe.
 class EvaluationKernel {
  public:
-  /// Tells whether the common multiple of the class sizes is small enough for whole numbers in doubles; every
-  /// class that counts has a rater.
+  /// True if every weighted class has a rater and the common multiple of the class sizes is small enough for
+  /// exact integers in doubles.
   [[nodiscard]] static bool fits(const EvaluationInstrument& instrument,
                                  std::span<const std::size_t> raterClasses);
 
-  /// Prepares the kernel; the classes fit. `raterClasses`: the class of each rater, in the order of the rows
+  /// Prepares the kernel; requires fits(). `raterClasses`: class of each rater, in the order of the rows
   /// given to run().
   EvaluationKernel(const EvaluationInstrument& instrument, std::span<const std::size_t> raterClasses);
 
-  /// Evaluates `steps`, raters x indices, row-major: fills m and s2 (one an index) and returns N. Gives the
-  /// values of evaluateModel, bit for bit.
+  /// Evaluates `steps` (raters x indices, row-major): fills m and s2, one per index, and returns N. Bit for
+  /// bit equal to evaluateModel.
   double run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2);
 
  private:

@@ -16,9 +16,9 @@ namespace torsio {
 
 namespace {
 
-constexpr double kOutside = 0.025;  // on either side
+constexpr double kOutside = 0.025;  // in each tail
 
-/// Marks of all raters whose class counts, class after class.
+/// Marks of all raters of weighted classes, class by class.
 struct Panel {
   std::vector<std::size_t> classes;  // of each rater
   std::vector<std::int64_t> steps;   // raters x indices
@@ -53,7 +53,7 @@ Panel panelOf(const EvaluationInstrument& instrument, const ModelRatings& rating
   return panel;
 }
 
-/// N of a drawn panel: by the kernel, or in full where the class sizes are too awkward for it.
+/// Computes N of a resampled panel: with the kernel, or in full where the class sizes do not fit it.
 class DrawnScore {
  public:
   DrawnScore(const EvaluationInstrument& instrument, const ModelRatings& ratings, const Panel& panel)
@@ -106,7 +106,7 @@ ScoreRange resampledScore(const EvaluationInstrument& instrument, const ModelRat
   std::vector<double> scores;
   Random random(resampling.seed);
   for (std::int64_t i = 0; i < resampling.resamples; ++i) {
-    // Raters of one class stand together (ModelRatings::sheets), so each is replaced from its own stretch.
+    // Raters of one class are adjacent (ModelRatings::sheets), so each is replaced from its own range.
     for (std::size_t first = 0; first < panel.classes.size();) {
       std::size_t end = first;
       while (end < panel.classes.size() && panel.classes[end] == panel.classes[first]) {

@@ -7,15 +7,15 @@
 
 namespace torsio {
 
-/// Returns the double nearest to numerator / denominator (ties to even), whatever their size; numerator >=
-/// 0, denominator > 0. `Integer` is a built-in unsigned type whose double fits it, or an
+/// Returns the double nearest to numerator / denominator (ties to even) for any magnitude; numerator >= 0,
+/// denominator > 0. `Integer` is a built-in unsigned type that converts to double exactly, or an
 /// arbitrary-precision one.
 template <class Integer>
 [[nodiscard]] double nearestQuotient(const Integer& numerator, const Integer& denominator) {
   Integer quotient = numerator / denominator;
   Integer remainder = numerator % denominator;
   int exponent = 0;
-  const Integer enoughBits = Integer(1) << 54;  // 53 bits of mantissa, one to round, one that is sticky
+  const Integer enoughBits = Integer(1) << 54;  // 53 bits of mantissa, one rounding bit, one sticky bit
   const Integer tooManyBits = Integer(1) << 62;
   while (quotient < enoughBits && remainder != 0 && exponent > -1200) {
     remainder = remainder * 2;
@@ -42,7 +42,7 @@ template <class Integer>
 inline constexpr std::int64_t kExactDouble = std::int64_t{1} << 53;
 
 /// Returns the double nearest to numerator / denominator; denominator > 0. Dividing two converted integers
-/// rounds three times once they pass 2^53.
+/// would round three times beyond 2^53.
 [[nodiscard]] inline double roundedQuotient(std::int64_t numerator, std::int64_t denominator) {
   if (numerator <= kExactDouble && numerator >= -kExactDouble && denominator <= kExactDouble) {
     return static_cast<double>(numerator) / static_cast<double>(denominator);

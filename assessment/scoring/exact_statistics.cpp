@@ -45,7 +45,7 @@ struct IndexExact {
   BigInteger mDenominator = 1;
 };
 
-/// Common denominator of the class means, as a double: exact below 2^53, and only its size matters above.
+/// Common denominator of the class means as a double: exact below 2^53; above, only its magnitude matters.
 double commonDenominatorSize(const IndexInput& in) {
   double lcm = 1.0;
   std::int64_t exact = 1;
@@ -65,7 +65,7 @@ double commonDenominatorSize(const IndexInput& in) {
   return lcm * weightSum;
 }
 
-/// Eqs. 25 and 26 as fractions of whole numbers; one rounding each at the end.
+/// Eqs. 25 and 26 as integer fractions, each rounded once at the end.
 template <class Integer>
 IndexExact solve(const IndexInput& in) {
   Integer lcm = 1;
@@ -152,7 +152,7 @@ void addStandardError(const IndexInput& in, ScoreStatistics& out) {
 
 }  // namespace
 
-/// M of Eq. 25, index by index, in steps.
+/// M of Eq. 25 for each index, in steps.
 struct ExactStatistics::Means {
   struct Fraction {
     BigInteger numerator;

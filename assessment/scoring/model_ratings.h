@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// One mark: a rater scores one index of one model. Empty steps are a mark that was not given.
+/// One mark of a rater for an index of a model. Empty steps: missing.
 struct EvaluationRating {
   std::string model;
   std::string rater;
@@ -21,11 +21,11 @@ struct EvaluationRating {
   std::optional<std::int64_t> steps;
 };
 
-/// All marks of one rater for one model.
+/// The marks of one rater for one model.
 struct RaterSheet {
   std::string rater;
   std::size_t raterClass = 0;
-  std::vector<std::optional<std::int64_t>> steps;  ///< one an index
+  std::vector<std::optional<std::int64_t>> steps;  ///< one per index
 };
 
 struct ModelRatings {
@@ -33,9 +33,8 @@ struct ModelRatings {
   std::vector<RaterSheet> sheets;  ///< ordered by class, then by rater
 };
 
-/// Groups marks by model, in the order in which the models first appear. Throws Error{kBadData} that names
-/// rater, index and model when a mark lies outside the scale, appears twice, or when a rater appears in two
-/// classes.
+/// Groups marks by model in order of first appearance. Throws Error{kBadData} naming rater, index and model
+/// if a mark is off the scale or duplicate, or a rater appears in two classes.
 [[nodiscard]] std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
                                                      std::span<const EvaluationRating> ratings);
 

@@ -36,7 +36,7 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   Cells cells;
   std::map<std::string, std::size_t> groupOf;
   std::map<const std::vector<std::int64_t>*, std::set<std::string_view>> ratersOf;
-  auto cell = cells.end();  // marks of one trainee mostly stand beside each other
+  auto cell = cells.end();  // marks of one trainee are mostly adjacent
   std::set<std::string_view>* raters = nullptr;
   for (const TrainingMark& mark : marks) {
     if (!isOnScale(mark.steps, scale)) {
@@ -68,7 +68,7 @@ std::int64_t sumOf(const std::vector<std::int64_t>& values) {
   return std::accumulate(values.begin(), values.end(), std::int64_t{0});
 }
 
-/// Sum of squares about the mean is spread / n, with spread a whole number.
+/// Returns n times the sum of squares about the mean: an integer.
 WideInteger spreadOf(const std::vector<std::int64_t>& values) {
   WideInteger squares = 0;
   for (const std::int64_t x : values) {
@@ -86,7 +86,7 @@ double quotientOf(const WideInteger& spread, std::initializer_list<std::int64_t>
   return nearestQuotient<WideInteger>(spread, denominator);
 }
 
-/// Trainee scores of a group in units of 1 / denominator points, all whole numbers.
+/// Trainee scores of a group as integers in units of 1 / denominator points.
 struct CommonScores {
   std::vector<std::int64_t> values;
   std::int64_t denominator = 1;
@@ -99,7 +99,8 @@ CommonScores commonScores(const std::vector<const std::vector<std::int64_t>*>& t
       lcm = std::lcm(lcm, std::ssize(*marks));
     }
   }
-  // No common denominator at hand: units of a millionth of a step, far below any reporting precision.
+  // Without a practical common denominator: units of a millionth of a step, far below any reporting
+  // precision.
   const bool exact = lcm <= kMaxCommonRaters;
   const std::int64_t common = exact ? lcm : kMaxCommonRaters;
   CommonScores out;

@@ -14,7 +14,7 @@ namespace torsio {
 
 inline constexpr const char* kTrainingFormulaVersion = "training-1";
 
-/// One mark of the training study: a chief physician scores one trainee at one occasion.
+/// One mark of the training study: a chief physician's score of one trainee at one occasion.
 struct TrainingMark {
   std::string trainee;
   std::size_t group = 0;     ///< 0 .. groups - 1
@@ -23,7 +23,7 @@ struct TrainingMark {
   std::int64_t steps = 0;
 };
 
-/// A trainee's score at one occasion: the plain mean over the raters (paper section 6).
+/// A trainee's score at one occasion: the mean over the raters (paper section 6).
 struct TraineeScore {
   std::string trainee;
   std::size_t group = 0;
@@ -34,7 +34,7 @@ struct TraineeScore {
   double score = 0.0;  ///< points
 };
 
-/// One group at one occasion. The three readings of the variance of Fig. 23 carry their divisor.
+/// One group at one occasion, with three readings of the variance in Fig. 23 and their divisors.
 struct GroupSummary {
   std::size_t group = 0;
   std::size_t occasion = 0;
@@ -50,21 +50,19 @@ struct GroupSummary {
   double median = 0.0;
 };
 
-/// Computes the scores of every trainee at every occasion that has marks, ordered by occasion, group,
-/// number. Throws Error{kBadData} when a mark lies outside the scale, is given twice, or a trainee appears
-/// in two groups.
+/// Computes the score of every trainee at every occasion with marks, ordered by occasion, group, number.
+/// Throws Error{kBadData} if a mark is off the scale or duplicate, or a trainee appears in two groups.
 [[nodiscard]] std::vector<TraineeScore> traineeScores(const ScoreScale& scale,
                                                       std::span<const TrainingMark> marks);
 
-/// Summarises every group and occasion that has marks, ordered by occasion, then group. Exact sums of
-/// steps; every value is rounded once unless the rater counts differ so much that no common denominator is
-/// at hand.
+/// Summarises every group at every occasion with marks, ordered by occasion, then group. Sums of steps are
+/// exact; every value is rounded once unless the rater counts have no practical common denominator.
 [[nodiscard]] std::vector<GroupSummary> groupSummaries(const ScoreScale& scale,
                                                        std::span<const TrainingMark> marks);
 
-/// Returns gains (occasion `to` minus `from`) of the trainees of a group with both, by code, as whole numbers
-/// that order exactly like the true differences, in every group alike: differences of doubles would break
-/// existing ties. Empty when the numbers of raters have no common multiple within a million.
+/// Returns the gains (occasion `to` minus `from`) of the group's trainees with both scores, by code, as
+/// integers on a common scale of all groups. They order exactly like the true differences; differences of
+/// doubles would break ties. Empty if the numbers of raters have no common multiple within a million.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores,
                                                                   std::size_t from, std::size_t to,
                                                                   std::size_t group);

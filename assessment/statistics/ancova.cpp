@@ -46,12 +46,12 @@ double quantileOf(double confidence, double df) {
   return tQuantile(0.5 * (1.0 + confidence), df);
 }
 
-/// The level at which each of `number` intervals stands when all of them are to hold with `confidence`.
+/// Confidence of each of `number` intervals so that all hold together with `confidence`.
 double bonferroni(double confidence, std::size_t number) {
   return 1.0 - (1.0 - confidence) / static_cast<double>(number);
 }
 
-/// Why scores cannot be compared at all.
+/// Returns why the scores cannot be compared at all, if so.
 std::optional<Text> notComparable(const Groups& before, const Groups& after) {
   TORSIO_EXPECTS(before.size() == after.size());
   for (const Groups* scores : {&before, &after}) {
@@ -65,7 +65,7 @@ std::optional<Text> notComparable(const Groups& before, const Groups& after) {
   return std::nullopt;
 }
 
-/// Share of the squares that rounding may leave where scores after follow those before.
+/// Share of the squares that rounding may leave when the scores after are a linear function of those before.
 constexpr double kExactly = 1e-14;
 
 Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, double n) {
@@ -222,7 +222,7 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
 
 namespace {
 
-/// Two groups with slopes of their own: difference at x is level + slope x, with its variance likewise.
+/// Two groups with separate slopes: the difference at x is level + slope x; its variance is a quadratic in x.
 struct TwoLines {
   double level = 0.0;
   double slope = 0.0;
@@ -236,7 +236,7 @@ struct TwoLines {
   }
 };
 
-/// Lines about `origin`, near the scores, so that no digits are lost far from 0.
+/// Computes the lines about `origin`, chosen near the scores so that no digits are lost far from 0.
 TwoLines twoLines(const Moments& a, const Moments& b, double variance, double origin) {
   TwoLines out;
   for (const auto& [m, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
@@ -251,7 +251,7 @@ TwoLines twoLines(const Moments& a, const Moments& b, double variance, double or
   return out;
 }
 
-/// Where (level + slope x)^2 > t^2 variance(x).
+/// Returns where (level + slope x)^2 > t^2 variance(x).
 SignificantRegion regionOf(const TwoLines& lines, double t, double origin) {
   const double a = lines.slope * lines.slope - t * t * lines.varianceSquare;
   const double b = 2.0 * lines.level * lines.slope - t * t * lines.varianceLinear;
@@ -337,7 +337,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
   return out;
 }
 
-std::vector<double> usualBaselines(const Groups& before) {
+std::vector<double> defaultBaselines(const Groups& before) {
   std::vector<double> all;
   for (const std::vector<double>& group : before) {
     all.insert(all.end(), group.begin(), group.end());

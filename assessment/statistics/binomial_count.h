@@ -6,8 +6,7 @@
 
 namespace torsio {
 
-/// Gives n over k, the number of subsets of size k; empty beyond 2^53, where a double no longer counts
-/// exactly.
+/// Returns n over k, the number of subsets of size k; empty beyond 2^53, where doubles are no longer exact.
 [[nodiscard]] std::optional<std::int64_t> binomialCount(std::int64_t n, std::int64_t k);
 
 }  // namespace torsio

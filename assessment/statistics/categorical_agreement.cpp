@@ -16,7 +16,7 @@ namespace torsio {
 
 namespace {
 
-/// The ratings that can be paired: each unit with its values as numbers of the distinct ones.
+/// The ratings that can be paired, as indices of the distinct values by unit.
 struct PairableRatings {
   std::vector<double> values;                   // distinct, ascending
   std::vector<std::vector<std::size_t>> units;  // a unit with fewer than two ratings is empty
@@ -51,8 +51,8 @@ PairableRatings pairableRatings(const IncompleteRatings& ratings) {
   return out;
 }
 
-/// Where the values stand on a line on which their squared difference is the square of their distance: the
-/// values themselves, or for ranks the middle of the ranks that each takes up.
+/// Places the values on a line so that their squared difference is their squared distance: the values
+/// themselves or, for ranks, the midrank of each value.
 std::vector<double> placesOf(AlphaMetric metric, const std::vector<double>& values,
                              const std::vector<double>& counts) {
   if (metric != AlphaMetric::kOrdinal) {
@@ -116,8 +116,7 @@ double betweenAll(AlphaMetric metric, const std::vector<double>& places, const s
   return 2.0 * n * sum;
 }
 
-/// Alpha of ratings in which unit u stands `copies[u]` times. What does not depend on the copies is computed
-/// once.
+/// Alpha of ratings with unit u repeated `copies[u]` times; what does not depend on the copies is cached.
 class AlphaOfCopies {
  public:
   AlphaOfCopies(const PairableRatings& ratings, AlphaMetric metric) : ratings_(ratings), metric_(metric) {
@@ -167,7 +166,7 @@ class AlphaOfCopies {
  private:
   const PairableRatings& ratings_;
   AlphaMetric metric_;
-  std::vector<double> within_;  // by unit; empty: it depends on the copies
+  std::vector<double> within_;  // by unit; empty: depends on the copies
   std::vector<double> counts_;
 };
 
@@ -333,7 +332,7 @@ Outcome<double> quadraticKappa(std::span<const double> first, std::span<const do
   if (first.size() < 2) {
     return Outcome<double>::undefined(Text::tr("there are fewer than two targets"));
   }
-  // Disagreement observed, and that of every mark of the one with every mark of the other.
+  // Observed disagreement, and that between every mark of one rater and every mark of the other.
   double observed = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     observed += (first[i] - second[i]) * (first[i] - second[i]);

@@ -21,14 +21,14 @@ struct KrippendorffResult {
 
 using IncompleteRatings = std::vector<std::vector<std::optional<double>>>;  ///< coders x units
 
-/// Computes Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values
-/// can be paired, all are the same (agreement without variation is not perfect reliability) or their squares
-/// overflow. Time: n log n of n ratings.
+/// Computes Krippendorff's alpha for any pattern of missing ratings in O(n log n) of n ratings. Undefined if
+/// fewer than two values can be paired, all are equal (agreement without variation is not perfect
+/// reliability) or their squares overflow.
 [[nodiscard]] Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& codersByUnit,
                                                             AlphaMetric metric);
 
-/// Percentile interval from resampled units. Resamples without variation are left out and counted. Undefined
-/// as krippendorffAlpha, and under kRatio with more than 300 distinct values.
+/// Percentile interval from resampled units. Resamples without variation are skipped and counted. Undefined
+/// like krippendorffAlpha, and for kRatio with more than 300 distinct values.
 struct AlphaBootstrap {
   Interval interval;
   std::int64_t resamples = 0;
@@ -51,19 +51,17 @@ struct KappaResult {
   Interval interval;
 };
 
-/// Computes Cohen's kappa of two raters. `table`: counts, categories of the first rater x categories of the
-/// second, the full list of categories even when one is unused. Undefined for an empty table or when both
-/// raters use one category only.
+/// Computes Cohen's kappa of two raters. `table`: counts, categories of the first rater x those of the
+/// second, including unused ones. Undefined for an empty table or if both raters use a single category.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights,
                                               double confidence = kDefaultConfidence);
-/// Computes Cohen's kappa with disagreements of the caller's (0 on the diagonal); agreement is 1 -
-/// disagreement / largest disagreement.
+/// Computes Cohen's kappa with custom disagreements (0 on the diagonal); agreement is 1 - disagreement /
+/// largest disagreement.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& disagreement,
                                               double confidence = kDefaultConfidence);
 
-/// Computes Cohen's kappa with quadratic weights of two raters' whole numbers for the same targets, without a
-/// table of all categories, however many there are. Undefined for fewer than two targets or when all numbers
-/// are the same.
+/// Computes Cohen's kappa with quadratic weights from two raters' integers for the same targets, without a
+/// table of all categories. Undefined for fewer than two targets or if all numbers are equal.
 [[nodiscard]] Outcome<double> quadraticKappa(std::span<const double> first, std::span<const double> second);
 
 struct FleissResult {
@@ -72,13 +70,13 @@ struct FleissResult {
   double expected = 0.0;
   double errorUnderNull = 0.0;
   double z = 0.0;
-  std::vector<std::optional<double>> byCategory;  ///< empty for a category that nobody or everybody used
+  std::vector<std::optional<double>> byCategory;  ///< empty for a category used by nobody or by everybody
   double errorByCategory = 0.0;
 };
 
-/// Computes Fleiss' kappa of many exchangeable raters. `counts`: subjects x categories, every row with the
-/// same number of raters (at least two). Throws Error{kBadData} when the rows differ in their sums.
-/// Undefined when only one category was used.
+/// Computes Fleiss' kappa of exchangeable raters. `counts`: subjects x categories, with the same number of
+/// raters (at least two) in every row. Throws Error{kBadData} if the row sums differ. Undefined if only one
+/// category was used.
 [[nodiscard]] Outcome<FleissResult> fleissKappa(const NumberTable& counts);
 
 }  // namespace torsio

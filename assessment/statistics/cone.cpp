@@ -22,9 +22,11 @@ Rational product(const SparseRow& row, const Vector& y) {
 }
 
 /// Stiemke's alternative: either some y has row . y <= 0 for all rows and < 0 for one, or the rows have
-/// weights w > 0 whose sum vanishes. The simplex method (Bland's rule, which ends for certain) looks for w =
-/// 1 + v, v >= 0: sum of v row = - sum of row. Its equations are the unknowns; each starts with an artificial
-/// variable of its own, and the sum of these is driven to zero.
+/// weights w > 0 whose weighted sum is 0. The simplex method (with Bland's rule, which terminates) searches
+/// for
+/// w = 1 + v, v >= 0: sum of v row = - sum of row. There is one equation per unknown; each starts with its
+/// own
+/// artificial variable, whose sum is driven to zero.
 class WeightSearch {
  public:
   WeightSearch(const std::vector<SparseRow>& rows, std::size_t unknowns)
@@ -44,7 +46,7 @@ class WeightSearch {
     }
   }
 
-  /// The direction that forbids such weights, or one along which every row stays zero.
+  /// Returns the direction that rules out such weights, or one along which every row stays zero.
   std::optional<Vector> direction() {
     for (;;) {
       const Vector y = price();
@@ -66,7 +68,7 @@ class WeightSearch {
  private:
   [[nodiscard]] bool artificial(std::size_t i) const { return basis_[i] >= rows_.size(); }
 
-  /// Simplex multipliers of the sum of the artificial variables.
+  /// Simplex multipliers for the sum of the artificial variables.
   [[nodiscard]] Vector price() const {
     Vector y(size_, 0);
     for (std::size_t i = 0; i < size_; ++i) {
@@ -94,7 +96,7 @@ class WeightSearch {
     return column;
   }
 
-  /// The ratio test; the sum of artificial variables cannot fall for ever, so one entry is positive.
+  /// The ratio test; the sum of artificial variables is bounded below, so one entry is positive.
   [[nodiscard]] std::size_t leaving(const Vector& column) const {
     std::optional<std::size_t> best;
     Rational smallest = 0;
@@ -129,8 +131,8 @@ class WeightSearch {
     }
   }
 
-  /// The weights exist. An artificial variable that no row can replace is a combination of unknowns on which
-  /// no row depends.
+  /// Called if the weights exist. An artificial variable that no row can replace is a combination of unknowns
+  /// on which no row depends.
   std::optional<Vector> flatDirection() {
     for (std::size_t i = 0; i < size_; ++i) {
       for (std::size_t r = 0; r < rows_.size() && artificial(i); ++r) {
@@ -147,7 +149,8 @@ class WeightSearch {
 
   const std::vector<SparseRow>& rows_;
   std::size_t size_;
-  std::vector<std::size_t> basis_;  // row that carries each equation, or rows + i: its artificial variable
+  std::vector<std::size_t>
+      basis_;  // row in the basis for each equation, or rows + i: its artificial variable
   Vector value_;
   std::vector<Vector> inverse_;  // of the basis
 };

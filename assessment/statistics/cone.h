@@ -8,11 +8,11 @@
 
 namespace torsio {
 
-/// One row of a system of linear inequalities: each unknown with its coefficient, zeros left out.
+/// One row of a system of linear inequalities: index and coefficient of each unknown, zeros omitted.
 using SparseRow = std::vector<std::pair<std::size_t, int>>;
 
-/// Finds a direction y, not zero, with row . y <= 0 for every row; empty when y = 0 alone satisfies them all.
-/// Exact: whole numbers and fractions decide, no rounding. Unknowns are numbered from 0 to `unknowns` - 1.
+/// Finds a direction y != 0 with row . y <= 0 for every row; empty if only y = 0 satisfies them. Exact
+/// (integers and fractions). Unknowns are numbered from 0 to `unknowns` - 1.
 [[nodiscard]] std::optional<std::vector<double>> directionWithin(const std::vector<SparseRow>& rows,
                                                                  std::size_t unknowns);
 

@@ -9,14 +9,14 @@
 
 namespace torsio {
 
-/// Sums over the marks. With n marks V0 = I + a Zt Zt' + b Zr Zr' is n x n; it is only met through the border
-/// [Zr X] and the sums within targets, so that 2,000 targets with 40 raters stay small.
+/// Sums over the marks. V0 = I + a Zt Zt' + b Zr Zr' is n x n for n marks; it is used only through the border
+/// [Zr X] and the sums within targets, so that 2,000 targets with 40 raters stay cheap.
 struct CrossedLikelihood::Sums {
-  /// Targets with equally many marks. Their weights are the same at any ratio of the variances, so that sums
-  /// of squares over targets are weighted sums over few of these, however many targets there are.
+  /// Targets with the same number of marks. They share their weights at any variance ratio, so sums of
+  /// squares over targets reduce to weighted sums over a few levels.
   struct Level {
     double count = 0.0;      // marks of each
-    double targets = 0.0;    // how many they are
+    double targets = 0.0;    // number of targets
     Eigen::MatrixXd within;  // products of their rows of Sums::within
   };
 
@@ -29,7 +29,7 @@ struct CrossedLikelihood::Sums {
   std::vector<Level> levels;
   Eigen::MatrixXd products;  // of [raters, fixed, mark]
   Eigen::MatrixXd back;      // coefficients of the orthogonal fixed part -> coefficients asked for
-  Eigen::VectorXd ordinary;  // least squares, which the marks have been freed of
+  Eigen::VectorXd ordinary;  // least-squares coefficients, already subtracted from the marks
   double logScale = 0.0;
 
   [[nodiscard]] Eigen::Index border() const { return raters + fixed; }
@@ -47,8 +47,8 @@ Index indexOf(std::size_t i) {
   return static_cast<Index>(i);
 }
 
-/// Frees the marks from what the fixed part explains by least squares and makes that part orthonormal, so
-/// that neither a large level of the marks nor the unit of a covariate costs digits.
+/// Subtracts the least-squares fit of the fixed part from the marks and orthonormalises that part, so that
+/// neither a large mean mark nor the unit of a covariate costs precision.
 bool orthogonalise(const NumberTable& fixed, const VectorXd& sums, CrossedSums& out) {
   MatrixXd x(out.targets, out.fixed);
   VectorXd y(out.targets);
@@ -92,7 +92,7 @@ std::vector<Level> levelsOf(const CrossedSums& sums) {
   return levels;
 }
 
-/// Fills what the fit needs. False: the fixed coefficients cannot be told apart.
+/// Computes the sums for the fit. Returns false if the fixed coefficients cannot be separated.
 bool gather(const std::vector<CrossedMark>& marks, const NumberTable& fixed, CrossedSums& out) {
   out.counts = VectorXd::Zero(out.targets);
   VectorXd sums = VectorXd::Zero(out.targets);
@@ -143,7 +143,7 @@ MatrixXd underTargets(const CrossedSums& sums, double a) {
   return out;
 }
 
-/// The fit at given ratios of the variances of targets (a) and raters (b) to the residual one.
+/// The fit at given ratios of target (a) and rater (b) variance to the residual variance.
 struct Profile {
   double criterion = std::numeric_limits<double>::infinity();
   double squares = 0.0;  // y' P0 y
@@ -183,7 +183,7 @@ Profile profileOf(const CrossedSums& sums, const MatrixXd& under, double a, doub
   return out;
 }
 
-/// Completes the entries of the residual from those of targets and raters: P0 V0 P0 = P0.
+/// Derives the entries of the residual from those of targets and raters: P0 V0 P0 = P0.
 template <class Value>
 void completeByResidual(double a, double b, const std::array<Value, kParts>& whole,
                         std::array<std::array<Value, kParts>, kParts>& of) {
@@ -259,7 +259,7 @@ CrossedLikelihood::Derivatives CrossedLikelihood::at(const Parts& variance) cons
   out.criterion = profile.criterion;
   const VectorXd shrink = (1.0 + a * sums.counts.array()).inverse();
   const VectorXd d = sums.counts.cwiseProduct(shrink);  // Zt' A^-1 Zt
-  MatrixXd hh = MatrixXd::Zero(k, k);                   // of H = Zt' A^-1 F, which is met in products only
+  MatrixXd hh = MatrixXd::Zero(k, k);                   // of H = Zt' A^-1 F, which appears in products only
   MatrixXd hdh = MatrixXd::Zero(k, k);
   for (const Level& level : sums.levels) {
     const double shrunk = 1.0 / (1.0 + a * level.count);

@@ -12,19 +12,19 @@
 
 namespace torsio {
 
-// What CrossedModel minimises. Private to assessment/statistics.
+// The criterion minimised by CrossedModel. Private to assessment/statistics.
 
-inline constexpr std::size_t kParts = 3;  ///< variances: residual, targets, raters
+inline constexpr std::size_t kParts = 3;  ///< variance components: residual, targets, raters
 inline constexpr std::size_t kResidual = 0;
 inline constexpr std::size_t kTargets = 1;
 inline constexpr std::size_t kRaters = 2;
 using Parts = std::array<double, kParts>;
 
-/// The restricted likelihood of crossed targets and raters, from sums over the marks: with n marks it needs
-/// no table of n x n.
+/// Restricted likelihood of crossed targets and raters, computed from sums over the marks without an n x n
+/// matrix of n marks.
 class CrossedLikelihood {
  public:
-  /// `fixed` as CrossedModel::fit has it, `raters`: how many. Check separable() before anything else.
+  /// `fixed`: see CrossedModel::fit; `raters`: number of raters. Check separable() first.
   CrossedLikelihood(const std::vector<CrossedMark>& marks, const NumberTable& fixed, std::size_t raters);
   ~CrossedLikelihood();
   CrossedLikelihood(const CrossedLikelihood&) = delete;
@@ -32,29 +32,29 @@ class CrossedLikelihood {
   CrossedLikelihood(CrossedLikelihood&&) = delete;
   CrossedLikelihood& operator=(CrossedLikelihood&&) = delete;
 
-  /// False: the fixed coefficients cannot be told apart.
+  /// False if the fixed coefficients cannot be separated.
   [[nodiscard]] bool separable() const noexcept { return separable_; }
-  /// Sum of squares that the fixed part leaves by least squares.
+  /// Residual sum of squares of the fixed part by least squares.
   [[nodiscard]] double squaresLeft() const;
 
-  /// Variances from a grid of ratios, from which Newton's method goes down into the lowest place. 0 for the
-  /// residual one: there is none.
+  /// Returns starting variances for Newton's method from a grid of ratios. A residual variance of 0 means
+  /// that the marks leave no residual.
   [[nodiscard]] Parts start() const;
 
-  /// The criterion at given variances, its slope and curvature by them, and the coefficients there.
+  /// Criterion at given variances with its gradient and curvature, and the coefficients there.
   struct Derivatives {
     bool defined = false;
     double criterion = std::numeric_limits<double>::infinity();
     Parts slope{};
     std::array<Parts, kParts> curvature{};
-    std::array<Parts, kParts> expected{};  ///< of the curvature
+    std::array<Parts, kParts> expected{};  ///< expected curvature
     std::vector<double> coefficients{};
     NumberTable covariance{};                            ///< of the coefficients
-    std::array<NumberTable, kParts> covarianceSlopes{};  ///< of the covariance by each variance
+    std::array<NumberTable, kParts> covarianceSlopes{};  ///< derivative of the covariance by each variance
   };
   [[nodiscard]] Derivatives at(const Parts& variance) const;
 
-  struct Sums;  ///< of crossed_likelihood.cpp alone
+  struct Sums;  ///< private to crossed_likelihood.cpp
 
  private:
   std::unique_ptr<Sums> sums_;

@@ -25,7 +25,7 @@ Index placeOf(std::size_t i) {
   return static_cast<Index>(i);
 }
 
-/// Variances at which the criterion is lowest; those that would become negative are held at 0.
+/// Variances that minimise the criterion, held at 0 where they would become negative.
 struct Minimum {
   Parts variance{};
   std::array<bool, kParts> held{};
@@ -34,7 +34,7 @@ struct Minimum {
   bool found = false;
 };
 
-/// The rows and columns of the variances that may move.
+/// Selects the rows and columns of the free variances.
 MatrixXd amongFree(const std::array<Parts, kParts>& of, const std::vector<Index>& free) {
   MatrixXd out(std::ssize(free), std::ssize(free));
   for (Index i = 0; i < out.rows(); ++i) {
@@ -69,8 +69,8 @@ Eigen::Vector3d stepFrom(const CrossedLikelihood::Derivatives& at, const std::ar
   return step;
 }
 
-/// The step from `variance` without the parts that stand at their lower bound and would go below it: they
-/// would stop the others, too.
+/// Returns the step without the components that are at their lower bound and would go below it; they would
+/// stop the others, too.
 Eigen::Vector3d stepWithin(const CrossedLikelihood::Derivatives& at, const std::array<bool, kParts>& held,
                            const Parts& variance, double vanishing) {
   std::array<bool, kParts> still = held;
@@ -84,7 +84,7 @@ Eigen::Vector3d stepWithin(const CrossedLikelihood::Derivatives& at, const std::
   return step;
 }
 
-/// Share of a step that keeps every variance above 0.
+/// Returns the fraction of a step that keeps every variance positive.
 double shareAboveZero(const Parts& variance, const Eigen::Vector3d& step) {
   constexpr double kOfTheWay = 0.9;
   double share = 1.0;
@@ -99,7 +99,7 @@ double shareAboveZero(const Parts& variance, const Eigen::Vector3d& step) {
 Minimum minimum(const CrossedLikelihood& likelihood) {
   constexpr int kMaxSteps = 200;
   constexpr double kSettled = 1e-9;    // the next step of Newton's method is the square of this
-  constexpr double kVanishing = 1e-6;  // of the residual variance: then it is asked whether 0 is better
+  constexpr double kVanishing = 1e-6;  // relative to the residual variance; below, 0 is tried
   constexpr double kNoResidual = 1e9;  // ratio of a variance to the residual one
   Minimum out;
   out.variance = likelihood.start();
@@ -173,7 +173,7 @@ Minimum minimum(const CrossedLikelihood& likelihood) {
   return out;
 }
 
-/// Marks that remain when every target and every rater has a level of its own.
+/// Number of marks minus the degrees of freedom used by target and rater effects.
 std::int64_t residualMarks(const std::vector<CrossedMark>& marks, std::size_t targets, std::size_t raters) {
   std::vector<std::size_t> root(targets + raters);
   std::iota(root.begin(), root.end(), std::size_t{0});

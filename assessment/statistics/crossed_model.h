@@ -26,14 +26,14 @@ struct ModelEstimate {
   Interval interval;
 };
 
-/// Linear mixed model with targets and raters as crossed random effects, fitted by restricted maximum
-/// likelihood: mark = fixed part of the target + target + rater + rest. Every mark that was given counts;
-/// holes need no filling as long as whether a mark is missing does not depend on the mark itself.
+/// Linear mixed model with crossed random effects of targets and raters, fitted by restricted maximum
+/// likelihood: mark = fixed part of the target + target + rater + residual. Uses every mark given; missing
+/// ones need no imputation if missingness does not depend on the mark itself.
 class CrossedModel {
  public:
-  /// Fits the model. `fixed`: targets x coefficients, of full rank, constant over a target's marks. Undefined
-  /// with fewer than two targets or raters, no target with two marks, coefficients that cannot be told apart,
-  /// or marks that leave no residual.
+  /// Fits the model. `fixed`: targets x coefficients, of full rank, constant within a target. Undefined with
+  /// fewer than two targets or raters, no target with two marks, inseparable coefficients, or marks without
+  /// residual variation.
   [[nodiscard]] static Outcome<CrossedModel> fit(const std::vector<CrossedMark>& marks,
                                                  const NumberTable& fixed);
 
@@ -41,16 +41,17 @@ class CrossedModel {
   [[nodiscard]] double varianceTargets() const noexcept { return varianceTargets_; }
   [[nodiscard]] double varianceRaters() const noexcept { return varianceRaters_; }
   [[nodiscard]] double varianceResidual() const noexcept { return varianceResidual_; }
-  /// Returns minus twice the restricted log-likelihood, as lme4 counts it (all constants).
+  /// Returns minus twice the restricted log-likelihood, including all constants, as lme4 reports it.
   [[nodiscard]] double criterion() const noexcept { return criterion_; }
   [[nodiscard]] int iterations() const noexcept { return iterations_; }
   [[nodiscard]] const std::vector<double>& coefficients() const noexcept { return coefficients_; }
 
-  /// Estimates sum of weights[j] x coefficient j, with Student's t on Satterthwaite's degrees of freedom.
+  /// Estimates sum of weights[j] x coefficient j, tested by Student's t with Satterthwaite's degrees of
+  /// freedom.
   [[nodiscard]] ModelEstimate estimate(const std::vector<double>& weights,
                                        double confidence = kDefaultConfidence) const;
-  /// Tests that all `contrasts` (rows, independent) are 0: Wald's F with the degrees of freedom of Fai and
-  /// Cornelius. Undefined when those are too few.
+  /// Tests that all `contrasts` (rows, independent) are 0 by Wald's F with the degrees of freedom of Fai and
+  /// Cornelius. Undefined if these are too few.
   [[nodiscard]] Outcome<FTest> test(const std::vector<std::vector<double>>& contrasts) const;
 
  private:
@@ -64,7 +65,7 @@ class CrossedModel {
   int iterations_ = 0;
   std::vector<double> coefficients_;
   NumberTable covariance_;           // of the coefficients
-  std::vector<NumberTable> slopes_;  // of the covariance by each variance that is not held at 0
+  std::vector<NumberTable> slopes_;  // derivative of the covariance by each variance not held at 0
   NumberTable varianceCovariance_;   // of these variances
 };
 

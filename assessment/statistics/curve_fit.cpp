@@ -48,7 +48,7 @@ std::optional<State> evaluate(const Curve& curve, std::span<const double> x, std
   return out;
 }
 
-/// Step of the damped problem, from the orthogonal factors of [J; sqrt(lambda) D].
+/// Step of the damped problem from the QR factorisation of [J; sqrt(lambda) D].
 Eigen::VectorXd dampedStep(const State& state, double lambda) {
   const Index n = state.jacobian.rows();
   const Index p = state.jacobian.cols();
@@ -62,8 +62,8 @@ Eigen::VectorXd dampedStep(const State& state, double lambda) {
   return stacked.colPivHouseholderQr().solve(right);
 }
 
-/// Gauss-Newton steps as long as they shrink: near the minimum the squares no longer tell parameters apart
-/// whose differences their derivatives still show.
+/// Takes Gauss-Newton steps as long as they shrink: near the minimum the squares no longer distinguish
+/// parameters that the derivatives still do.
 void polish(const Curve& curve, std::span<const double> x, std::span<const double> y, State& state,
             Eigen::VectorXd& b) {
   constexpr int kMaxSteps = 50;
@@ -178,7 +178,7 @@ Curve familyCurve(LearningFamily family, bool withAsymptote) {
   };
 }
 
-/// For a given rate the other parameters are a straight line: the start, and the squares that it leaves.
+/// For a given rate the other parameters follow from a linear fit: starting point and its squares.
 struct Start {
   std::vector<double> parameters;
   double rss = 0.0;
@@ -215,7 +215,7 @@ Start startAt(LearningFamily family, std::span<const double> t, std::span<const 
   return out;
 }
 
-/// Squares that a curve leaves at infinite rate: the first point stands by itself.
+/// Residual squares at infinite rate: the first point is fitted by itself.
 double restAtFastest(std::span<const double> t, std::span<const double> y, bool asymptote) {
   const auto first = std::min_element(t.begin(), t.end()) - t.begin();
   std::vector<double> others;
@@ -228,8 +228,8 @@ double restAtFastest(std::span<const double> t, std::span<const double> y, bool 
                    : std::inner_product(others.begin(), others.end(), others.begin(), 0.0);
 }
 
-/// Squares that a curve with an asymptote leaves as its rate goes to zero: a straight line of t, or for the
-/// power law of its logarithm.
+/// Residual squares of a curve with asymptote as its rate goes to zero: a straight line in t or, for the
+/// power law, in log t.
 double restAtSlowest(LearningFamily family, std::span<const double> t, std::span<const double> y) {
   std::vector<double> x;
   for (const double at : t) {
@@ -250,8 +250,8 @@ double restAtSlowest(LearningFamily family, std::span<const double> t, std::span
   return rest;
 }
 
-/// Starts from the best rate of a grid, which lies in the lowest valley. Where the squares fall towards the
-/// slow end of the rates and beyond it, a straight line is better than any curve.
+/// Starts from the best rate on a grid, which lies in the lowest valley. If the squares keep falling beyond
+/// the slow end of the grid, a straight line fits better than any curve.
 Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std::span<const double> y,
                           bool asymptote) {
   constexpr double kFastest = 8.0;
@@ -271,7 +271,7 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
     }
   }
   if (best->parameters.back() == fastest && restAtFastest(t, y, asymptote) <= best->rss) {
-    // The first point stands by itself: what comes after it is known, the rate only for fast.
+    // The first point is fitted by itself: the rest is known, the rate only that it is fast.
     for (const double rate : {2.0, 1.0, 0.5, 0.2, 0.05}) {
       const Start start = startAt(family, t, y, asymptote, rate);
       if (const Outcome<CurveFit> fit = fitCurve(familyCurve(family, asymptote), t, y, start.parameters)) {

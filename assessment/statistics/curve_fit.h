@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// Value of a curve at x and its derivatives by the parameters.
+/// Returns the value of a curve at x and fills its derivatives by the parameters.
 using Curve =
     std::function<double(std::span<const double> parameters, double x, std::span<double> derivatives)>;
 
@@ -25,9 +25,9 @@ struct CurveFit {
   int iterations = 0;
 };
 
-/// Fits a curve by least squares, Levenberg and Marquardt from one start, with the derivatives given.
-/// Undefined when there are not more points than parameters plus one, or when the iteration does not
-/// settle.
+/// Fits a curve by least squares (Levenberg-Marquardt) from one starting point, with analytic derivatives.
+/// Undefined unless there are at least two more points than parameters, or if the iteration does not
+/// converge.
 [[nodiscard]] Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x,
                                          std::span<const double> y, std::span<const double> start);
 
@@ -41,15 +41,15 @@ struct LearningCurve {
   double asymptote = 0.0;        ///< c
   double gain = 0.0;             ///< a: from the first attempt to the asymptote (exponential: exactly)
   double rate = 0.0;             ///< r or b
-  bool asymptoteAtZero = false;  ///< the bound c >= 0 holds the fit: the family is doubtful for these data
+  bool asymptoteAtZero = false;  ///< the fit is at the bound c >= 0: the family is doubtful for these data
   CurveFit fit;                  ///< parameters c, a, rate; a, rate when the asymptote is held at 0
 };
 
-/// Fewest attempts that can tell three parameters apart.
+/// Minimum number of attempts to identify three parameters.
 inline constexpr std::size_t kMinAttempts = 8;
 
-/// Fits one trainee's learning curve; `attempt` counts from 1. Each trainee is fitted alone: a mean of
-/// exponentials looks like a power law. Undefined for fewer than eight attempts or when no start converges.
+/// Fits one trainee's learning curve; `attempt` counts from 1. Trainees are fitted separately because a mean
+/// of exponentials looks like a power law. Undefined for fewer than eight attempts or if no start converges.
 [[nodiscard]] Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const double> attempt,
                                                       std::span<const double> value,
                                                       bool asymptoteNotNegative = true);
@@ -69,8 +69,8 @@ struct LogLogLine {
   double ratePerDoubling = 0.0;  ///< 2^slope
   double rSquared = 0.0;
 };
-/// Fits a straight line through the logarithms, which forces the asymptote 0. Undefined unless all values
-/// are positive.
+/// Fits a straight line to the logarithms, which forces the asymptote to 0. Undefined unless all values are
+/// positive.
 [[nodiscard]] Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value);
 
 }  // namespace torsio

@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kRounding = 1e-12;  // a sum that reaches its limit up to rounding has reached it
+constexpr double kRounding = 1e-12;  // a sum within rounding of its limit has reached it
 
 struct LcWeights {
   double success = 0.0;
@@ -51,7 +51,7 @@ TabularCusum tabularCusum(std::span<const double> values, double target, double 
 
 std::optional<double> averageRunLengthOneSided(double k, double h, double shift) {
   TORSIO_EXPECTS(h > 0.0);
-  // Siegmund's approximation tells beforehand where the equation has no digits left.
+  // Siegmund's approximation predicts where the equation has no significant digits left.
   const double drift = k - shift;
   const double away = h + 1.166;
   constexpr double kLongest = 1e12;
@@ -130,13 +130,12 @@ LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design) {
 
 namespace {
 
-/// Probabilities of the states of a sum that goes up and down by two steps, never below 0, and has not
-/// reached its limit. A state is the number of steps up and down since the sum was last 0: whole numbers, so
-/// equal sums merge. With f steps down the sum lies between 0 and the limit for a few numbers of steps up
-/// only.
+/// Probabilities of the states of a sum with two possible steps, up and down, held at 0 from below, that has
+/// not reached its limit. A state is the number of steps up and down since the sum was last 0: integers, so
+/// equal sums merge. With f steps down, only a few numbers of steps up keep the sum between 0 and the limit.
 class SumStates {
  public:
-  /// All of it at 0, or, with `empty`, nothing anywhere.
+  /// Starts with probability 1 at 0 or, if `empty`, with none anywhere.
   SumStates(double up, double down, double limit, std::size_t attempts, bool empty = false)
       : atZero_(empty ? 0.0 : 1.0) {
     const double largest = static_cast<double>(attempts) * up;
@@ -150,16 +149,15 @@ class SumStates {
     }
   }
 
-  /// Adds a share at 0.
+  /// Adds probability at 0.
   void enter(double share) { atZero_ += share; }
 
-  /// Makes one attempt, which goes down with probability `downRate`, and returns the probability that it
-  /// reaches the limit.
+  /// Makes one attempt, down with probability `downRate`, and returns the probability of reaching the limit.
   double attempt(double downRate) {
     const double atStart = std::exchange(atZero_, atZero_ * downRate);
     double declared = 0.0;
     std::size_t holding = 1;
-    // From many steps to few: what has moved is not met again.
+    // In descending order, so that what has moved is not moved again.
     for (std::size_t f = used_; f-- > 0;) {
       Row& row = rows_[f];
       for (std::size_t i = row.states.size(); i-- > 0;) {
@@ -178,11 +176,12 @@ class SumStates {
   }
 
  private:
-  static constexpr double kNothing = 1e-40;  // of all: less than rounding takes, however many attempts
+  static constexpr double kNothing =
+      1e-40;  // negligible probability: below rounding over any number of attempts
 
   struct Row {
-    std::size_t fewest = 0;      // steps up that keep the sum above 0
-    std::vector<double> states;  // by number of steps up, from `fewest` on
+    std::size_t fewest = 0;      // minimum steps up that keep the sum above 0
+    std::vector<double> states;  // by number of steps up, from `fewest`
   };
 
   void fall(std::size_t down, std::size_t up, double share) {
@@ -194,7 +193,7 @@ class SumStates {
   }
 
   std::vector<Row> rows_;  // by number of steps down
-  std::size_t used_ = 1;   // rows that may hold something
+  std::size_t used_ = 1;   // rows that may be nonzero
   double atZero_ = 1.0;
 };
 
@@ -203,12 +202,12 @@ SumStates lcCusumStates(const LcCusumDesign& design, std::size_t attempts) {
   return {weights.success, -weights.failure, design.limit, attempts};
 }
 
-/// Probability of reaching the limit within the attempts; above `enough` it is a lower bound. After some
-/// hundred attempts those who have not reached it do so at a constant rate each time, to the last digits:
-/// the rest needs no counting.
+/// Probability of reaching the limit within the attempts; above `enough` a lower bound. After some hundred
+/// attempts the rate of reaching the limit is constant to the last digit, and the rest follows in closed
+/// form.
 double reachedWithin(const LcCusumDesign& design, double failureRate, std::size_t attempts, double enough) {
   constexpr double kConstant = 1e-14;
-  constexpr int kLong = 64;  // attempts over which the rate has not changed
+  constexpr int kLong = 64;  // attempts over which the rate has stayed constant
   SumStates states = lcCusumStates(design, attempts);
   double declared = 0.0;
   double left = 1.0;
@@ -255,7 +254,7 @@ double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size
     const double before = std::exchange(notAble, notAble - declared + alarmed);
     constant = std::abs(notAble - before) <= kConstant ? constant + 1 : 0;
     if (declared == 0.0 && alarmed == 0.0) {
-      constant = 0;  // nobody can have got there yet
+      constant = 0;  // nobody can have reached it yet
     }
   }
   return notAble;
@@ -277,7 +276,7 @@ std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std
   if (most < 1) {
     return std::nullopt;
   }
-  while (passes(high) > falsePass) {  // small limits are quickly counted
+  while (passes(high) > falsePass) {  // small limits are cheap
     if (high == most) {
       return std::nullopt;
     }

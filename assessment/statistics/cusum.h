@@ -12,29 +12,28 @@ namespace torsio {
 struct TabularCusumPoint {
   double upper = 0.0;  ///< C+
   double lower = 0.0;  ///< C-
-  int upperRun = 0;    ///< values since C+ was last 0
+  int upperRun = 0;    ///< number of values since C+ was last 0
   int lowerRun = 0;
 };
 struct TabularCusum {
   std::vector<TabularCusumPoint> points;
-  std::optional<std::size_t> firstSignal;  ///< number of the value, from 1
+  std::optional<std::size_t> firstSignal;  ///< index of the value, from 1
 };
-/// Computes a tabular CUSUM. `reference` K and `limit` H in the unit of the values (k sigma, h sigma; 0.5
-/// and 4 or 5 are usual). Sigma from trials during learning is too large.
+/// Computes a tabular CUSUM. `reference` K and `limit` H are in the unit of the values (k sigma, h sigma; k =
+/// 0.5 and h = 4 or 5 are usual). Sigma estimated from trials during learning is too large.
 [[nodiscard]] TabularCusum tabularCusum(std::span<const double> values, double target, double reference,
                                         double limit);
 
-/// Computes the average run length of the one-sided and two-sided CUSUM of normal values, in units of
-/// sigma, from the integral equation (Gauss-Legendre collocation); empty where it is longer than 1e12, which
-/// double precision does not resolve.
+/// Computes the average run length of the one-sided and two-sided CUSUM of normal values, in units of sigma,
+/// from the integral equation (Gauss-Legendre collocation); empty above 1e12, where double precision fails.
 [[nodiscard]] std::optional<double> averageRunLengthOneSided(double k, double h, double shift);
 [[nodiscard]] std::optional<double> averageRunLengthTwoSided(double k, double h, double shift);
 
-/// CUSUM of success and failure, as the surgical literature draws it: a failure adds 1 - s, a success
+/// CUSUM of successes and failures as drawn in the surgical literature: a failure adds 1 - s, a success
 /// subtracts s.
 struct BinaryCusum {
   double s = 0.0;
-  double h0 = 0.0;  ///< crossing this many below: performance as good as p0
+  double h0 = 0.0;  ///< crossing this many below: performance is as good as p0
   double h1 = 0.0;  ///< crossing this many above: as bad as p1
   std::vector<double> sums;
 };
@@ -42,8 +41,8 @@ struct BinaryCusum {
 [[nodiscard]] BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable,
                                       double alpha, double beta);
 
-/// LC-CUSUM (Biau and Porcher 2010): starts from the assumption that the trainee is not yet adequate and
-/// signals when that has become untenable. S = max(0, S + W).
+/// LC-CUSUM (Biau and Porcher 2010): assumes that the trainee is not yet adequate and signals when that has
+/// become untenable. S = max(0, S + W).
 struct LcCusumDesign {
   double adequate = 0.1;    ///< failure rate p0
   double inadequate = 0.2;  ///< failure rate p1 > p0
@@ -53,7 +52,7 @@ struct LcCusum {
   double successWeight = 0.0;
   double failureWeight = 0.0;
   std::vector<double> sums;
-  std::optional<std::size_t> competentAt;  ///< number of the attempt, from 1
+  std::optional<std::size_t> competentAt;  ///< index of the attempt, from 1
 };
 [[nodiscard]] LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design);
 
@@ -62,16 +61,16 @@ struct LcCusum {
 [[nodiscard]] double lcCusumProbability(const LcCusumDesign& design, double failureRate,
                                         std::size_t attempts);
 
-/// Computes the exact probability that a trainee with the given failure rate is not held able after so many
-/// attempts: never declared competent, or declared and, by an alarm of watchForRelapse(), not any more.
+/// Computes the exact probability that a trainee with the given failure rate does not count as competent
+/// after so many attempts: never declared, or revoked by an alarm of watchForRelapse().
 [[nodiscard]] double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size_t attempts);
 
-/// Chooses the smallest limit, in steps of 0.01, at which an inadequate trainee passes with at most
-/// `falsePass`; empty when even the largest reachable sum would be too low.
+/// Returns the smallest limit, in steps of 0.01, at which an inadequate trainee passes with probability at
+/// most `falsePass`; empty if even the largest reachable sum would be too low.
 [[nodiscard]] std::optional<double> chooseLcCusumLimit(double adequate, double inadequate,
                                                        std::size_t attempts, double falsePass);
 
-/// Watch for relapse after competence: S = max(0, S + W') with the weights reversed; an alarm says that the
+/// Monitoring for relapse after competence: S = max(0, S + W') with reversed weights; an alarm means that the
 /// skill has decayed.
 struct RelapseWatch {
   std::vector<double> sums;

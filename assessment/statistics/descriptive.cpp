@@ -69,7 +69,7 @@ namespace {
 constexpr double kLargest = 1e70;
 constexpr double kSmallestSpread = 1e-70;
 
-/// Largest magnitude and range of numbers.
+/// Largest magnitude and range of values.
 struct Extent {
   double largest = 0.0;
   double lowest = std::numeric_limits<double>::infinity();

@@ -24,7 +24,7 @@ namespace {
 
 namespace bm = boost::math;
 
-// Without promotion to long double: that type has other widths on other platforms.
+// No promotion to long double: its width differs between platforms.
 using Policy = bm::policies::policy<bm::policies::promote_double<false>, bm::policies::promote_float<false>>;
 using Normal = bm::normal_distribution<double, Policy>;
 using StudentT = bm::students_t_distribution<double, Policy>;

@@ -8,9 +8,9 @@
 
 namespace torsio {
 
-// Distribution functions in double precision, the same on every platform. "Upper" is the upper tail, accurate
-// also where it is tiny. Arguments are finite; degrees of freedom and probabilities lie in their ranges
-// (contract).
+// Distribution functions in double precision, identical on every platform. "Upper" is the upper tail,
+// accurate also where it is tiny. Contract: arguments are finite; degrees of freedom and probabilities are in
+// range.
 
 [[nodiscard]] double normalDensity(double x);
 [[nodiscard]] double normalCdf(double x);
@@ -31,12 +31,12 @@ namespace torsio {
 [[nodiscard]] double noncentralTUpper(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTQuantile(double p, double df, double noncentrality);
 [[nodiscard]] double noncentralFCdf(double f, double df1, double df2, double noncentrality);
-/// Returns the noncentrality d for which P(T <= t; df, d) = p.
+/// Returns the noncentrality d with P(T <= t; df, d) = p.
 [[nodiscard]] double noncentralityOfT(double t, double df, double p);
 
-/// The studentised range of `groups` means: Gauss-Legendre over both integrals, the inner one shared by all
-/// questions (Chebyshev interpolation of its logarithm), which 60 groups with 1,770 pairs need. Absolute
-/// error below 1e-12. One thread at a time.
+/// The studentised range of `groups` means: Gauss-Legendre over both integrals, the inner one cached
+/// (Chebyshev interpolation of its logarithm), as 60 groups with 1,770 pairs require. Absolute error below
+/// 1e-12. Not thread-safe.
 class StudentizedRange {
  public:
   /// `groups` >= 2.
@@ -44,18 +44,18 @@ class StudentizedRange {
 
   /// Returns the upper tail at q, with `df` >= 1 error degrees of freedom.
   [[nodiscard]] double upper(double q, double df);
-  /// Returns the q of which the lower tail is p, 0 < p < 1.
+  /// Returns q with lower tail p, 0 < p < 1.
   [[nodiscard]] double quantile(double p, double df);
 
  private:
-  static constexpr std::size_t kTerms = 14;  // of a panel of the interpolation
+  static constexpr std::size_t kTerms = 14;  // of an interpolation panel
 
   [[nodiscard]] double logRangeUpper(double w);
   const std::array<double, kTerms>& panel(std::size_t number);
 
   int groups_;
   std::vector<std::optional<std::array<double, kTerms>>>
-      panels_;  // Chebyshev terms of the log of the range's upper tail
+      panels_;  // Chebyshev coefficients of the log of the range's upper tail
 };
 
 }  // namespace torsio

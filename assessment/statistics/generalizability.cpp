@@ -48,7 +48,7 @@ Outcome<DStudy> coefficients(double persons, double relative, double absolute) {
   return out;
 }
 
-/// Means of a persons x raters x occasions block over every set of facets.
+/// Means of a persons x raters x occasions block over every subset of facets.
 struct CrossedMeans {
   std::vector<double> p, r, o;
   NumberTable pr, po, ro;

@@ -14,36 +14,36 @@ struct GComponent {
   double sumOfSquares = 0.0;
   double df = 0.0;
   double meanSquare = 0.0;
-  double variance = 0.0;  ///< from expected mean squares; may be negative, shown as it is
+  double variance = 0.0;  ///< from expected mean squares; may be negative, reported as is
 };
 
 struct GStudy {
   std::vector<GComponent> components;
   bool negativeComponent = false;
-  /// The component called `effect`; our own bug when there is none.
+  /// Returns the component named `effect`; throws ContractError if there is none.
   [[nodiscard]] const GComponent& at(const std::string& effect) const;
 };
 
-/// What another number of conditions would give. Negative components count as 0 here, and only here.
+/// Projection to other numbers of conditions. Negative components count as 0 here, and only here.
 struct DStudy {
   double relativeError = 0.0;
   double absoluteError = 0.0;
-  double generalizability = 0.0;  ///< E rho^2: order of persons
-  double dependability = 0.0;     ///< Phi: level of persons
+  double generalizability = 0.0;  ///< E rho^2, of the order of persons
+  double dependability = 0.0;     ///< Phi, of the level of persons
 };
 
-/// Persons x raters, complete. Effects "p", "r", "pr". All facets random. Undefined with fewer than two of
+/// Analyses persons x raters, complete. Effects "p", "r", "pr", all random. Undefined with fewer than two of
 /// either.
 [[nodiscard]] Outcome<GStudy> gStudyPR(const NumberTable& ratings);
 [[nodiscard]] Outcome<DStudy> dStudyPR(const GStudy& study, double raters);
 
-/// Persons x raters x occasions, complete: byOccasion[o] is persons x raters. Effects "p", "r", "o", "pr",
-/// "po", "ro", "pro". Occasions must be repeats: a change by training is no random occasion.
+/// Analyses persons x raters x occasions, complete; byOccasion[o] is persons x raters. Effects "p", "r", "o",
+/// "pr", "po", "ro", "pro". Occasions must be replicates: a change by training is not a random occasion.
 [[nodiscard]] Outcome<GStudy> gStudyPRO(const std::vector<NumberTable>& byOccasion);
 [[nodiscard]] Outcome<DStudy> dStudyPRO(const GStudy& study, double raters, double occasions);
 
-/// Raters nested in tasks, persons crossed with both: byTask[t] is persons x raters of that task. Effects
-/// "p", "t", "r:t", "pt", "pr:t".
+/// Analyses raters nested in tasks, persons crossed with both; byTask[t] is persons x raters of that task.
+/// Effects "p", "t", "r:t", "pt", "pr:t".
 [[nodiscard]] Outcome<GStudy> gStudyPRinT(const std::vector<NumberTable>& byTask);
 [[nodiscard]] Outcome<DStudy> dStudyPRinT(const GStudy& study, double tasks, double ratersPerTask);
 

@@ -10,12 +10,12 @@
 
 namespace torsio {
 
-using Groups = std::vector<std::vector<double>>;  ///< one list of values a group
+using Groups = std::vector<std::vector<double>>;  ///< one list of values per group
 
-/// The groups that have values. Comparisons are made of these; pairs name groups by their number in all.
+/// The nonempty groups, which are compared; pairs name groups by their index among all.
 struct PresentGroups {
   Groups values;
-  std::vector<std::size_t> numbers;  ///< in all groups, ascending
+  std::vector<std::size_t> numbers;  ///< indices among all groups, ascending
 };
 [[nodiscard]] PresentGroups presentGroups(const Groups& groups);
 
@@ -29,10 +29,10 @@ struct TTest {
 };
 
 /// Compares two means with unequal variances by Welch's t test (the default for two groups). Undefined for
-/// fewer than two values a group or no variation.
+/// fewer than two values in a group or no variation.
 [[nodiscard]] Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y,
                                     double confidence = kDefaultConfidence);
-/// Compares two means with pooled variance by Student's t test. Undefined as welchT.
+/// Compares two means with pooled variance by Student's t test. Undefined like welchT.
 [[nodiscard]] Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y,
                                       double confidence = kDefaultConfidence);
 /// Compares paired values by the t test of their differences. Undefined for fewer than two pairs or
@@ -40,12 +40,11 @@ struct TTest {
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
                                      double confidence = kDefaultConfidence);
 
-/// Returns the interval of one mean by Student's t; empty for fewer than two values. The values can be
-/// squared.
+/// Returns Student's t interval of a mean; empty for fewer than two values. The squares must not overflow.
 [[nodiscard]] std::optional<Interval> meanInterval(std::span<const double> values,
                                                    double confidence = kDefaultConfidence);
 
-/// Standardised difference with the pooled standard deviation, corrected for small groups.
+/// Mean difference standardised by the pooled standard deviation, with small-sample correction.
 struct HedgesG {
   double d = 0.0;
   double correction = 0.0;  ///< J, exact
@@ -54,9 +53,9 @@ struct HedgesG {
   Interval dInterval;
   Interval interval;        ///< of g, from the noncentral t distribution
   double error = 0.0;       ///< large-sample standard error of g
-  Interval normalInterval;  ///< for comparison with programs that use it
+  Interval normalInterval;  ///< for comparison with programs that report it
 };
-/// Computes Hedges' g of two groups, first minus second. Undefined as welchT.
+/// Computes Hedges' g of two groups, first minus second. Undefined like welchT.
 [[nodiscard]] Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y,
                                        double confidence = kDefaultConfidence);
 
@@ -73,8 +72,8 @@ struct OneWayAnova {
   double omegaSquared = 0.0;
   double epsilonSquared = 0.0;
 };
-/// Compares means with equal variances by analysis of variance; empty groups are left out, here and below.
-/// Undefined for fewer than two groups with values, or no variation within groups.
+/// Compares means with equal variances by one-way analysis of variance. Here and below, empty groups are left
+/// out. Undefined for fewer than two groups with values, or no variation within groups.
 [[nodiscard]] Outcome<OneWayAnova> oneWayAnova(const Groups& groups);
 
 struct FTest {
@@ -83,10 +82,10 @@ struct FTest {
   double df2 = 0.0;
   double p = 0.0;
 };
-/// Compares means with unequal variances by Welch's analysis of variance (the default for three groups).
-/// Undefined when a group does not vary.
+/// Compares means with unequal variances by Welch's analysis of variance (the default for three or more
+/// groups). Undefined if a group does not vary.
 [[nodiscard]] Outcome<FTest> welchAnova(const Groups& groups);
-/// Tests equality of spread: analysis of variance of distances from the group medians.
+/// Tests equality of spread by analysis of variance of the distances from the group medians.
 [[nodiscard]] Outcome<FTest> brownForsythe(const Groups& groups);
 
 struct ChiSquaredTest {
@@ -94,7 +93,7 @@ struct ChiSquaredTest {
   double df = 0.0;
   double p = 0.0;
 };
-/// Tests equality of variances of normal groups; not for choosing another test.
+/// Tests equality of variances of normal groups; do not use it to choose another test.
 [[nodiscard]] Outcome<ChiSquaredTest> bartlett(const Groups& groups);
 
 struct PairComparison {
@@ -109,7 +108,7 @@ struct PairComparison {
 /// Compares all pairs with equal variances (Tukey-Kramer), ordered (0,1), (0,2), ..., (1,2).
 [[nodiscard]] Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups,
                                                               double confidence = kDefaultConfidence);
-/// Compares all pairs with unequal variances; follows Welch's analysis of variance.
+/// Compares all pairs with unequal variances (Games-Howell); follows Welch's analysis of variance.
 [[nodiscard]] Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups,
                                                                     double confidence = kDefaultConfidence);
 

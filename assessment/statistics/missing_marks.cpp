@@ -18,8 +18,8 @@ std::size_t given(const std::vector<std::optional<double>>& marks) {
       std::count_if(marks.begin(), marks.end(), [](const auto& mark) { return mark.has_value(); }));
 }
 
-/// The number of marks, more than 0, that most trainees have; ties: the larger one. `traineesWith`: by
-/// number.
+/// Returns the most frequent positive number of marks per trainee; ties: the larger one. `traineesWith`:
+/// number of trainees by number of marks.
 std::size_t mostFrequent(const std::map<std::size_t, std::size_t>& traineesWith) {
   std::size_t usual = 0;
   std::size_t most = 0;
@@ -41,7 +41,7 @@ std::size_t usualNumber(const std::vector<MarkedTrainee>& trainees,
   return mostFrequent(traineesWith);
 }
 
-/// The score of a trainee of whom `missing` marks were all `as`.
+/// Returns a trainee's score with `missing` marks imputed as `as`.
 std::optional<double> filled(const std::vector<std::optional<double>>& marks, std::size_t missing,
                              double as) {
   std::vector<double> all(missing, as);
@@ -54,7 +54,7 @@ std::optional<double> filled(const std::vector<std::optional<double>>& marks, st
     return std::nullopt;
   }
   const double mean = meanOf(all);
-  // A sum beyond the largest double: the largest mark says as well that it cannot be computed with.
+  // If the sum overflows, return the largest mark, which is too large for the statistics as well.
   return std::isfinite(mean) ? mean : *std::max_element(all.begin(), all.end());
 }
 
@@ -95,15 +95,15 @@ CompleteCases completeCases(const std::vector<MarkedTrainee>& trainees, std::siz
 
 namespace {
 
-/// The trainees with a mark at both occasions, and what they were given at the end.
-struct TakingPart {
+/// Trainees with a mark at both occasions, and their marks at the end.
+struct Participants {
   std::vector<CrossedMark> marks;
   std::vector<double> before;
   std::vector<std::size_t> group;
 };
 
-TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
-  TakingPart out;
+Participants participantsOf(const std::vector<MarkedTrainee>& trainees) {
+  Participants out;
   std::map<std::size_t, std::size_t> numberOf;  // of the raters who gave any of these marks
   for (const MarkedTrainee& trainee : trainees) {
     const std::optional<double> score = meanMark(trainee.before);
@@ -122,8 +122,8 @@ TakingPart takingPart(const std::vector<MarkedTrainee>& trainees) {
   return out;
 }
 
-/// A mean of each of the groups, and the slope on the score before.
-NumberTable fixedPart(const TakingPart& of, const std::vector<std::size_t>& groups, double middle) {
+/// Design matrix: one mean per group, and the slope on the score before.
+NumberTable fixedPart(const Participants& of, const std::vector<std::size_t>& groups, double middle) {
   NumberTable fixed(of.before.size(), groups.size() + 1);
   for (std::size_t i = 0; i < of.before.size(); ++i) {
     const auto at = std::lower_bound(groups.begin(), groups.end(), of.group[i]);
@@ -172,7 +172,7 @@ void addContrasts(const CrossedModel& model, double confidence, MixedComparison&
 Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees, std::size_t groups,
                                          double confidence) {
   using Undefined = Outcome<MixedComparison>;
-  const TakingPart part = takingPart(trainees);
+  const Participants part = participantsOf(trainees);
   if (const std::optional<Text> reason = beyondArithmetic(part.before)) {
     return Undefined::undefined(*reason);
   }
@@ -201,7 +201,7 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
   return out;
 }
 
-Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit) {
+Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit) {
   std::vector<CrossedMark> marks;
   std::map<std::size_t, std::size_t> unitOf;
   std::map<std::size_t, std::size_t> marksOf;
@@ -226,9 +226,9 @@ Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit
   }
   const Outcome<CrossedModel> model = CrossedModel::fit(marks, level);
   if (!model) {
-    return Outcome<HoledReliability>::undefined(model.reason());
+    return Outcome<IncompleteReliability>::undefined(model.reason());
   }
-  HoledReliability out;
+  IncompleteReliability out;
   out.marks = marks.size();
   out.usualRaters = mostFrequent(unitsWith);
   out.varianceTargets = model->varianceTargets();

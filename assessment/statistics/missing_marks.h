@@ -11,26 +11,26 @@
 
 namespace torsio {
 
-/// Marks of one trainee at two occasions, by rater; those that were not given are empty.
+/// One trainee's marks at two occasions, by rater; missing ones are empty.
 struct MarkedTrainee {
   std::size_t group = 0;
   std::vector<std::optional<double>> before;
   std::vector<std::optional<double>> after;  ///< the outcome
 };
 
-/// Returns the mean of the marks that were given; empty: none was.
+/// Returns the mean of the marks given; empty if there are none.
 [[nodiscard]] std::optional<double> meanMark(const std::vector<std::optional<double>>& marks);
 
-/// Scores before and after of the trainees with a mark at both occasions, by group (complete cases).
+/// Scores before and after by group, of trainees with a mark at both occasions (complete cases).
 struct CompleteCases {
   Groups before;
   Groups after;
-  std::vector<std::size_t> leftOut;  ///< numbers of the trainees without one of the two, ascending
+  std::vector<std::size_t> leftOut;  ///< indices of the trainees who lack one of the two, ascending
 };
 [[nodiscard]] CompleteCases completeCases(const std::vector<MarkedTrainee>& trainees, std::size_t groups);
 
-/// Analysis of covariance that takes marks as they were given: trainee and rater as crossed random effects,
-/// group and mean mark before as fixed ones, by restricted maximum likelihood.
+/// Analysis of covariance of incomplete marks: trainee and rater as crossed random effects, group and mean
+/// mark before as fixed effects, by restricted maximum likelihood.
 struct MixedComparison {
   std::size_t trainees = 0;
   std::size_t marks = 0;
@@ -40,8 +40,8 @@ struct MixedComparison {
   double criterion = 0.0;  ///< minus twice the restricted log-likelihood
   double covariateMean = 0.0;
   ModelEstimate slope;
-  std::vector<std::size_t> groups;      ///< numbers of those of which somebody takes part, ascending
-  std::vector<ModelEstimate> adjusted;  ///< mean of each of `groups` where the score before is covariateMean
+  std::vector<std::size_t> groups;      ///< indices of the groups with trainees in the analysis, ascending
+  std::vector<ModelEstimate> adjusted;  ///< mean of each group at score before = covariateMean
   struct Pair {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -49,50 +49,49 @@ struct MixedComparison {
     Interval simultaneous;     ///< Bonferroni over the pairs
     double pHolm = 0.0;
   };
-  std::vector<Pair> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by their number in all
+  std::vector<Pair> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by index among all groups
   Outcome<FTest> group = Outcome<FTest>::undefined(Text::tr("not computed"));
 };
-/// Compares groups. Trainees without a mark at one of the occasions take no part, and groups of which nobody
-/// does are left out. Undefined for fewer than two groups, and as CrossedModel::fit().
+/// Compares groups. Excludes trainees without a mark at one of the occasions, and groups left empty by that.
+/// Undefined for fewer than two groups, and like CrossedModel::fit().
 [[nodiscard]] Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& trainees,
                                                        std::size_t groups,
                                                        double confidence = kDefaultConfidence);
 
-/// Reliability of marks with holes: absolute agreement of raters drawn at random, from variances by
-/// restricted maximum likelihood. With complete marks and no negative component the same as ICC(2,1) and
-/// ICC(2,k).
-struct HoledReliability {
+/// Reliability of incomplete marks: absolute agreement of random raters from restricted maximum likelihood
+/// variances. For complete marks without negative components equal to ICC(2,1) and ICC(2,k).
+struct IncompleteReliability {
   std::size_t marks = 0;
-  std::size_t usualRaters = 0;  ///< marks that most targets have: k of the mean
+  std::size_t usualRaters = 0;  ///< most frequent number of marks per target: k of the mean
   double varianceTargets = 0.0;
   double varianceRaters = 0.0;
   double varianceResidual = 0.0;
-  double single = 0.0;     ///< of one rater
+  double single = 0.0;     ///< of a single rater
   double mean = 0.0;       ///< of the mean over usualRaters
-  double semSingle = 0.0;  ///< standard error of measurement of one rater's mark
+  double semSingle = 0.0;  ///< standard error of measurement of a single rater's mark
   double semMean = 0.0;    ///< of the mean over usualRaters
 };
-/// Estimates reliability from the marks that were given. Undefined as CrossedModel::fit().
-[[nodiscard]] Outcome<HoledReliability> holedReliability(const IncompleteRatings& codersByUnit);
+/// Estimates reliability from the marks given. Undefined like CrossedModel::fit().
+[[nodiscard]] Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit);
 
-/// Marks that most trainees have at an occasion beyond what this one has: they are missing.
+/// Marks missing at an occasion, compared with the most frequent number per trainee.
 struct MissingCount {
   std::size_t before = 0;
   std::size_t after = 0;
 };
-/// Counts, for each trainee, the marks short of the number that most trainees have; ties: the larger one.
+/// Counts for each trainee how many marks are missing from the most frequent number; ties: the larger one.
 [[nodiscard]] std::vector<MissingCount> missingMarks(const std::vector<MarkedTrainee>& trainees);
 
-/// How far missing marks can move an adjusted difference: every mark of the outcome that is missing is as low
-/// as the scale allows in one group and as high in the other.
+/// Bounds of an adjusted difference with missing outcomes imputed as low as the scale allows in one group and
+/// as high as it allows in the other.
 struct MissingBounds {
   std::size_t first = 0;
   std::size_t second = 0;
   Outcome<AdjustedDifference> worst = Outcome<AdjustedDifference>::undefined(Text::tr("not computed"));
   Outcome<AdjustedDifference> best = Outcome<AdjustedDifference>::undefined(Text::tr("not computed"));
 };
-/// Bounds every pair by analyses of covariance of all trainees: `worst` for the first group, then `best`. Who
-/// has no score before gets the mean of those who have one. In groups outside the pair nothing is filled in.
+/// Bounds every pair by analyses of covariance of all trainees: `worst` for the first group, then `best`.
+/// Trainees without a score before get the mean of the others. Groups outside the pair are not imputed.
 [[nodiscard]] std::vector<MissingBounds> missingBounds(const std::vector<MarkedTrainee>& trainees,
                                                        std::size_t groups, double lowest, double highest);
 

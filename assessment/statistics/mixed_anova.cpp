@@ -27,8 +27,8 @@ struct Cells {
   double ssTimeUnweighted = 0.0;
   double ssInteraction = 0.0;
   double ssError = 0.0;
-  Eigen::MatrixXd products;  // of what is left within groups and trainees, occasion x occasion
-  double noise = 0.0;        // squares that rounding of the scores alone may leave
+  Eigen::MatrixXd products;  // residual products within groups and trainees, occasion x occasion
+  double noise = 0.0;        // sum of squares that rounding of the scores alone may cause
 };
 
 void addWithinGroup(const NumberTable& x, std::size_t g, Cells& out) {
@@ -100,11 +100,11 @@ Sphericity sphericityOf(const Cells& cells) {
   const double dfe = cells.n - k;
   const double p = cells.m - 1.0;
   const Index m = cells.products.rows();
-  const Eigen::MatrixXd s = cells.products / dfe;  // of contrasts: its rows add up to nothing
+  const Eigen::MatrixXd s = cells.products / dfe;  // of contrasts: its rows sum to zero
   Sphericity out;
   out.greenhouseGeisser = s.trace() * s.trace() / (p * s.squaredNorm());
   const double pe = p * out.greenhouseGeisser;
-  if (dfe > pe) {  // else the estimates grow without bound, and 1 is the largest that is used
+  if (dfe > pe) {  // otherwise the estimates grow without bound, and 1 is used
     out.huynhFeldt = ((cells.n - k + 1.0) * pe - 2.0) / (p * (dfe - pe));
     out.huynhFeldtOriginal = (cells.n * pe - 2.0) / (p * (dfe - pe));
   }

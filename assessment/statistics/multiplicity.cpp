@@ -15,7 +15,7 @@ std::vector<std::size_t> ascending(std::span<const double> p) {
   return order;
 }
 
-/// From the largest p downwards: factor(rank) x p, never above what came before.
+/// Adjusts from the largest p down: factor(rank) x p, capped by the previous value.
 template <class Factor>
 std::vector<double> stepUp(std::span<const double> p, Factor factor) {
   const std::vector<std::size_t> order = ascending(p);

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-// Order statistics of all pairs of values, too many to list. Private to assessment/statistics.
+// Order statistics of all pairs of values without listing the pairs. Private to assessment/statistics.
 namespace torsio {
 
-/// Bisects over the doubles from low to high for the smallest x of which `atOrBelow` counts more than `rank`.
+/// Bisects the doubles from low to high for the smallest x with atOrBelow(x) > rank.
 template <class Count>
 [[nodiscard]] double smallestAbove(double low, double high, std::int64_t rank, const Count& atOrBelow) {
   if (atOrBelow(low) > rank) {
@@ -25,7 +25,7 @@ template <class Count>
   }
 }
 
-/// The median of `count` values that are not listed, given by their order statistics.
+/// Median of `count` values given by their order statistics.
 template <class At>
 [[nodiscard]] double medianBy(std::int64_t count, const At& at) {
   const double upper = at(count / 2);
@@ -38,7 +38,7 @@ template <class At>
   return out;
 }
 
-/// All differences of a value of x and one of y in order, without listing them. Both ascend.
+/// All differences x - y in order, without listing them. Both inputs ascend.
 class PairDifferences {
  public:
   PairDifferences(std::span<const double> x, std::span<const double> y) : x_(sorted(x)), y_(sorted(y)) {}
@@ -52,7 +52,7 @@ class PairDifferences {
  private:
   [[nodiscard]] std::int64_t atOrBelow(double limit) const {
     std::int64_t count = 0;
-    std::size_t j = 0;  // the first of y from which on the difference is at or below
+    std::size_t j = 0;  // first y at which the difference is at or below
     for (const double a : x_) {
       while (j < y_.size() && a - y_[j] > limit) {
         ++j;
@@ -66,7 +66,7 @@ class PairDifferences {
   std::vector<double> y_;
 };
 
-/// The median of all means of two of the values, each with itself too.
+/// Median of all pairwise means, including each value with itself.
 [[nodiscard]] inline double medianOfPairMeans(std::span<const double> of) {
   const std::vector<double> values = sorted(of);
   const auto atOrBelow = [&](double limit) {

@@ -13,14 +13,14 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMinPairs = 1.5;  // at most two after rounding up
+constexpr double kMinPairs = 1.5;  // two after rounding up
 
 double powerOfT(double noncentrality, double df, double alpha) {
   const double critical = tQuantile(1.0 - 0.5 * alpha, df);
   return noncentralTUpper(critical, df, noncentrality) + noncentralTCdf(-critical, df, noncentrality);
 }
 
-/// Root of a rising function above `low`; `low` itself where the function is not negative there.
+/// Root of a rising function above `low`; `low` itself if the function is not negative there.
 template <class Function>
 double solveRising(const Function& f, double low) {
   if (f(low) >= 0.0) {

@@ -19,7 +19,7 @@ std::vector<double> sorted(std::span<const double> values) {
   return out;
 }
 
-/// x[j] counted from 1, held at the ends.
+/// x[j] counted from 1, clamped to the ends.
 double at(const std::vector<double>& x, double j) {
   const double n = static_cast<double>(x.size());
   return x[static_cast<std::size_t>(std::clamp(j, 1.0, n)) - 1];

@@ -13,12 +13,12 @@ enum class QuantileRule : int { kType1 = 1, kType2, kType3, kType4, kType5, kTyp
 
 inline constexpr QuantileRule kReportQuantileRule = QuantileRule::kType7;
 
-/// Returns the p-quantile, 0 <= p <= 1, of finite values in any order; empty for no values.
+/// Returns the p-quantile, 0 <= p <= 1, of finite values in any order; empty if there are none.
 [[nodiscard]] std::optional<double> quantile(std::span<const double> values, double p,
                                              QuantileRule rule = kReportQuantileRule);
 
-/// Numbers that a box plot draws: box at the quartiles, whiskers to the most extreme value within 1.5
-/// interquartile ranges of the box, everything beyond drawn singly.
+/// Numbers of a box plot: box at the quartiles, whiskers to the most extreme values within 1.5 interquartile
+/// ranges of the box, values beyond as outliers.
 struct BoxNumbers {
   std::int64_t n = 0;
   double min = 0.0;

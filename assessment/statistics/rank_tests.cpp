@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::int64_t kTableLimit = 50'000'000;  // cells of a counting table
 
-/// How many subsets of `size` of the whole numbers have each sum: counts[sum - offset], by dynamic
-/// programming.
+/// Number of subsets of `size` integers by sum: counts[sum - offset], by dynamic programming.
 struct SubsetSums {
   std::vector<std::int64_t> counts;
   std::int64_t offset = 0;
@@ -38,7 +37,7 @@ std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size
     value -= low;
   }
   std::sort(values.begin(), values.end());
-  std::vector<std::int64_t> below(values.size() + 1, 0);  // sums of the smallest
+  std::vector<std::int64_t> below(values.size() + 1, 0);  // sums of the smallest values
   std::partial_sum(values.begin(), values.end(), below.begin() + 1);
   const std::int64_t largest = below.back() - below[values.size() - size];
   if ((largest + 1) * static_cast<std::int64_t>(size + 1) > kTableLimit ||
@@ -50,9 +49,9 @@ std::optional<SubsetSums> subsetSums(std::vector<std::int64_t> values, std::size
   table[0][0] = 1;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t left = values.size() - 1 - i;
-    const std::size_t fewest = size > left ? size - left : 1;  // with fewer it is too late
+    const std::size_t fewest = size > left ? size - left : 1;  // with fewer, `size` is out of reach
     for (std::size_t taken = std::min(size, i + 1); taken >= fewest; --taken) {
-      // The others of the taken ones are at most the largest before this value.
+      // The other values taken are at most the largest before this one.
       const auto reach = static_cast<std::size_t>(below[i] - below[i + 1 - taken]);
       const std::int64_t* from = table[taken - 1].data();
       std::int64_t* to = table[taken].data() + values[i];
@@ -96,7 +95,7 @@ double medianDifference(std::span<const double> x, std::span<const double> y) {
   return medianBy(all.count(), [&](std::int64_t rank) { return all.at(rank); });
 }
 
-/// Order statistics of the differences that the exact distribution of U without ties leaves uncertain.
+/// Interval from the order statistics of the differences by the exact distribution of U without ties.
 std::optional<Interval> shiftInterval(const std::optional<SubsetSums>& sums, const DoubledRanks& ranks,
                                       std::span<const double> x, std::span<const double> y,
                                       double confidence) {
@@ -165,7 +164,7 @@ Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const doub
 
 namespace {
 
-/// A p value of random arrangements: the one observed counts among them, so that it is never 0.
+/// Sets a p value from random arrangements. The observed one counts among them, so p is never 0.
 void setRandom(std::int64_t count, std::int64_t draws, PermutationTest& out) {
   out.exact = false;
   out.count = count;
@@ -174,7 +173,7 @@ void setRandom(std::int64_t count, std::int64_t draws, PermutationTest& out) {
   out.error = std::sqrt(out.p * (1.0 - out.p) / static_cast<double>(draws + 1));
 }
 
-/// Draws `size` of the values at a time, with sums above those of the smallest value.
+/// Draws random subsets of `size` and sums them, relative to the sum of the smallest values.
 Outcome<PermutationTest> randomSplits(std::vector<std::int64_t> values, std::size_t first,
                                       const MonteCarlo& choice) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -229,7 +228,7 @@ Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x, std::s
   const std::int64_t total = std::accumulate(all.begin(), all.end(), std::int64_t{0});
   const auto n = static_cast<std::int64_t>(all.size());
   const auto n1 = static_cast<std::int64_t>(x.size());
-  // The difference of means orders like n * sum - n1 * total, a whole number.
+  // The difference of means orders like n * sum - n1 * total, an integer.
   const auto distanceOf = [&](std::int64_t sum) { return std::abs(n * sum - n1 * total); };
   const std::int64_t observed = distanceOf(std::accumulate(x.begin(), x.end(), std::int64_t{0}));
   PermutationTest out;
@@ -245,7 +244,7 @@ Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x, std::s
 
 namespace {
 
-/// How many of the 2^n sign choices give each sum of the positive ones.
+/// Number of the 2^n sign choices by sum of the positive values.
 std::optional<std::vector<std::int64_t>> signSums(const std::vector<std::int64_t>& magnitudes) {
   const std::int64_t total = std::accumulate(magnitudes.begin(), magnitudes.end(), std::int64_t{0});
   if (magnitudes.size() > 52 || total > kTableLimit) {
@@ -261,8 +260,8 @@ std::optional<std::vector<std::int64_t>> signSums(const std::vector<std::int64_t
   return counts;
 }
 
-/// How often random signs bring the sum of the positive ones as far from its middle as `doubled` (twice that
-/// sum less all) lies, and how often to `positive` or more.
+/// Counts how often random signs bring the sum of the positive values as far from its middle as `doubled`
+/// (twice that sum minus the total), and how often to `positive` or more.
 struct RandomSigns {
   std::int64_t two = 0;
   std::int64_t greater = 0;
@@ -288,7 +287,7 @@ RandomSigns randomSigns(const std::vector<std::int64_t>& magnitudes, std::int64_
   return out;
 }
 
-/// Whether twice the sum of magnitudes is a whole number that the machine knows.
+/// True if twice the sum of magnitudes does not overflow.
 bool canBeAdded(const std::vector<std::int64_t>& magnitudes) {
   constexpr double kLargest = 4e18;
   return std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0,

@@ -12,19 +12,18 @@
 
 namespace torsio {
 
-// Ranks equal only what is equal: values that come from subtraction must be whole numbers (exactGains).
+// Only equal values tie: values that come from subtraction must be integers (exactGains).
 
 struct MannWhitney {
-  double u = 0.0;            ///< number of pairs with x > y, ties half
-  double superiority = 0.0;  ///< P(X > Y) = u / (n1 n2), ties half
+  double u = 0.0;            ///< pairs with x > y, ties count half
+  double superiority = 0.0;  ///< P(X > Y) = u / (n1 n2), ties count half
   double cliffDelta = 0.0;
   bool ties = false;
   double zCorrected = 0.0;  ///< tie-corrected, with continuity correction
   double pCorrected = 0.0;
   double z = 0.0;
   double pNormal = 0.0;
-  /// Number of arrangements of the exact conditional distribution given the ties, counted in whole numbers;
-  /// empty when there are more than 2^53.
+  /// Number of arrangements in the exact conditional distribution given the ties; empty above 2^53.
   std::optional<std::int64_t> arrangements;
   std::optional<std::int64_t> countTwoSided;  ///< arrangements at least as far from the middle
   std::optional<std::int64_t> countGreater;   ///< arrangements with u at least as large
@@ -33,55 +32,54 @@ struct MannWhitney {
   double hodgesLehmann = 0.0;                     ///< median of all x - y
   std::optional<Interval> hodgesLehmannInterval;  ///< exact, without ties only
 };
-/// Compares two groups by Mann and Whitney's test. Undefined for an empty group or when all values are the
-/// same.
+/// Compares two groups by the Mann-Whitney test. Undefined for an empty group or if all values are equal.
 [[nodiscard]] Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y,
                                                double confidence = kDefaultConfidence);
 
-/// Random arrangements in place of all where these are too many to count.
+/// Random arrangements instead of all, where these are too many to count.
 struct MonteCarlo {
   std::uint64_t seed = 1;
   std::int64_t draws = 99'999;
-  std::int64_t mostAdditions = 2'000'000'000;  ///< that counting may take; more: random ones
+  std::int64_t mostAdditions =
+      2'000'000'000;  ///< limit of additions for exact counting; beyond, arrangements are drawn at random
 };
 
 struct PermutationTest {
-  std::int64_t count = 0;  ///< arrangements at least as extreme, both sides
+  std::int64_t count = 0;  ///< arrangements at least as extreme, two-sided
   std::int64_t total = 0;
-  double p = 0.0;      ///< count / total; of random arrangements (count + 1) / (total + 1)
-  bool exact = true;   ///< every arrangement was counted; else `total` random ones
-  double error = 0.0;  ///< standard error of p by the random choice; 0 where exact
+  double p = 0.0;      ///< count / total; for random arrangements (count + 1) / (total + 1)
+  bool exact = true;   ///< every arrangement was counted; otherwise `total` random ones
+  double error = 0.0;  ///< standard error of p by random sampling; 0 if exact
 };
-/// Tests the difference of means of whole numbers over all arrangements, by dynamic programming; never a
-/// difference of doubles. Where the arrangements are too many to count, random ones stand for them. Undefined
-/// for an empty group and when the sums are too large.
+/// Tests the difference of means of integers over all arrangements, by dynamic programming; never pass
+/// differences of doubles. If there are too many arrangements, random ones are drawn. Undefined for an empty
+/// group or if the sums overflow.
 [[nodiscard]] Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x,
                                                        std::span<const std::int64_t> y,
                                                        const MonteCarlo& otherwise = {});
-/// Tests paired differences over all changes of sign, likewise.
+/// Tests paired differences over all sign changes, in the same way.
 [[nodiscard]] Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences,
                                                              const MonteCarlo& otherwise = {});
 
 struct SignedRank {
   double v = 0.0;         ///< sum of the ranks of positive differences
-  std::size_t n = 0;      ///< differences that are not zero
+  std::size_t n = 0;      ///< differences other than zero
   std::size_t zeros = 0;  ///< left out (Wilcoxon)
   double pTwoSided = 0.0;
   double pGreater = 0.0;
-  bool exact = true;           ///< every change of sign was counted; else random ones
-  double error = 0.0;          ///< standard error of pTwoSided by the random choice; 0 where exact
+  bool exact = true;           ///< every sign change was counted; otherwise random ones
+  double error = 0.0;          ///< standard error of pTwoSided by random sampling; 0 if exact
   double hodgesLehmann = 0.0;  ///< median of the pairwise means of differences
 };
-/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties; where the changes of sign are
-/// too many to count, random ones stand for them. `differences` must be free of rounding noise. Undefined
-/// when all are zero.
+/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties. If there are too many sign
+/// changes, random ones are drawn. `differences` must be free of rounding noise. Undefined if all are zero.
 [[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences,
                                              const MonteCarlo& otherwise = {});
 
 struct DunnPair {
   std::size_t first = 0;
   std::size_t second = 0;
-  double difference = 0.0;  ///< mean rank of second minus mean rank of first
+  double difference = 0.0;  ///< mean rank of the second minus that of the first
   double error = 0.0;
   double z = 0.0;
   double p = 0.0;
@@ -103,8 +101,8 @@ struct KruskalWallis {
   std::optional<double> pExact;  ///< for at most two million arrangements
   std::vector<DunnPair> pairs;   ///< on the joint ranks
 };
-/// Compares groups by Kruskal and Wallis' test; empty groups are left out. Undefined for fewer than two
-/// groups with values, or when all values are the same.
+/// Compares groups by the Kruskal-Wallis test; empty groups are left out. Undefined for fewer than two groups
+/// with values, or if all values are equal.
 [[nodiscard]] Outcome<KruskalWallis> kruskalWallis(const Groups& groups);
 
 struct Friedman {
@@ -113,11 +111,11 @@ struct Friedman {
   double df = 0.0;
   double p = 0.0;
   double kendallW = 0.0;
-  std::optional<double> imanDavenport;  ///< F; empty when every block ranks alike (W = 1)
+  std::optional<double> imanDavenport;  ///< F; empty if all blocks rank alike (W = 1)
   std::optional<double> pImanDavenport;
 };
 /// Compares treatments within blocks by Friedman's test. `values`: blocks (raters) x treatments (models).
-/// Undefined when every block ties everything.
+/// Undefined if every block ties all treatments.
 [[nodiscard]] Outcome<Friedman> friedman(const NumberTable& values);
 
 }  // namespace torsio

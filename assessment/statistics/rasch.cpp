@@ -21,21 +21,21 @@ using Eigen::Index;
 constexpr int kMaxRaschRounds = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
 
-/// What the ratings say about the parameters: abilities by themselves, and beside them the few severities and
-/// thresholds. The square of the abilities is diagonal, so that thousands of persons stay cheap.
+/// Fisher information in blocks: abilities, and a border of severities and thresholds. The block of abilities
+/// is diagonal, so that thousands of persons stay cheap.
 struct Information {
   Eigen::VectorXd persons;  // diagonal
   Eigen::MatrixXd across;   // persons x border
   Eigen::MatrixXd border;
 
-  /// Information of the border alone, after the persons.
+  /// Information of the border after eliminating the persons.
   [[nodiscard]] Eigen::LDLT<Eigen::MatrixXd> reduced() const {
     return Eigen::LDLT<Eigen::MatrixXd>(border -
                                         across.transpose() * persons.cwiseInverse().asDiagonal() * across);
   }
 };
 
-/// First and second derivatives of the log-likelihood, added up mark by mark, a person after the other.
+/// First and second derivatives of the log-likelihood, accumulated mark by mark and person by person.
 class Sums {
  public:
   Sums(Index persons, Index raters, Index thresholds)
@@ -80,7 +80,7 @@ class Sums {
     above_.setZero();
   }
 
-  /// In the free parameters; call once.
+  /// Transforms to the free parameters; call once.
   void finish(const Eigen::MatrixXd& free, Eigen::VectorXd& gradient, Information& information) {
     const Index r = corner_.size();
     const Index k = passed_.size();
@@ -88,7 +88,7 @@ class Sums {
     square.topLeftCorner(r, r) = corner_.asDiagonal();
     square.bottomLeftCorner(k, r) = side_;
     for (Index s = 0; s < k; ++s) {
-      for (Index u = s; u < k; ++u) {  // a category above the higher threshold is above the lower one
+      for (Index u = s; u < k; ++u) {  // a category above the higher threshold is also above the lower one
         square(r + u, r + s) = passed_[u] - products_(s, u);
       }
     }
@@ -107,13 +107,15 @@ class Sums {
   Eigen::VectorXd border_;
   Eigen::VectorXd corner_;  // raters by themselves
   Eigen::MatrixXd side_;    // thresholds x raters
-  Eigen::MatrixXd above_;   // probability of a category above each threshold, a column a mark of this person
-  Eigen::VectorXd joint_;   // covariances of one mark
-  Eigen::VectorXd passed_;  // the sum of all of these
-  Eigen::MatrixXd products_;  // and of their products
+  Eigen::MatrixXd
+      above_;  // probability of a category above each threshold, one column per mark of this person
+  Eigen::VectorXd joint_;     // covariances of one mark
+  Eigen::VectorXd passed_;    // their sum over the marks
+  Eigen::MatrixXd products_;  // sum of their products
 };
 
-/// Free parameters: abilities, then severities and thresholds without their last, which makes the sums 0.
+/// Free parameters: abilities, then severities and thresholds without the last of each (sum-to-zero
+/// constraints).
 class JointModel {
  public:
   explicit JointModel(const RatingPlan& plan)
@@ -121,7 +123,7 @@ class JointModel {
         thresholds_(static_cast<std::size_t>(plan.highest())),
         persons_(plan.estimatedPersons()),
         raters_(plan.estimatedRaters()) {
-    // Severities and thresholds from the free ones: the last of either is minus the sum of the others.
+    // The last severity and the last threshold are minus the sum of the others.
     const auto r = static_cast<Index>(raters_.size());
     const auto k = static_cast<Index>(thresholds_);
     free_ = Eigen::MatrixXd::Zero(r + k, r + k - 2);
@@ -151,7 +153,7 @@ class JointModel {
     return out;
   }
 
-  /// Computes the log-likelihood; with `gradient` also that and the information.
+  /// Computes the log-likelihood; with `gradient`, also the gradient and the information.
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient, Information* information) const {
     const RatingScale scale(tau(x));
     Sums sums(static_cast<Index>(persons_.size()), static_cast<Index>(raters_.size()),
@@ -222,8 +224,8 @@ struct Maximum {
   int iterations = 0;
 };
 
-/// Newton with step halving; the log-likelihood is concave and has one maximum. Empty when rounding keeps the
-/// iteration from settling.
+/// Maximises by Newton with step halving; the log-likelihood is concave with one maximum. Empty if rounding
+/// prevents convergence.
 std::optional<Maximum> maximise(const JointModel& model) {
   Maximum at{Eigen::VectorXd::Zero(model.size()), {}, 0.0, 0};
   Eigen::VectorXd gradient;
@@ -266,7 +268,7 @@ void report(const JointModel& model, const RatingPlan& plan, const Maximum& foun
   out.iterations = found.iterations;
   const RatingScale scale(out.thresholds);
   CategoryOdds at;
-  // Variance of an ability: its own, and what the border adds.
+  // Variance of an ability: its own, plus the contribution of the border.
   const Eigen::MatrixXd own = information.persons.cwiseInverse().asDiagonal() * information.across;
   const Eigen::VectorXd variance =
       information.persons.cwiseInverse() +
@@ -307,7 +309,7 @@ void report(const JointModel& model, const RatingPlan& plan, const Maximum& foun
   }
 }
 
-/// Throws Error{kBadData} for a category that the scale does not have.
+/// Throws Error{kBadData} for a category outside the scale.
 void requireCategories(const CategoryRatings& ratings, int highest) {
   for (std::size_t n = 0; n < ratings.size(); ++n) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
@@ -321,7 +323,7 @@ void requireCategories(const CategoryRatings& ratings, int highest) {
   }
 }
 
-/// Why the model has no estimate for these ratings; empty when it has one.
+/// Returns why the model cannot be estimated from these ratings; empty if it can.
 std::optional<Text> obstacle(const RatingPlan& plan) {
   if (!plan.connected()) {
     return Text::tr("the rating plan falls into parts that share no person and no rater");

@@ -14,7 +14,7 @@ struct RaschPerson {
   RaschStatus status = RaschStatus::kEstimated;
   std::optional<double> ability;      ///< logits
   std::optional<double> error;        ///< given the raters and thresholds
-  std::optional<double> jointError;   ///< from the inverse of the whole information
+  std::optional<double> jointError;   ///< from the inverse of the full information
   std::optional<double> fairAverage;  ///< expected rating by a rater of severity 0, in categories
   std::optional<double> infit;        ///< information-weighted mean square; about 1
   std::optional<double> outfit;       ///< unweighted; sensitive to single surprises
@@ -37,11 +37,13 @@ struct RaschResult {
 };
 
 /// Many-facet rating scale model, ln(P_k / P_(k-1)) = ability - severity - tau_k, by joint maximum likelihood
-/// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, holes allowed. Persons and raters with
-/// only extreme ratings are set aside in turn and reported. Undefined when the rating plan falls into parts
-/// that cannot be compared, when a category is never used (collapse categories first), or when the likelihood
-/// has no finite maximum, which is decided exactly beforehand. Joint estimates are too far apart for short
-/// designs; no correction is applied.
+/// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, missing values allowed. Persons and
+/// raters
+/// with only extreme ratings are removed iteratively and reported. Undefined if the rating plan falls into
+/// disconnected parts, if a category is never used (collapse categories first), or if the likelihood has no
+/// finite maximum, which is decided exactly beforehand. Joint estimates are too spread out for short designs;
+/// no
+/// correction is applied.
 [[nodiscard]] Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest);
 
 }  // namespace torsio

@@ -24,18 +24,18 @@ std::vector<std::size_t> estimated(const std::vector<RaschStatus>& status) {
   return out;
 }
 
-/// Two marks of one person bound the severities of the two raters and the thresholds: see boundsOn().
+/// Bound on two raters' severities and the thresholds from two marks of one person: see boundsOn().
 struct Bound {
   std::size_t rater;
-  int from;  ///< threshold that the mark of `rater` has passed
+  int from;  ///< threshold that the mark of `rater` exceeds
   std::size_t other;
-  int to;  ///< threshold that the mark of `other` has not passed
+  int to;  ///< threshold that the mark of `other` does not exceed
 
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reads a pointer into <=>
   friend auto operator<=>(const Bound&, const Bound&) = default;
 };
 
-/// Every pair of marks of one person, the harshest bounds only.
+/// Bounds from every pair of marks of one person, keeping only the tightest.
 std::set<Bound> tightestBounds(const RatingPlan& plan) {
   const std::vector<std::size_t> raters = plan.estimatedRaters();
   std::map<std::tuple<std::size_t, std::size_t, int>, int> lowest;  // rater, other, from -> to
@@ -62,14 +62,14 @@ std::set<Bound> tightestBounds(const RatingPlan& plan) {
   return bounds;
 }
 
-/// Where the likelihood keeps rising for ever, if it does: severities, then thresholds, the first of each
-/// held at 0. Every category is used and nobody is extreme.
+/// Returns a direction along which the likelihood rises for ever, if there is one: severities, then
+/// thresholds, the first of each held at 0. Requires that every category is used and nobody is extreme.
 ///
-/// The likelihood rises or stays level along a change of abilities a, severities b and thresholds t exactly
-/// when no rating becomes less likely far out: t_m <= a_n - b_r <= t_(m+1) for every mark m of a rater r on a
-/// person n (for m = 0 only the right, for the highest only the left side). Some a_n fits between the bounds
-/// of person n exactly when b_r + t_m <= b_s + t_(l+1) for any two of the marks m and l, of raters r and s.
-/// The maximum exists and is the only one when b = 0, t = 0 alone satisfies these.
+/// The likelihood does not fall along a change of abilities a, severities b and thresholds t exactly if no
+/// rating becomes less likely far out: t_m <= a_n - b_r <= t_(m+1) for every mark m of a rater r on a person
+/// n (for m = 0 only the right, for the highest only the left side). Some a_n fits between the bounds of
+/// person n exactly if b_r + t_m <= b_s + t_(l+1) for any two of the marks m and l, of raters r and s. The
+/// maximum exists and is unique if only b = 0, t = 0 satisfies these.
 std::optional<std::vector<double>> endlessRise(const RatingPlan& plan) {
   const std::size_t raters = plan.estimatedRaters().size();
   std::vector<SparseRow> rows;
@@ -95,12 +95,13 @@ std::optional<std::vector<double>> endlessRise(const RatingPlan& plan) {
   return directionWithin(rows, raters + static_cast<std::size_t>(plan.highest()) - 2);
 }
 
-/// Whether marks that cross each other show at once that nothing is free to grow, as they do in every plan of
-/// some size: exact, but where it says no only the system of endlessRise() tells.
+/// Quick sufficient test that nothing can grow without bound, true in every plan of some size; if false, only
+/// the system of endlessRise() decides.
 ///
-/// A rater who gave somebody a higher mark than another did has no larger severity than the other along such
-/// a change (thresholds are in order, as every category is used). Where that leads from each rater to each
-/// other, severities are equal, and then so are the thresholds between any two marks of one person.
+/// A rater who gave somebody a higher mark than another rater did cannot have a larger severity than that
+/// rater along such a change (thresholds are ordered, as every category is used). If this leads from each
+/// rater to every other, all severities are equal, and then so are the thresholds between any two marks of
+/// one person.
 bool crossEachOther(const RatingPlan& plan) {
   const std::vector<std::size_t> raters = plan.estimatedRaters();
   std::vector<std::vector<bool>> above(raters.size(), std::vector<bool>(raters.size(), false));
@@ -146,7 +147,7 @@ bool crossEachOther(const RatingPlan& plan) {
          reaches(false);
 }
 
-/// "rater 3 and the thresholds": the raters that leave the others behind, and whether thresholds part.
+/// Describes a direction: "rater 3 and the thresholds" are the parameters that diverge.
 std::string endlessNames(const std::vector<double>& direction, const std::vector<std::size_t>& raters) {
   std::vector<double> severities{0.0};
   severities.insert(severities.end(), direction.begin(), direction.begin() + std::ssize(raters) - 1);
@@ -273,7 +274,7 @@ bool RatingPlan::judge(RaschStatus& status, const std::vector<int>& marks, bool 
     return true;
   }
   const auto [low, high] = std::minmax_element(marks.begin(), marks.end());
-  // A rater who gives the lowest category only is infinitely severe.
+  // A rater who gives only the lowest category is infinitely severe.
   if (*high == 0) {
     status = person ? RaschStatus::kExtremeLow : RaschStatus::kExtremeHigh;
   }

@@ -8,10 +8,10 @@
 
 namespace torsio {
 
-/// Persons x raters, categories from 0; empty where a rater has not rated a person.
+/// Persons x raters, categories from 0; empty if not rated.
 using CategoryRatings = std::vector<std::vector<std::optional<int>>>;
 
-/// Why a person or a rater has no estimate of its own.
+/// Whether a person or rater has an estimate, or why not.
 enum class RaschStatus {
   kEstimated,
   kExtremeLow,   ///< every rating in the lowest category: minus infinity
@@ -19,28 +19,28 @@ enum class RaschStatus {
   kNoRatings,
 };
 
-/// Who has rated whom, and whether a rating scale model can be estimated from it. Extreme persons and raters
-/// are set aside until none is left: without one, another may have become extreme.
+/// The rating design, and whether a rating scale model can be estimated from it. Extreme persons and raters
+/// are removed until none is left: removing one may make another extreme.
 class RatingPlan {
  public:
-  /// `ratings` has rows of equal length with categories from 0 to `highest` and outlives the plan.
+  /// `ratings` must have rows of equal length with categories 0 to `highest`, and outlive the plan.
   RatingPlan(const CategoryRatings& ratings, int highest);
 
   [[nodiscard]] int highest() const noexcept { return highest_; }
   [[nodiscard]] const std::vector<RaschStatus>& persons() const noexcept { return persons_; }
   [[nodiscard]] const std::vector<RaschStatus>& raters() const noexcept { return raters_; }
-  /// Numbers of those who are not set aside.
+  /// Returns the indices of those who were not removed.
   [[nodiscard]] std::vector<std::size_t> estimatedPersons() const;
   [[nodiscard]] std::vector<std::size_t> estimatedRaters() const;
-  /// True when the rater has rated the person and neither is set aside.
+  /// True if the rater has rated the person and neither was removed.
   [[nodiscard]] bool used(std::size_t person, std::size_t rater) const;
-  /// The category that the rater gave to the person; there is one (contract).
+  /// Returns the category that the rater gave to the person; there must be one.
   [[nodiscard]] int mark(std::size_t person, std::size_t rater) const;
-  /// True when all that are not set aside are linked by ratings.
+  /// True if all who were not removed are linked by ratings.
   [[nodiscard]] bool connected() const;
-  /// Names what the ratings leave free to grow without end, "rater 3 and the thresholds"; empty when the
-  /// likelihood has one finite maximum. Exact. The plan is connected, has two raters and uses every category
-  /// (contract of the caller).
+  /// Names the parameters that the ratings leave unbounded, "rater 3 and the thresholds"; empty if the
+  /// likelihood has one finite maximum. Exact. The plan must be connected, have two raters and use every
+  /// category.
   [[nodiscard]] std::optional<std::string> unbounded() const;
 
  private:

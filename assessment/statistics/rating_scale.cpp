@@ -11,7 +11,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kFar = 300.0;  // logits; quotients of less are doubles, and so are their products
+constexpr double kFar = 300.0;  // logits; ratios within this are representable, and so are their products
 
 }  // namespace
 
@@ -43,7 +43,7 @@ double RatingScale::exponent(double location, std::size_t k) const {
   return static_cast<double>(k) * location - sums_[k];
 }
 
-/// From the middle category to both sides; false where a value becomes too small or too large for that.
+/// Computes from the middle category to both sides; false if a value overflows or underflows.
 bool RatingScale::byQuotients(double location, std::vector<double>& p) const {
   constexpr double kLeast = 1e-250;
   if (!near_ || !(std::abs(location) < kFar)) {

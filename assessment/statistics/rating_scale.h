@@ -6,22 +6,22 @@
 
 namespace torsio {
 
-/// What a rating scale model expects of one mark.
+/// Expected distribution of one mark under a rating scale model.
 struct CategoryOdds {
   std::vector<double> p;  ///< probability of each category, from 0
   double mean = 0.0;
   double variance = 0.0;
 };
 
-/// The thresholds of a rating scale, ln(P_k / P_(k-1)) = location - tau_k, ready for many locations: each
-/// probability is that of the neighbour times a quotient, which takes two exponentials a location instead of
-/// one a category.
+/// Thresholds of a rating scale, ln(P_k / P_(k-1)) = location - tau_k, prepared for many locations: each
+/// probability is its neighbour's times a ratio, which takes two exponentials per location instead of one per
+/// category.
 class RatingScale {
  public:
-  /// `tau`: tau_1 .. tau_K, one at least.
+  /// `tau`: tau_1 .. tau_K, at least one.
   explicit RatingScale(const std::vector<double>& tau);
 
-  /// Computes `out` for ability - severity, in logits.
+  /// Computes `out` at ability - severity, in logits.
   void at(double location, CategoryOdds& out) const;
 
  private:
@@ -33,7 +33,7 @@ class RatingScale {
   std::vector<double> up_;          // exp(-threshold)
   std::vector<double> down_;        // exp(threshold)
   std::vector<double> categories_;  // 0 .. K
-  bool near_ = true;                // thresholds are such that quotients can be used
+  bool near_ = true;                // the thresholds allow computation by ratios
 };
 
 }  // namespace torsio

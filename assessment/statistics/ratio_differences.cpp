@@ -13,9 +13,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kFewValues = 2000;  // of these every pair is taken by itself
+constexpr std::size_t kFewValues = 2000;  // up to this many, every pair is computed directly
 constexpr std::size_t kNodes = 12;
-constexpr double kBoxWidth = 0.5;  // of the logarithm
+constexpr double kBoxWidth = 0.5;  // in log units
 
 double everyPair(std::span<const double> values, std::span<const double> counts) {
   double sum = 0.0;
@@ -27,8 +27,8 @@ double everyPair(std::span<const double> values, std::span<const double> counts)
   return sum;
 }
 
-/// Values whose logarithms lie close together, as weights of Chebyshev nodes: any smooth function of the
-/// logarithm has the same sum over the nodes as over the values.
+/// Values with close logarithms, as weights on Chebyshev nodes: any smooth function of the logarithm has the
+/// same sum over the nodes as over the values.
 struct Box {
   double first = 0.0;
   std::array<double, kNodes> nodes{};  ///< logarithm of value / first

@@ -22,7 +22,7 @@ struct TwoWay {
   double within = 0.0;
 };
 
-/// Sums of squares from residuals, not from differences of large totals.
+/// Computes sums of squares from residuals, not as differences of large totals.
 TwoWay twoWay(const NumberTable& x) {
   TwoWay ss;
   ss.n = static_cast<double>(x.rows());
@@ -57,8 +57,8 @@ double spearmanBrown(double r, double k) {
   return k * r / (1.0 + (k - 1.0) * r);
 }
 
-/// Gives the coefficient of one rater and that of the mean of all, with their intervals, from the mean square
-/// between the targets over an error's mean square with `df2` degrees of freedom.
+/// Returns the single-rater and mean-of-raters coefficients with their intervals, from the target mean square
+/// over an error mean square with `df2` degrees of freedom.
 std::pair<IccForm, IccForm> singleAndMean(const IccResult& of, double error, double df2, double tail) {
   const double k = static_cast<double>(of.raters);
   const double df1 = static_cast<double>(of.targets) - 1.0;
@@ -122,7 +122,7 @@ void addAgreement(IccResult& out, double tail) {
   }
   const double f1 = fQuantile(1.0 - tail, n - 1.0, v);
   const double f2 = fQuantile(1.0 - tail, v, n - 1.0);
-  if (!std::isfinite(f1) || !std::isfinite(f2)) {  // v near 0: the interval is everything
+  if (!std::isfinite(f1) || !std::isfinite(f2)) {  // v near 0: the interval is unbounded
     return;
   }
   const double spread = k * out.jms + (k * n - k - n) * out.ems;

@@ -10,8 +10,8 @@
 namespace torsio {
 
 struct IccForm {
-  double estimate = 0.0;             ///< may be negative; reported as it is
-  std::optional<Interval> interval;  ///< empty when the error variance is zero, or nothing bounds it
+  double estimate = 0.0;             ///< may be negative; reported as is
+  std::optional<Interval> interval;  ///< empty if the error variance is zero, or nothing bounds it
 };
 
 /// Intraclass correlations of Shrout and Fleiss (1979), with the mean squares they come from.
@@ -26,10 +26,10 @@ struct IccResult {
   IccForm agreementSingle;        ///< ICC(2,1): same raters, absolute agreement
   IccForm consistencySingle;      ///< ICC(3,1): same raters, order only
   IccForm oneWayMean;             ///< ICC(1,k)
-  IccForm agreementMean;          ///< ICC(2,k): the reported form, as scores are means over the same raters
+  IccForm agreementMean;          ///< ICC(2,k): reported, as scores are means over the same raters
   IccForm consistencyMean;        ///< ICC(3,k)
   double agreementDf = 0.0;       ///< Satterthwaite degrees of freedom of the ICC(2,1) interval
-  std::optional<double> fOneWay;  ///< these six are empty where the error that they are divided by is zero
+  std::optional<double> fOneWay;  ///< these six are empty if their error term is zero
   std::optional<double> pOneWay;
   std::optional<double> fTwoWay;
   std::optional<double>
@@ -45,26 +45,26 @@ struct IccResult {
 };
 
 /// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Raters that differ by
-/// constants only leave no residual: consistency is 1, and what would be divided by the residual is empty.
-/// Undefined with fewer than two of either, without variation between targets, or when squares overflow.
+/// constants only leave no residual: consistency is 1, and ratios to the residual are empty. Undefined with
+/// fewer than two of either, no variation between targets, or if squares overflow.
 [[nodiscard]] Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings,
                                                        double confidence = kDefaultConfidence);
 
 struct CronbachResult {
   double alpha = 0.0;
   Interval interval;                                ///< Feldt
-  std::vector<std::optional<double>> alphaWithout;  ///< one an item
+  std::vector<std::optional<double>> alphaWithout;  ///< one per item
   std::optional<double> standardized;               ///< from the mean correlation between items
 };
 
-/// Computes Cronbach's alpha. `answers`: persons x items. Undefined with fewer than two of either or when
-/// the sums do not vary.
+/// Computes Cronbach's alpha. `answers`: persons x items. Undefined with fewer than two of either or if the
+/// sums do not vary.
 [[nodiscard]] Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers,
                                                     double confidence = kDefaultConfidence);
 
 struct KendallResult {
   double w = 0.0;             ///< with tie correction
-  double wUncorrected = 0.0;  ///< shown only to explain a difference to other programs
+  double wUncorrected = 0.0;  ///< shown only to explain differences from other programs
   double s = 0.0;
   double tieTerm = 0.0;  ///< sum of t^3 - t over all raters
   double chiSquared = 0.0;
@@ -72,8 +72,7 @@ struct KendallResult {
   double p = 0.0;
 };
 
-/// Computes Kendall's concordance W of raters; `ratings`: targets x raters. Undefined when every rater ties
-/// all targets.
+/// Computes Kendall's W. `ratings`: targets x raters. Undefined if every rater ties all targets.
 [[nodiscard]] Outcome<KendallResult> kendallW(const NumberTable& ratings);
 
 struct BlandAltmanResult {
@@ -87,18 +86,18 @@ struct BlandAltmanResult {
   Interval lowerLimitInterval;
   Interval upperLimitInterval;
   std::optional<double>
-      slope;  ///< of the difference on the pair mean: not near 0 means a proportional difference
+      slope;  ///< of the difference on the pair mean; away from 0: a proportional difference
 };
 
 inline constexpr double kAgreementLimit = 1.96;
 
-/// Analyses differences x - y against pair means by Bland and Altman. Undefined for fewer than two pairs.
+/// Analyses differences x - y against pair means (Bland-Altman). Undefined for fewer than two pairs.
 [[nodiscard]] Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
                                                      double multiplier = kAgreementLimit,
                                                      double confidence = kDefaultConfidence);
 
-/// Compares every rater with the mean of the others; a mean that contains the rater would agree by
-/// construction. `ratings`: targets x raters, at least two raters.
+/// Compares every rater with the mean of the others; a mean including the rater would agree by construction.
+/// `ratings`: targets x raters, at least two raters.
 [[nodiscard]] std::vector<Outcome<BlandAltmanResult>> blandAltmanAgainstPanel(const NumberTable& ratings);
 
 }  // namespace torsio

@@ -49,7 +49,7 @@ Interval atLevels(const std::vector<double>& values, double low, double high) {
   return {*quantile(values, low, QuantileRule::kType1), *quantile(values, high, QuantileRule::kType1)};
 }
 
-/// Equal up to this counts as equal: sums of the same numbers in another order differ in the last bit.
+/// Tolerance for equality: sums of the same numbers in another order differ in the last bit.
 double roundingAt(double value) {
   return 1e-12 * std::max(1.0, std::abs(value));
 }
@@ -65,7 +65,7 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
   std::iota(rows.begin(), rows.end(), std::size_t{1});
   for (std::size_t out = 0; out < trainees; ++out) {
     if (out > 0) {
-      rows[out - 1] = out - 1;  // the one that was left out before
+      rows[out - 1] = out - 1;  // the one left out in the previous round
     }
     values.push_back(statistic(rows));
   }

@@ -11,28 +11,29 @@
 
 namespace torsio {
 
-/// A statistic of the trainees with these numbers; a number may appear several times. Must be finite.
+/// A statistic of the trainees with these indices, possibly repeated. Must be finite.
 using ResampledStatistic = std::function<double(std::span<const std::size_t> trainees)>;
 
 struct Jackknife {
   double error = 0.0;
   double acceleration = 0.0;
 };
-/// Leaves each trainee out once; error and acceleration are 0 where that changes nothing. Undefined for fewer
+/// Leaves out one trainee at a time; error and acceleration are 0 if that changes nothing. Undefined for
+/// fewer
 /// than three.
 [[nodiscard]] Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic);
 
 struct BootstrapOptions {
   std::uint64_t seed = 1;
   std::int64_t resamples = 9999;
-  bool everyResample = false;  ///< all n^n ordered resamples instead of a random choice; n^n <= 1e6
+  bool everyResample = false;  ///< all n^n ordered resamples instead of random ones; n^n <= 1e6
   double confidence = kDefaultConfidence;
 };
 
-/// Intervals by resampling trainees. Quantiles are of type 1 (inverse of the empirical distribution); ties in
-/// z0 count half; the variance has divisor `resamples`. With about ten trainees these intervals are too
-/// short. The acceleration is 0 where leaving out any one trainee changes nothing (a median among equals).
-/// Undefined for fewer than three trainees, or when no resample changes the statistic.
+/// Bootstrap intervals by resampling trainees. Quantiles are of type 1 (inverse of the empirical
+/// distribution); ties in z0 count half; the variance has divisor `resamples`. With about ten trainees these
+/// intervals are too short. The acceleration is 0 if leaving out any one trainee changes nothing (a median
+/// among equals). Undefined for fewer than three trainees, or if no resample changes the statistic.
 struct Bootstrap {
   double estimate = 0.0;
   std::int64_t resamples = 0;

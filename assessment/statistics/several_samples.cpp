@@ -29,7 +29,7 @@ class KruskalCounter {
     }
   }
 
-  /// H orders like the sum of squared rank sums over group sizes: a whole number times the common multiple.
+  /// H orders like the sum of squared rank sums over group sizes; times the common multiple it is an integer.
   [[nodiscard]] std::int64_t order(const std::vector<std::int64_t>& sums) const {
     std::int64_t value = 0;
     for (std::size_t g = 0; g < sums.size(); ++g) {

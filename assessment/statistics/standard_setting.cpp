@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-/// Logistic regression of mastery on score by Newton; empty when the groups do not overlap.
+/// Logistic regression of mastery on score by Newton's method; empty if the groups do not overlap.
 void addLogistic(std::span<const double> novices, std::span<const double> masters, ContrastingGroups& out) {
   const double centre = out.midpoint;  // keeps the information matrix well conditioned
   double b0 = 0.0;
@@ -237,7 +237,7 @@ std::optional<std::size_t> proficientAt(std::span<const double> attempts, double
 double proficientProbability(double pass, std::size_t attempts, std::size_t consecutive,
                              std::size_t further) {
   TORSIO_EXPECTS(pass >= 0.0 && pass <= 1.0);
-  // First the run, by its length, then the further ones by their number; the last state is the end.
+  // States: the length of the run, then the number of further passes; the last one is absorbing.
   const std::size_t end = consecutive + further;
   std::vector<double> states(end + 1, 0.0);
   states[0] = 1.0;
@@ -251,7 +251,7 @@ double proficientProbability(double pass, std::size_t attempts, std::size_t cons
     }
     states = std::move(next);
   }
-  return attempts == 0 ? 0.0 : std::min(1.0, states[end]);  // not beyond it by rounding
+  return attempts == 0 ? 0.0 : std::min(1.0, states[end]);  // rounding may exceed 1
 }
 
 }  // namespace torsio

@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-/// A statistic, or the reason why it is not defined for these data. Never 0 or NaN in place of a value.
+/// A statistic, or the reason why it is undefined for these data. Never 0 or NaN in place of a value.
 template <class T>
 class Outcome {
  public:
@@ -27,7 +27,7 @@ class Outcome {
   }
   [[nodiscard]] const T* operator->() const { return &value(); }
   [[nodiscard]] const T& operator*() const { return value(); }
-  /// Returns why there is no value: a clause without full stop, "every rating is the same".
+  /// Returns the reason: a clause without full stop, "every rating is the same".
   [[nodiscard]] const Text& reason() const noexcept { return reason_; }
 
  private:
@@ -42,13 +42,12 @@ struct Interval {
   double upper = 0.0;
 };
 
-/// A complete rectangular table of numbers: rows are targets (trainees), columns are raters, items or
-/// occasions.
+/// A complete table of numbers: rows are targets (trainees), columns are raters, items or occasions.
 class NumberTable {
  public:
   NumberTable() = default;
   NumberTable(std::size_t rows, std::size_t columns) : columns_(columns), values_(rows * columns, 0.0) {}
-  /// Makes a table. Throws ContractError when the rows differ in length.
+  /// Throws ContractError if the rows differ in length.
   explicit NumberTable(const std::vector<std::vector<double>>& rows) {
     columns_ = rows.empty() ? 0 : rows.front().size();
     for (const std::vector<double>& row : rows) {

@@ -63,6 +63,23 @@
     </message>
 </context>
 <context>
+    <name>TwistCoach</name>
+    <message numerus="yes">
+        <source>%n twist(s), at least %1 asked for</source>
+        <translation>
+            <numerusform>%n twist, at least %1 asked for</numerusform>
+            <numerusform>%n twists, at least %1 asked for</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n twist(s)</source>
+        <translation>
+            <numerusform>%1 of %n twist</numerusform>
+            <numerusform>%1 of %n twists</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::AllocationPage</name>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
@@ -565,20 +582,6 @@
         <translation>
             <numerusform>%1 of %n sheet for this occasion is in; the other cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</numerusform>
             <numerusform>Only %1 of %n sheets for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n twist(s)</source>
-        <translation>
-            <numerusform>%1 of %n twist</numerusform>
-            <numerusform>%1 of %n twists</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n twist(s), at least %1 asked for</source>
-        <translation>
-            <numerusform>%n twist, at least %1 asked for</numerusform>
-            <numerusform>%n twists, at least %1 asked for</numerusform>
         </translation>
     </message>
 </context>

@@ -18680,6 +18680,97 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
 </context>
 <context>
+    <name>TwistCoach</name>
+    <message>
+        <source>Within %1°, hold for %2 s, then release</source>
+        <translation>在 %1° 以内，保持 %2 s，然后松开</translation>
+    </message>
+    <message>
+        <source>Within %1°, then release</source>
+        <translation>在 %1° 以内，然后松开</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n twist(s), at least %1 asked for</source>
+        <translation>
+            <numerusform>已扭转 %n 次，至少要求 %1 次</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n twist(s)</source>
+        <translation>
+            <numerusform>扭转 %1 / %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turned the wrong way: turn in the opposite direction.</source>
+        <translation>转错方向：请向相反方向转动。</translation>
+    </message>
+    <message>
+        <source>Let go %1° too far: turn back before you open the jaw.</source>
+        <translation>松开时超出 %1°：张开钳口前先转回。</translation>
+    </message>
+    <message>
+        <source>Let go %1° too early: turn further before you open the jaw.</source>
+        <translation>松开时还差 %1°：张开钳口前再多转一些。</translation>
+    </message>
+    <message>
+        <source>Released on target, but not held: wait until the ring is full.</source>
+        <translation>松开时达标，但没有保持：等圆环填满再松开。</translation>
+    </message>
+    <message>
+        <source>Released on target.</source>
+        <translation>松开时达标。</translation>
+    </message>
+    <message>
+        <source>%1 On target: %2 of %3</source>
+        <translation>%1达标：%2/%3</translation>
+    </message>
+    <message>
+        <source>All twists are done. End the run, or twist again.</source>
+        <translation>扭转次数已完成。可结束本次操作，也可继续扭转。</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band.</source>
+        <translation>将钳口移到标记带。</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band. The wheel moves it nearer.</source>
+        <translation>将钳口移到标记的环带处。滚轮可使其靠近。</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw.</source>
+        <translation>已接触，请夹紧。</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw: hold the left button or Space.</source>
+        <translation>已接触。闭合钳口：按住左键或空格键。</translation>
+    </message>
+    <message>
+        <source>On target. Hold, then release gently.</source>
+        <translation>已到目标。保持，然后轻轻松开。</translation>
+    </message>
+    <message>
+        <source>On target. Let go gently.</source>
+        <translation>已到目标。轻轻松开。</translation>
+    </message>
+    <message>
+        <source>Beyond the target. Turn back a little.</source>
+        <translation>超过目标，请稍微转回。</translation>
+    </message>
+    <message>
+        <source>Nearly there. Slow down.</source>
+        <translation>快到了，请放慢。</translation>
+    </message>
+    <message>
+        <source>Turn in the opposite direction.</source>
+        <translation>请向相反方向转动。</translation>
+    </message>
+    <message>
+        <source>Turn in one even movement.</source>
+        <translation>一次平稳地转动。</translation>
+    </message>
+</context>
+<context>
     <name>UserDialogs</name>
     <message>
         <source>May work as</source>
@@ -27965,6 +28056,81 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::RunNotice</name>
+    <message>
+        <source>Your run is safe</source>
+        <translation>您的操作已妥善保存</translation>
+    </message>
+    <message>
+        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page “Debrief”.</source>
+        <translation>数据库无响应。录制已保留，必要时保存在本机；数据库恢复后，您可在“训练复盘”页面查看。</translation>
+    </message>
+    <message>
+        <source>No run in progress</source>
+        <translation>没有正在进行的操作</translation>
+    </message>
+    <message>
+        <source>Choose a module on the page “My next step”.</source>
+        <translation>请在“我的下一步”页面选择模块。</translation>
+    </message>
+    <message>
+        <source>Getting the haptic device ready</source>
+        <translation>正在准备力反馈设备</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds. Your time has not begun yet.</source>
+        <translation>需要几秒钟。计时尚未开始。</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds. Your training clock is paused.</source>
+        <translation>需要几秒钟。训练计时已暂停。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>Your training clock is paused. Training resumes automatically when the rest is used up.</source>
+        <translation>训练计时已暂停。休息时间用完后训练自动继续。</translation>
+    </message>
+    <message>
+        <source>&amp;Go on now</source>
+        <translation>现在继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Go to the real arm</source>
+        <translation>请到实物手臂处</translation>
+    </message>
+    <message>
+        <source>Come to the simulator</source>
+        <translation>请回到模拟器</translation>
+    </message>
+    <message>
+        <source>The next phase starts automatically: %1</source>
+        <translation>下一阶段将自动开始：%1</translation>
+    </message>
+    <message>
+        <source>I am &amp;ready</source>
+        <translation>我准备好了(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Train on the real arm</source>
+        <translation>在实物手臂上训练</translation>
+    </message>
+    <message>
+        <source>This timer logs your training time. The tracker records the instrument.</source>
+        <translation>此计时器记录您的训练时间。跟踪器正在记录器械。</translation>
+    </message>
+    <message>
+        <source>This timer logs your training time. Nothing is recorded.</source>
+        <translation>此计时器记录您的训练时间。不作其他记录。</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::RunPage</name>
     <message>
         <source>The haptic device was disconnected</source>
@@ -28019,6 +28185,67 @@ Leave it empty to remove it.</source>
         <translation>操作正在进行，请先结束。</translation>
     </message>
     <message>
+        <source>The haptic device did not answer</source>
+        <translation>力反馈设备没有响应</translation>
+    </message>
+    <message>
+        <source>Check its cable and its power</source>
+        <translation>请检查其电缆和电源</translation>
+    </message>
+    <message>
+        <source>The haptic device is not ready: the graded run did not begin</source>
+        <translation>力反馈设备未就绪：计分操作没有开始</translation>
+    </message>
+    <message>
+        <source>No attempt was used. Check the device, then begin again</source>
+        <translation>未计入尝试次数。请检查设备，然后重新开始</translation>
+    </message>
+    <message>
+        <source>Not scored yet</source>
+        <translation>尚未评分</translation>
+    </message>
+    <message>
+        <source>Begin anyway</source>
+        <translation>仍然开始</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message numerus="yes">
+        <source>Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</source>
+        <translation>
+            <numerusform>该时点的 %n 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The keyboard left the organ: the jaw has opened.</source>
+        <translation>键盘焦点已离开器官，钳口已松开。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RunPanel</name>
+    <message>
+        <source>Phase %1 of %2: %3</source>
+        <translation>第 %1 / %2 阶段：%3</translation>
+    </message>
+    <message>
+        <source>&amp;Rest (%1 left)</source>
+        <translation>休息（剩余 %1）(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Rest (used up)</source>
+        <translation>休息（已用完）(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Above the limit: ease off</source>
+        <translation>超过限值：请减力</translation>
+    </message>
+    <message>
+        <source>You are pressing too deep: draw back</source>
+        <translation>压得过深：请退回</translation>
+    </message>
+    <message>
         <source>Time left</source>
         <translation>剩余时间</translation>
     </message>
@@ -28047,234 +28274,20 @@ Leave it empty to remove it.</source>
         <translation>N</translation>
     </message>
     <message>
-        <source>Graded run</source>
-        <translation>计分操作</translation>
-    </message>
-    <message>
-        <source>Practice</source>
-        <translation>练习</translation>
-    </message>
-    <message>
-        <source>Your run is safe</source>
-        <translation>您的操作已妥善保存</translation>
-    </message>
-    <message>
-        <source>No run in progress</source>
-        <translation>没有正在进行的操作</translation>
-    </message>
-    <message>
-        <source>Choose a module on the page “My next step”.</source>
-        <translation>请在“我的下一步”页面选择模块。</translation>
-    </message>
-    <message>
-        <source>Phase %1 of %2: %3</source>
-        <translation>第 %1 / %2 阶段：%3</translation>
-    </message>
-    <message>
-        <source>&amp;Rest (%1 left)</source>
-        <translation>休息（剩余 %1）(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Rest (used up)</source>
-        <translation>休息（已用完）(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Rest</source>
-        <translation>休息</translation>
-    </message>
-    <message>
-        <source>Your training clock is paused. Training resumes automatically when the rest is used up.</source>
-        <translation>训练计时已暂停。休息时间用完后训练自动继续。</translation>
-    </message>
-    <message>
-        <source>&amp;Go on now</source>
-        <translation>现在继续(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Go to the real arm</source>
-        <translation>请到实物手臂处</translation>
-    </message>
-    <message>
-        <source>Come to the simulator</source>
-        <translation>请回到模拟器</translation>
-    </message>
-    <message>
-        <source>The next phase starts automatically: %1</source>
-        <translation>下一阶段将自动开始：%1</translation>
-    </message>
-    <message>
-        <source>I am &amp;ready</source>
-        <translation>我准备好了(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Train on the real arm</source>
-        <translation>在实物手臂上训练</translation>
-    </message>
-    <message>
-        <source>Bring the jaw to the marked band.</source>
-        <translation>将钳口移到标记带。</translation>
-    </message>
-    <message>
-        <source>Bring the jaw to the marked band. The wheel moves it nearer.</source>
-        <translation>将钳口移到标记的环带处。滚轮可使其靠近。</translation>
-    </message>
-    <message>
-        <source>All twists are done. End the run, or twist again.</source>
-        <translation>扭转次数已完成。可结束本次操作，也可继续扭转。</translation>
-    </message>
-    <message>
-        <source>Touching. Close the jaw.</source>
-        <translation>已接触，请夹紧。</translation>
-    </message>
-    <message>
-        <source>Touching. Close the jaw: hold the left button or Space.</source>
-        <translation>已接触。闭合钳口：按住左键或空格键。</translation>
-    </message>
-    <message>
-        <source>On target. Hold, then release gently.</source>
-        <translation>已到目标。保持，然后轻轻松开。</translation>
-    </message>
-    <message>
-        <source>On target. Let go gently.</source>
-        <translation>已到目标。轻轻松开。</translation>
-    </message>
-    <message>
-        <source>Within %1°, hold for %2 s, then release</source>
-        <translation>在 %1° 以内，保持 %2 s，然后松开</translation>
-    </message>
-    <message>
-        <source>Within %1°, then release</source>
-        <translation>在 %1° 以内，然后松开</translation>
-    </message>
-    <message>
-        <source>Let go %1° too far: turn back before you open the jaw.</source>
-        <translation>松开时超出 %1°：张开钳口前先转回。</translation>
-    </message>
-    <message>
-        <source>Let go %1° too early: turn further before you open the jaw.</source>
-        <translation>松开时还差 %1°：张开钳口前再多转一些。</translation>
-    </message>
-    <message>
-        <source>Released on target, but not held: wait until the ring is full.</source>
-        <translation>松开时达标，但没有保持：等圆环填满再松开。</translation>
-    </message>
-    <message>
-        <source>Turned the wrong way: turn in the opposite direction.</source>
-        <translation>转错方向：请向相反方向转动。</translation>
-    </message>
-    <message>
-        <source>Released on target.</source>
-        <translation>松开时达标。</translation>
-    </message>
-    <message>
-        <source>%1 On target: %2 of %3</source>
-        <translation>%1达标：%2/%3</translation>
-    </message>
-    <message>
-        <source>Beyond the target. Turn back a little.</source>
-        <translation>超过目标，请稍微转回。</translation>
-    </message>
-    <message>
-        <source>Nearly there. Slow down.</source>
-        <translation>快到了，请放慢。</translation>
-    </message>
-    <message>
-        <source>Turn in one even movement.</source>
-        <translation>一次平稳地转动。</translation>
-    </message>
-    <message>
-        <source>Above the limit: ease off</source>
-        <translation>超过限值：请减力</translation>
-    </message>
-    <message>
-        <source>The haptic device did not answer</source>
-        <translation>力反馈设备没有响应</translation>
-    </message>
-    <message>
-        <source>Check its cable and its power</source>
-        <translation>请检查其电缆和电源</translation>
-    </message>
-    <message>
-        <source>The haptic device is not ready: the graded run did not begin</source>
-        <translation>力反馈设备未就绪：计分操作没有开始</translation>
-    </message>
-    <message>
-        <source>No attempt was used. Check the device, then begin again</source>
-        <translation>未计入尝试次数。请检查设备，然后重新开始</translation>
-    </message>
-    <message>
-        <source>Getting the haptic device ready</source>
-        <translation>正在准备力反馈设备</translation>
-    </message>
-    <message>
-        <source>This takes a few seconds. Your time has not begun yet.</source>
-        <translation>需要几秒钟。计时尚未开始。</translation>
-    </message>
-    <message>
-        <source>This takes a few seconds. Your training clock is paused.</source>
-        <translation>需要几秒钟。训练计时已暂停。</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>取消(&amp;C)</translation>
-    </message>
-    <message>
-        <source>You are pressing too deep: draw back</source>
-        <translation>压得过深：请退回</translation>
-    </message>
-    <message>
-        <source>Not scored yet</source>
-        <translation>尚未评分</translation>
-    </message>
-    <message>
-        <source>Begin anyway</source>
-        <translation>仍然开始</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-    <message numerus="yes">
-        <source>Only %1 of %n sheet(s) for this occasion are in; the others cannot be made up once training continues. Call the study team. Why should training begin anyway? It is noted as a deviation.</source>
-        <translation>
-            <numerusform>该时点的 %n 份评分表只收到 %1 份，训练继续后将无法补评。请联系研究人员。为何仍要开始训练？这将记录为方案偏离。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page “Debrief”.</source>
-        <translation>数据库无响应。录制已保留，必要时保存在本机；数据库恢复后，您可在“训练复盘”页面查看。</translation>
-    </message>
-    <message>
-        <source>Turn in the opposite direction.</source>
-        <translation>请向相反方向转动。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %n twist(s)</source>
-        <translation>
-            <numerusform>扭转 %1 / %n</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n twist(s), at least %1 asked for</source>
-        <translation>
-            <numerusform>已扭转 %n 次，至少要求 %1 次</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The keyboard left the organ: the jaw has opened.</source>
-        <translation>键盘焦点已离开器官，钳口已松开。</translation>
+        <source>&amp;End the run</source>
+        <translation>结束操作(&amp;E)</translation>
     </message>
     <message>
         <source>Guide me</source>
         <translation>引导我</translation>
     </message>
     <message>
-        <source>This timer logs your training time. The tracker records the instrument.</source>
-        <translation>此计时器记录您的训练时间。跟踪器正在记录器械。</translation>
+        <source>Graded run</source>
+        <translation>计分操作</translation>
     </message>
     <message>
-        <source>This timer logs your training time. Nothing is recorded.</source>
-        <translation>此计时器记录您的训练时间。不作其他记录。</translation>
+        <source>Practice</source>
+        <translation>练习</translation>
     </message>
 </context>
 <context>

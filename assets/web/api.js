@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Talks to the server. Knows its errors and the token of the session; shows nothing.
+// HTTP client: errors, session token. Shows nothing.
 import { language } from './texts.js';
 
 const kPatience_ms = 20_000;
 const kPatienceForFiles_ms = 120_000;
 
-/// The server refused. `code` as it names it; `what`, `remedy` in the reader's language; `body`: all it said.
+/// A refusal by the server: its `code`; `what` and `remedy` in the reader's language; `body`: the whole
+/// answer.
 export class Refusal extends Error {
   constructor(status, body, wait_s) {
     const error = body?.error ?? {};
@@ -20,13 +21,13 @@ export class Refusal extends Error {
   get needsSignIn() {
     return this.status === 401;
   }
-  /// Later the same request may be granted.
-  get passes() {
+  /// True if the same request may succeed later.
+  get isTransient() {
     return this.status === 429 || this.status >= 500;
   }
 }
 
-/// No answer: the network is away, or the server.
+/// No answer: the network or the server is down.
 export class NoConnection extends Error {}
 
 let token = '';
@@ -36,7 +37,7 @@ export function useToken(fresh) {
   token = fresh;
 }
 
-/// `handler` hears of each request that was refused because nobody is signed in.
+/// `handler` is called for each request refused because nobody is signed in.
 export function whenSignedOut(handler) {
   onSignedOut = handler;
 }
@@ -66,7 +67,7 @@ async function jsonOf(answer) {
   try {
     return await answer.json();
   } catch {
-    return null; // a proxy's page, or a connection that ended in the middle
+    return null; // a proxy's page, or a truncated answer
   }
 }
 
@@ -86,8 +87,8 @@ async function json(method, path, body, options = {}) {
   return value;
 }
 
-/// `quiet`: a 401 is an answer like others and no end of the session. `last`: the page may be gone before the
-/// answer.
+/// `quiet`: treats a 401 as an ordinary answer, not as the end of the session. `last`: the page may be closed
+/// before the answer.
 export const api = {
   get: (path, options) => json('GET', path, undefined, options),
   post: (path, body, options) => json('POST', path, body, options),

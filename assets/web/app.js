@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Starts the pages: texts, who is signed in, which page the address names.
+// Starts the application: texts, user, and the page of the address.
 import { api, useToken, whenSignedOut } from './api.js';
 import { BoardPage } from './board_page.js';
 import { CalibrationPage } from './calibration_page.js';
@@ -42,12 +42,13 @@ const idle = new IdleWatch({
   warned: (left_s) => frame.notify(t('Still there? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
   back: () => frame.notify(''),
   idle: lock,
-  present: () => api.get('/api/me').catch(() => {}), // ended elsewhere: the gate is closed by it
+  present: () => api.get('/api/me').catch(() => {}), // if the session was ended elsewhere, the gate closes
 });
 let user = null;
 let page = null;
 
-/// The pages; `of`: what the server calls the right to it, none for everybody. The first one that somebody has opens at "#".
+/// The pages; `of`: the server's name of the required right, none for everybody. "#" opens the first
+/// permitted one.
 const kPages = [
   { hash: '#queue', of: 'queue', title: () => t('Your queue'), make: () => new QueuePage(frame) },
   { hash: '#calibration', of: 'queue', title: () => t('Calibration'), make: () => new CalibrationPage(frame) },
@@ -64,9 +65,9 @@ const kPages = [
   { hash: '#sessions', of: '', title: () => t('Your sessions'), make: () => new SessionsPage(frame, false) },
 ];
 
-/// What pages may ask of the frame they stand in.
+/// Services of the frame for its pages.
 const frame = {
-  /// Says something in passing.
+  /// Shows a passing notice.
   notify(text, for_ms = kNotice_ms) {
     say(said, text);
     show(said, text !== '');
@@ -110,7 +111,7 @@ async function begin(texts) {
   });
   window.addEventListener('pagehide', () => page?.left?.());
   window.addEventListener('pageshow', (event) => {
-    if (event.persisted) window.location.reload(); // by the button "back": what was left is over
+    if (event.persisted) window.location.reload(); // restored by the back button: start afresh
   });
   whenSignedOut(() => {
     if (user) gate.close(user.login, null, comeBack);
@@ -146,7 +147,7 @@ function drawFrame({ centre, languages }) {
 }
 
 function skip(event) {
-  event.preventDefault(); // the address names pages
+  event.preventDefault(); // addresses name pages
   main.focus();
 }
 
@@ -172,13 +173,13 @@ function showSignIn() {
   putSignInForm(place, { onSignedIn: (answer) => enter(answer) });
 }
 
-/// The first visit, by the link of an invitation. Whoever is signed in here meanwhile is not asked.
+/// First visit by an invitation link, whoever is signed in.
 function showJoin() {
   document.title = `${t('Welcome')} \u2013 Torsio`;
   show(leave, false);
   showWays();
   const link = window.location.hash.slice(1);
-  const away = () => window.history.replaceState(null, '', '/'); // a link that is used up stays in no list of pages
+  const away = () => window.history.replaceState(null, '', '/'); // removes a used link from the history
   const place = h('div', { class: 'card narrow' });
   main.replaceChildren(place);
   putJoinForm(place, {
@@ -195,7 +196,7 @@ function showJoin() {
   });
 }
 
-/// The pages that this person has.
+/// Shows the links to this person's pages.
 function showWays() {
   const known = user
     ? [...kPages.filter((one) => one.of && user.pages.includes(one.of)).map((one) => [one.hash, one.title()]),
@@ -216,18 +217,18 @@ function enter(answer, idle_s) {
   route();
 }
 
-/// A sign-in does not say for how long somebody may be idle; /api/me does.
+/// The sign-in does not return the idle time; /api/me does.
 async function watchIdle(idle_s) {
   idle.start(idle_s ?? kDefaultIdle_s);
   if (idle_s !== undefined) return;
   try {
     idle.start((await api.get('/api/me', { quiet: true })).idle_s);
   } catch {
-    // then the usual time holds, and the server's own end of the session
+    // keep the default; the server ends the session by itself
   }
 }
 
-/// The same person again: the page goes on with what it holds. Another one: a fresh page.
+/// The same person continues on the page; another one gets a fresh page.
 function comeBack(answer) {
   if (answer.user.login !== user.login) {
     page?.left?.();
@@ -244,7 +245,7 @@ function lock() {
   if (user && !gate.closed) gate.close(user.login, endSession(), comeBack);
 }
 
-/// Brings what was typed to the server, then ends the session there: what is locked does not open by a reload.
+/// Saves what was typed, then ends the session on the server, so that a reload does not unlock it.
 async function endSession() {
   await page?.settle?.();
   try {
@@ -273,7 +274,7 @@ async function signOut() {
   showSignIn();
 }
 
-/// The line of kPages that an address names.
+/// Finds the entry of kPages for an address.
 function pageOf(hash) {
   return kPages.find((one) => one.hash === hash) ?? kPages.find((one) => one.of && user?.pages.includes(one.of));
 }
@@ -292,7 +293,7 @@ async function route() {
   } catch (error) {
     if (page !== opened) return;
     if (error.needsSignIn) {
-      opened.resume = route; // signed in again, it is opened anew
+      opened.resume = route; // reopened after signing in again
       return;
     }
     showProblem(error);

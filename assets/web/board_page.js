@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The day and who has scored what, for administrators. Read only.
+// The boards of the day and of marks, for administrators. Read only.
 import { api } from './api.js';
 import { h, show } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
@@ -17,7 +17,7 @@ export class BoardPage {
   element = h('div', { class: 'queue wide' });
   #timer = null;
 
-  /// `scored`: who has scored what; else the board of the day.
+  /// `scored`: the board of marks; otherwise that of the day.
   constructor(frame, scored) {
     this.frame = frame;
     this.scored = scored;
@@ -56,7 +56,7 @@ export class BoardPage {
     clearTimeout(this.#timer);
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays
+    this.load().catch(() => {}); // keeps the present content
   }
 
   #showBoard({ rows, stations, alerts }) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rater calibration on reference runs: score first, then see what the panel has said.
+// Rater calibration on reference runs: score first, then compare with the panel.
 import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say } from './dom.js';
@@ -11,7 +11,7 @@ import { SheetView } from './sheet_view.js';
 import { t } from './texts.js';
 
 const kSpeeds = [0.5, 1, 2];
-const kNear_points = 0.25; // as the panel sees it
+const kNear_points = 0.25; // counts as agreement with the panel
 
 function tenths(points) {
   return pointsText(Math.round(10 * points) / 10);
@@ -73,7 +73,7 @@ export class CalibrationPage {
         button(t('Try again'), () => this.#openRecording(player)));
     }
   }
-  /// The mark that stands was compared already.
+  /// True if the current mark was already compared.
   #compared() {
     const run = this.#run();
     return run.own_steps !== null && run.own_steps === this.editor.answer(kOverallRow).score_steps;

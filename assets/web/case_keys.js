@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of a page with a case or a recording a key belongs to.
+// Dispatches keys on a page with a case or a recording.
 
-/// Gives a key to what it belongs to, and takes it from the browser then.
+/// Passes a key to its target and prevents the browser's default.
 export function pressKey(page, event) {
   if (event.isComposing || event.defaultPrevented) return;
   const typing = ['INPUT', 'TEXTAREA', 'SELECT'].includes(event.target.tagName) && event.target.type !== 'checkbox';
@@ -19,7 +19,7 @@ function command(page, event) {
     page.bar.go();
     return true;
   }
-  // One history for the whole sheet; a remark keeps its own.
+  // The sheet shares one undo history; remark fields have their own.
   if (event.target.tagName === 'INPUT' && !page.view.element.contains(event.target)) return false;
   if (key === 'z' && !event.shiftKey) {
     page.view.undo();
@@ -55,8 +55,8 @@ function plainKey(page, event) {
   }
 }
 
-/// The keys of a page with a player and rows to score, but no case: Ctrl+Enter goes on, the others play and score.
-/// `page`: go(), view, and a player once there is something to play.
+/// Keys of a page with a player and rows to score, but no case: Ctrl+Enter continues, the others play and
+/// score. `page`: go(), view, and a player once it is loaded.
 export function playedKeys(page, event) {
   if (event.isComposing || event.defaultPrevented) return;
   if ((event.ctrlKey || event.metaKey) && event.key === 'Enter') {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a case page says of its sheet's history.
+// Texts about a sheet's history.
 import { dayText } from './numbers.js';
 import { t } from './texts.js';
 
-/// What undo takes back or redo brings again. `change` of SheetEditor; `view` names the rows.
+/// Names the step that undo or redo would perform. `change`: of SheetEditor; `view` names the rows.
 export function stepName({ kind, row }, view) {
   const name = view.nameOf(row);
   switch (kind) {
@@ -20,7 +20,7 @@ export function stepName({ kind, row }, view) {
   }
 }
 
-/// What was sealed when and why, a line a version.
+/// Lists the submitted versions with time and reason, one line each.
 export function versionsText(versions) {
   return versions.map(({ version, submitted_utc_us: sealed_us, reason, after_panel: afterPanel }) => {
     const day = dayText(sealed_us);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One case: the recording at the left, the sheet at the right, each keystroke on its way to the server.
+// One case: recording on the left, sheet on the right; every change is saved to the server.
 import { api, NoConnection, Refusal } from './api.js';
 import { pressKey } from './case_keys.js';
 import { stepName, versionsText } from './case_labels.js';
@@ -55,10 +55,10 @@ export class CasePage {
     this.#build();
     if (kept) this.#save();
     this.view.takeFocus();
-    this.#openRecording(); // may take a while; the sheet is there
+    this.#openRecording(); // takes a while; the sheet is usable meanwhile
   }
 
-  /// A new session gives a case another handle; its label stays, and is found in the queue again.
+  /// A new session uses other handles: find the case in the queue by its label.
   async #open() {
     try {
       const opened = await api.get(this.path);
@@ -70,7 +70,7 @@ export class CasePage {
       return api.get(this.path);
     }
   }
-  /// Takes the handle that the case of this label has now. False: it is not in the queue.
+  /// Adopts the current handle of the case with this label. False: not in the queue.
   async #follow(label) {
     const { lines } = await api.get('/api/queue');
     const line = lines.find((one) => one.label === label);
@@ -93,7 +93,7 @@ export class CasePage {
     });
     this.reporter = new ViewingReporter({
       post: (body, options) => api.post(`${this.path}/viewing`, body, options),
-      onAnswer: (answer, unheard) => this.#viewed(answer, unheard),
+      onAnswer: (answer, unreported) => this.#viewed(answer, unreported),
     });
     this.view = new SheetView(opened.rubric, opened.reasons ?? [], {
       edited: () => this.#edited(),
@@ -202,17 +202,16 @@ export class CasePage {
     this.frame.active();
     if (this.sealed) return;
     this.reporter.played(stretch);
-    this.player.setWatched(this.opened.watched, this.reporter.unheard);
+    this.player.setWatched(this.opened.watched, this.reporter.unreported);
   }
-  #viewed(answer, unheard) {
+  #viewed(answer, unreported) {
     this.opened.watched = answer.watched;
     this.check = answer.check;
-    this.player.setWatched(answer.watched, unheard);
+    this.player.setWatched(answer.watched, unreported);
     this.bar.refresh();
   }
 
-  // What SubmitBar asks of its page.
-  /// Throws Refusal, NoConnection.
+  // Interface for SubmitBar. Throws Refusal, NoConnection.
   async sendSubmit(password) {
     await this.reporter.report();
     await this.keeper.settled();
@@ -221,7 +220,7 @@ export class CasePage {
       this.answer = await api.post(`${this.path}/submit`, { sheet: this.editor.sheet, ...shownPassword(password) });
     } catch (error) {
       this.doubtful = error instanceof NoConnection;
-      if (error.status === 409) this.#save(); // the keeper finds out and asks
+      if (error.status === 409) this.#save(); // the keeper handles the conflict
       throw error;
     }
   }
@@ -252,11 +251,11 @@ export class CasePage {
     this.frame.open(window.location.hash);
   }
 
-  // What the frame asks of its page.
+  // Interface for the frame.
   pause() {
     this.player?.pause();
   }
-  /// Before the page is left: what can be brought to the server is.
+  /// Called before the page is left: saves whatever it can.
   async settle() {
     this.pause();
     await this.reporter?.report();
@@ -268,7 +267,7 @@ export class CasePage {
     this.reporter.close();
     if (this.keeper.unsaved) letGoOn(this.path, this.keeper);
   }
-  /// Somebody signed in again; the case may have another handle in the new session.
+  /// Called after signing in again; the case may have another handle.
   async resume() {
     try {
       await this.#follow(this.opened.label);

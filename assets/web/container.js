@@ -4,7 +4,8 @@
 const kTypes = { f32: Float32Array, i16: Int16Array, u16: Uint16Array, u32: Uint32Array, u8: Uint8Array, i8: Int8Array };
 const kHead = 8;
 
-/// {meta, arrays: {name: typed array}}; the arrays are views into `buffer` where they came as they are. Throws RangeError where it is broken.
+/// Returns {meta, arrays: {name: typed array}}, views into `buffer` where possible. Throws RangeError if it
+/// is malformed.
 export function readContainer(buffer) {
   const view = new DataView(buffer);
   if (buffer.byteLength < kHead || view.getUint32(0) !== 0x54525331) throw new RangeError('not a container');
@@ -20,8 +21,8 @@ export function readContainer(buffer) {
   return { meta: head.meta, arrays };
 }
 
-/// Each value came as the difference to the one `stride` before it, which wraps round as the type does; with `scale`
-/// the sums are multiples of it.
+/// Sums differences to the value `stride` before, wrapping like the type; with `scale` the sums are
+/// multiplied by it.
 function summedUp(differences, stride, scale) {
   const sums = differences.slice();
   for (let i = stride; i < sums.length; ++i) sums[i] += sums[i - stride];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions that must be answered before the work goes on.
+// Modal dialogs.
 import { button, field, h, say } from './dom.js';
 import { scoreText } from './numbers.js';
 import { t } from './texts.js';
 
-/// Shows a dialog over the page; resolves with what its buttons give to `finish`, null when it was closed.
+/// Shows a modal dialog; resolves with what its buttons pass to `finish`, or null if it was closed.
 function ask(title, fill, { mayCancel = true } = {}) {
   return new Promise((resolve) => {
     let answer = null;
@@ -26,7 +26,7 @@ function ask(title, fill, { mayCancel = true } = {}) {
   });
 }
 
-/// The password of the signer, or null. `problem`: what was wrong with the last one.
+/// Resolves with the signer's password, or null. `problem`: why the last one was rejected.
 export function askSignature({ meaning, login, problem }) {
   return ask(t('Sign'), (finish) => {
     const secret = field(t('Your password'), { type: 'password', autocomplete: 'current-password', required: true, autofocus: true });
@@ -49,7 +49,7 @@ export function askSignature({ meaning, login, problem }) {
   });
 }
 
-/// 'newer' or 'mine', or null when the page was locked meanwhile.
+/// Resolves with 'newer' or 'mine', or null if the page was locked.
 export function askConflict({ mine, newer, rubric, nameOf }) {
   const scaleOf = (code) => rubric.rows.find((row) => row.code === code)?.scale ?? rubric.overall;
   const text = (code, { score_steps: steps, not_assessable: reason }) =>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases that all have submitted and where the reader's mark lies apart: keep it, move it with a reason, or ask for one
-// more rater.
+// Cases in which all have submitted and the reader's mark differs strongly: keep it, change it with a reason,
+// or request another rater.
 import { api } from './api.js';
 import { button, field, h, say } from './dom.js';
 import { figure } from './numbers.js';
@@ -11,7 +11,7 @@ const kLongestReason = 200;
 
 export class DiscrepancyPage {
   element = h('div', { class: 'queue' }, h('h1', {}, t('Discrepancy review')));
-  #typed = new Map(); // reasons that were typed, by case
+  #typed = new Map(); // unsent reasons, by case
 
   constructor(frame) {
     this.frame = frame;
@@ -26,7 +26,7 @@ export class DiscrepancyPage {
     this.#draw(await api.get('/api/discrepancies'));
   }
   resume() {
-    this.load().catch(() => {}); // what was typed stays
+    this.load().catch(() => {}); // keeps what was typed
   }
 
   #draw({ cases }) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes elements. Texts become text nodes and never markup, so that nothing a person typed can become code.
+// Creates elements. Texts become text nodes, never markup, so that user input cannot become code.
 
-/// h('button', {class: 'primary', onclick: f}, 'Sign in'). Attributes that are null, undefined or false are left
-/// out, true is an empty one, functions are listeners; children may be elements, texts, arrays, null.
+/// h('button', {class: 'primary', onclick: f}, 'Sign in'). Attributes that are null, undefined or false are
+/// omitted, true is an empty attribute, functions are listeners; children may be elements, texts, arrays,
+/// null.
 export function h(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -17,14 +18,14 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
-/// A button that sends no form.
+/// Creates a button that does not submit a form.
 export function button(text, onclick, attributes = {}) {
   return h('button', { type: 'button', onclick, ...attributes }, text);
 }
 
 let fields = 0;
 
-/// A field with its label above: {row, input}.
+/// Creates a field with a label above: {row, input}.
 export function field(label, attributes = {}, tag = 'input') {
   const id = attributes.id ?? `field-${++fields}`;
   const input = h(tag, { ...attributes, id });
@@ -35,7 +36,7 @@ export function show(element, visible) {
   element.hidden = !visible;
 }
 
-/// Sets the text only where it differs: a screen reader would read it again.
+/// Sets the text only if it differs: otherwise a screen reader would repeat it.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }

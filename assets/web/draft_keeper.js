@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brings each change of a sheet to the server: one request at a time, the newest sheet wins, and what it says of
-// itself is true. Knows no page and no network: `put` sends, `wait` sleeps.
+// Saves the changes of a sheet to the server, one request at a time, always the newest version, with a
+// truthful state. Independent of page and network: `put` sends, `wait` sleeps.
 import { NoConnection } from './api.js';
 import { sameMarks } from './sheet_editor.js';
 
 const kFirstWait_ms = 500;
 const kLongestWait_ms = 15_000;
 
-/// State: 'idle' (nothing was changed yet), 'saving', 'saved', 'waiting' (tried in vain, will try again),
-/// 'signed_out' (waits for resume()), 'conflict' (waits for takeNewer() or keepMine()), 'refused' (`problem` says
-/// why; the next change tries again).
+/// State: 'idle' (no change yet), 'saving', 'saved', 'waiting' (failed, will retry), 'signed_out' (until
+/// resume()), 'conflict' (until takeNewer() or keepMine()), 'refused' (see `problem`; the next change tries
+/// again).
 export class DraftKeeper {
   state = 'idle';
   problem = null;
-  newer = null; // the sheet of the server, in a conflict
+  newer = null; // the server's sheet during a conflict
   #put;
   #wait;
   #onChange;
   #onSaved;
-  #pending = null; // a function that makes the newest sheet
+  #pending = null; // returns the newest sheet
   #running = null;
-  #lost = []; // sheets that were sent and never answered for: they may have arrived
+  #lost = []; // sheets sent without an answer: they may have arrived
   #wake = () => {};
 
-  /// `put(sheet)`: promise of {revision, check}, or throws Refusal, NoConnection. `onSaved(answer)`: before the
-  /// state is told. `wait(ms)`: promise.
+  /// `put(sheet)`: promise of {revision, check}, or throws Refusal, NoConnection. `onSaved(answer)`: called
+  /// before the state changes. `wait(ms)`: promise.
   constructor({ put, onSaved, onChange, wait = (ms) => new Promise((done) => setTimeout(done, ms)) }) {
     this.#put = put;
     this.#wait = wait;
@@ -32,21 +32,21 @@ export class DraftKeeper {
     this.#onChange = onChange;
   }
 
-  /// Something typed is not at the server yet.
+  /// True if there are changes that the server does not have.
   get unsaved() {
     return this.#pending !== null || this.#running !== null;
   }
-  /// For onSaved(): nothing was changed since the sheet that was just saved.
+  /// For onSaved(): true if nothing changed since the sheet just saved.
   get newest() {
     return this.#pending === null;
   }
-  /// `sheet()`: asked right before each try, so that it carries the newest marks and revision.
+  /// `sheet()`: called right before each attempt, so that it returns the newest marks and revision.
   change(sheet) {
     this.#pending = sheet;
     if (this.state === 'conflict' || this.state === 'signed_out') return;
     this.#start();
   }
-  /// Somebody signed in again, or the network came back.
+  /// Call after signing in again or when the network is back.
   resume() {
     this.#wake();
     if (this.state === 'signed_out') {
@@ -54,25 +54,26 @@ export class DraftKeeper {
       this.#start();
     }
   }
-  /// Answers a conflict: the sheet of the server stands.
+  /// Resolves a conflict with the server's sheet.
   takeNewer() {
     this.#pending = null;
     this.newer = null;
     this.#tell('saved');
   }
-  /// Answers a conflict: the marks here become the next revision.
+  /// Resolves a conflict with the local marks as next revision.
   keepMine(sheet) {
     this.newer = null;
     this.#tell('saving');
     this.change(sheet);
   }
-  /// When nothing is on its way any more; true when the newest sheet is at the server. Does not wait for the
-  /// network: a try in vain ends it.
+  /// Resolves when no request is pending; true if the server has the newest sheet. A failed attempt ends the
+  /// wait.
   async settled() {
     while (this.#running && this.state === 'saving') await Promise.race([this.#running, this.#nextState()]);
     return !this.unsaved;
   }
-  /// No more tries: another page takes over, or the sheet was sealed. Resolves when nothing is under way.
+  /// Stops saving, as another page takes over or the sheet was submitted. Resolves when no request is
+  /// pending.
   async stop() {
     this.#pending = null;
     this.#wake();
@@ -112,15 +113,15 @@ export class DraftKeeper {
       } catch (error) {
         if (this.#arrived(error, sheet)) continue;
         if (error instanceof NoConnection) this.#lost.push(sheet);
-        if (!this.#goesOn(error)) return;
+        if (!this.#willRetry(error)) return;
         const pause = new Promise((done) => (this.#wake = done));
         await Promise.race([this.#wait(Math.max(wait_ms, 1000 * (error.wait_s ?? 0))), pause]);
         wait_ms = Math.min(2 * wait_ms, kLongestWait_ms);
       }
     }
   }
-  /// The newer sheet of the server says what ours says, or is one of ours whose answer got lost: no conflict, on
-  /// with its revision.
+  /// True if the server's newer sheet equals ours, or one of ours whose answer was lost: no conflict; adopts
+  /// its revision.
   #arrived(error, sheet) {
     const newer = error.status === 409 ? error.body.sheet : null;
     if (!newer || ![sheet, ...this.#lost].some((sent) => sameMarks(sent, newer))) return false;
@@ -128,9 +129,9 @@ export class DraftKeeper {
     this.#onSaved({ revision: newer.revision, check: null });
     return true;
   }
-  /// Whether the same request is tried again after a while.
-  #goesOn(error) {
-    if (error instanceof NoConnection || error.passes) {
+  /// True if the same request is to be retried.
+  #willRetry(error) {
+    if (error instanceof NoConnection || error.isTransient) {
       this.#tell('waiting', error);
       return true;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drafts of cases that were left while they were still on their way to the server.
+// Drafts of closed cases that are still being saved.
 
 const keepers = new Map(); // path of the case -> DraftKeeper
 
@@ -7,13 +7,13 @@ export function letGoOn(path, keeper) {
   keepers.set(path, keeper);
 }
 
-/// Before a page of the same case takes over. Resolves when nothing is under way.
+/// Call before another page opens the same case. Resolves when no request is pending.
 export async function stopDraft(path) {
   await keepers.get(path)?.stop();
   keepers.delete(path);
 }
 
-/// Somebody signs out.
+/// Call when signing out.
 export function stopDrafts() {
   for (const keeper of keepers.values()) keeper.stop();
   keepers.clear();

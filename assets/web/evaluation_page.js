@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The evaluation of tissue models: nine marks for each, which goes by a letter; the order is the reader's own.
+// Evaluation of tissue models: nine marks per model. Models are labelled by letters, in the reader's own
+// order.
 import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say, show } from './dom.js';
@@ -111,7 +112,7 @@ export class EvaluationPage {
     }
   }
 
-  /// The marks that differ from what is stored, one after the other.
+  /// Saves the changed marks one by one.
   async #put(sheet) {
     const { path, stored, model } = this;
     for (const { code, score_steps } of sheet.rows) {
@@ -137,7 +138,7 @@ export class EvaluationPage {
     say(this.text, words);
     this.submit.disabled = this.#busy;
   }
-  /// What the button and Ctrl+Enter do: ask, then seal.
+  /// Asks for confirmation, then submits (button or Ctrl+Enter).
   async go() {
     if (this.#busy || !this.model || this.model.submitted) return;
     const [first] = this.editor.unanswered();

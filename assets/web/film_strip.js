@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moments of a recording as small pictures, where a browser has no WebGL. A click seeks.
+// Thumbnails of a recording for browsers without WebGL. A click seeks.
 import { h } from './dom.js';
 import { addNormals, Morph } from './morph.js';
 import { clockTenths } from './numbers.js';
@@ -17,7 +17,7 @@ export class FilmStrip {
   element = h('ol', { class: 'film' });
   #moments = [];
 
-  /// Containers of the recording and the organ. `onSeek(position_us)`.
+  /// `recording`, `organ`: containers. `onSeek(position_us)`.
   constructor(recording, organ, onSeek) {
     this.element.setAttribute('aria-label', t('Film strip'));
     Object.assign(this, { recording, morph: new Morph(organ), onSeek });
@@ -29,7 +29,7 @@ export class FilmStrip {
     for (let i = 0; i < kMoments; ++i) this.#add((i * length_us) / (kMoments - 1));
     this.#drawFrom(0);
   }
-  /// The moment that the playhead has passed last.
+  /// Highlights the last moment before the playhead.
   setPosition(position_us) {
     const present = this.#moments.findLast((one) => one.at_us <= position_us + 1);
     for (const one of this.#moments) {
@@ -41,12 +41,12 @@ export class FilmStrip {
   #add(at_us) {
     const canvas = h('canvas', { width: kWidth, height: kHeight });
     const button = h('button', { type: 'button', class: 'moment', 'aria-label': t('Moment %1', clockTenths(at_us)), onclick: () => this.onSeek(at_us),
-      onmousedown: (event) => event.preventDefault() }, // the keyboard stays in the sheet
+      onmousedown: (event) => event.preventDefault() }, // the sheet keeps the focus
       canvas, h('span', { 'aria-hidden': 'true' }, clockTenths(at_us)));
     this.#moments.push({ at_us, canvas, button });
     this.element.append(h('li', {}, button));
   }
-  /// One after the other, so that the page answers meanwhile.
+  /// Draws one by one, so that the page stays responsive.
   #drawFrom(number) {
     if (number >= this.#moments.length) return;
     const { at_us, canvas } = this.#moments[number];

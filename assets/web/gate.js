@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands before the page when nobody is signed in any more: after some idle time, or because the server ended the
-// session. The page behind it stays as it is.
+// Covers the page when the user is no longer signed in: after idle time, or because the server ended the
+// session. The page behind is preserved.
 import { button, h, show } from './dom.js';
 import { putSignInForm } from './sign_in_form.js';
 import { t } from './texts.js';
@@ -8,7 +8,7 @@ import { t } from './texts.js';
 export class Gate {
   element = h('section', { class: 'gate', 'aria-labelledby': 'gate-title', hidden: true });
 
-  /// `behind`: what is hidden meanwhile. `onSignOut()`: the person gives it up.
+  /// `behind`: the element to hide. `onSignOut()`: the user gives up the session.
   constructor(behind, onSignOut) {
     this.behind = behind;
     this.onSignOut = onSignOut;
@@ -16,7 +16,7 @@ export class Gate {
   get closed() {
     return !this.element.hidden;
   }
-  /// `ended`: resolves when the old session is over. `onSignedIn(answer)`: the same person came back.
+  /// `ended`: resolves when the old session has ended. `onSignedIn(answer)`: the same person signed in again.
   close(login, ended, onSignedIn) {
     if (this.closed) return;
     this.focused = document.activeElement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The little of WebGL 2 that the stage needs: programs and meshes.
+// Minimal WebGL 2 helpers for the stage: programs and meshes.
 
 /// Attribute locations of kVertexShader.
 const kPosition = 0;
@@ -8,17 +8,17 @@ const kColour = 2;
 const kMap = 3;
 const kFactor = 4;
 const kStride_B = 24;
-/// Position, normal, factor on the colour: three floats each.
+/// Position, normal, colour factor: three floats each.
 export const kCorner_B = 36;
 
-/// A context, or null where the browser has none. Without edges smoothed where the processor draws.
+/// Returns a context, or null if unsupported. No antialiasing on software renderers.
 export function openContext(canvas) {
   const options = { alpha: true, antialias: !drawnByProcessor(), powerPreference: 'low-power' };
   return canvas.getContext('webgl2', options);
 }
 
 let known = null;
-/// What draws, in the browser's words; empty where it has no WebGL 2.
+/// Returns the browser's name of the renderer; empty without WebGL 2.
 export function rendererName() {
   if (known !== null) return known;
   const probe = document.createElement('canvas').getContext('webgl2');
@@ -30,13 +30,13 @@ export function rendererName() {
 export function drawnByProcessor() {
   return /swiftshader|llvmpipe|software|basic render/i.test(rendererName());
 }
-/// SwiftShader takes some 40 ms for what a script sums in 2 ms; llvmpipe is twice as fast as the script.
+/// SwiftShader takes about 40 ms for what the script sums in 2 ms; llvmpipe is twice as fast as the script.
 export function shadersAreSlow() {
   return /swiftshader/i.test(rendererName());
 }
 
-/// {use(); set(name, value): a number, three numbers each, or sixteen; setWhole(name, value): a whole number or some, or
-/// the unit of a texture; setEach(name, values): one number each}. Throws Error where it does not compile.
+/// Returns {use(); set(name, value): a number, vector of three or matrix; setWhole(name, value): integers or
+/// a texture unit; setEach(name, values): an array of numbers}. Throws Error if it does not compile.
 export function makeProgram(gl, vertexSource, fragmentSource) {
   return linked(gl, vertexSource, fragmentSource, []);
 }
@@ -44,8 +44,8 @@ export function makeProgram(gl, vertexSource, fragmentSource) {
 const kNothingShader = `#version 300 es
 void main() {}`;
 
-/// A program without a picture: write(buffer, count) runs its vertex shader for `count` vertices of the array that is
-/// bound, and puts `outputs` into the buffer, one vertex after the other.
+/// A transform feedback program: write(buffer, count) runs its vertex shader for `count` vertices of the
+/// bound array and writes `outputs` interleaved to the buffer.
 export function makeFeedback(gl, vertexSource, outputs) {
   const program = linked(gl, vertexSource, kNothingShader, outputs);
   return {
@@ -88,8 +88,8 @@ function linked(gl, vertexSource, fragmentSource, outputs) {
   };
 }
 
-/// Binds new numbers, or a buffer that is there, to an attribute of the array that is bound. Whole numbers stay whole
-/// unless `normalised`: then 255 is 1.
+/// Binds new values, or an existing buffer, to an attribute of the bound array. Integers stay integers unless
+/// `normalised`, which maps 255 to 1.
 export function attribute(gl, place, values, size, { normalised = false, stride = 0, offset = 0 } = {}) {
   const kinds = new Map([[Uint8Array, gl.UNSIGNED_BYTE], [Uint32Array, gl.UNSIGNED_INT]]);
   const there = values instanceof WebGLBuffer;
@@ -101,8 +101,8 @@ export function attribute(gl, place, values, size, { normalised = false, stride 
   else gl.vertexAttribIPointer(place, size, kind, stride, offset);
 }
 
-/// `vertices`: x y z nx ny nz each, or a buffer of corners with their factors, too (organ_sum.js); `colour`: three u8
-/// each, or one colour for all; `map`: place on the skin's picture, 0 .. 1, two each, or null.
+/// `vertices`: x y z nx ny nz each, or a buffer of corners with colour factors (organ_sum.js); `colour`:
+/// three u8 per vertex, or one colour for all; `map`: two skin coordinates per vertex, 0 .. 1, or null.
 export function makeMesh(gl, { index, vertices, colour, map = null }) {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
@@ -135,7 +135,8 @@ function bufferOf(gl, values) {
   return buffer;
 }
 
-/// Texels that a shader reads by number: 1024 a row, `layers` one behind the other. `make()` fills it while it is bound.
+/// A data texture that shaders index: 1024 texels per row, `layers` in sequence. `make()` fills it while it
+/// is bound.
 export function tableTexture(gl, kind, make) {
   const texture = gl.createTexture();
   gl.bindTexture(kind, texture);
@@ -145,7 +146,7 @@ export function tableTexture(gl, kind, make) {
   return texture;
 }
 
-/// A texture of a picture (ImageBitmap), or of four bytes that stand for all of it.
+/// A texture of an ImageBitmap, or of a single RGBA colour.
 export function makeTexture(gl, picture) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
@@ -160,7 +161,7 @@ export function makeTexture(gl, picture) {
   return texture;
 }
 
-/// One texture of this size, drawn by a program without attributes from some others: {name: texture}.
+/// Renders a texture of this size from others, {name: texture}, by a program without attributes.
 export function joinedTexture(gl, program, width, height, sources) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

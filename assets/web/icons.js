@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The few signs on buttons.
+// Icons of buttons.
 import { svg } from './svg.js';
 
 const kPaths = {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices that nobody is there: no key, no pointer, nothing that plays.
+// Detects idleness: no key, no pointer, nothing playing.
 
 const kLook_ms = 1000;
 const kLongestWarning_ms = 60_000;
 const kPresent_ms = 30_000;
-const kWarningShare = 0.2; // of a short time
+const kWarningShare = 0.2; // of short idle times
 
 export class IdleWatch {
   #last_ms = 0;
@@ -12,14 +12,14 @@ export class IdleWatch {
   #warned = false;
   #said_ms = 0;
 
-  /// `on`: warned(left_s), once before the end; back(), somebody is there after all; idle(); present(), now and then
-  /// while somebody is there, so that the server knows it too.
+  /// `on`: warned(left_s), once before the end; back(), activity after a warning; idle(); present(),
+  /// repeatedly during activity, to tell the server.
   constructor(on) {
     this.on = on;
     for (const kind of ['keydown', 'pointerdown', 'pointermove', 'wheel', 'touchstart']) {
       window.addEventListener(kind, () => this.note(), { passive: true, capture: true });
     }
-    // A lid that was closed: timers stood still, the clock did not.
+    // A closed lid stops timers, but not the clock.
     document.addEventListener('visibilitychange', () => this.#look());
   }
   start(idle_s) {
@@ -36,7 +36,7 @@ export class IdleWatch {
     this.#calm();
   }
   note() {
-    this.#look(); // the first key after a long pause must not open what should be locked
+    this.#look(); // the first key after a long pause must not unlock the page
     if (!this.#timer) return;
     this.#last_ms = Date.now();
     this.#calm();

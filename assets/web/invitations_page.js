@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links of invitation: made, confirmed, printed, sent, taken back. A link is shown once, while this page is open.
+// Invitation links: create, confirm, print, send, revoke. A link is shown once, while this page is open.
 import { api } from './api.js';
 import { button, field, h, say, show } from './dom.js';
 import { dayText, figure } from './numbers.js';
@@ -23,7 +23,7 @@ export class InvitationsPage {
     this.#draw(await api.get('/api/invitations'));
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays
+    this.load().catch(() => {}); // keeps the present content
   }
 
   #draw({ people, waiting, mail }) {
@@ -70,7 +70,7 @@ export class InvitationsPage {
           ? h('span', { class: 'quiet' }, t('somebody else must confirm this'))
           : button(t('Confirm'), () => this.#confirm(one), { class: 'small', 'aria-label': t('Confirm the invitation of %1', one.login) })))));
   }
-  /// Who is chosen decides what is asked.
+  /// Enables the buttons that apply to the selected people.
   #buttons() {
     const chosen = this.people.filter((one) => this.#chosen.has(one.user));
     const byTwo = chosen.some((one) => one.by_two);
@@ -124,7 +124,7 @@ export class InvitationsPage {
     });
   }
 
-  /// Cards that are printed and cut, and the words to copy.
+  /// Shows the cards to print and cut, and the text to copy.
   #show({ centre, cards }) {
     const words = cards.map((one) => one.words).join('\n\n');
     const area = field(t('Words for a mail'), { rows: '8', readonly: true }, 'textarea');
@@ -156,7 +156,7 @@ export class InvitationsPage {
       await navigator.clipboard.writeText(area.value);
       this.frame.notify(t('Copied'));
     } catch {
-      area.select(); // a page without the clipboard: the keys copy what is marked
+      area.select(); // without clipboard access: select the text for copying by key
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys of a case, to look up.
+// Overview of the keys of a case.
 import { h } from './dom.js';
 import { t } from './texts.js';
 

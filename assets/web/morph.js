@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The organ at any moment: mean shape plus weighted components, and its normals. Knows no page and no WebGL.
+// The organ at any time: mean shape plus weighted components, with normals. Independent of page and WebGL.
 
 const kFloatsAVertex = 6; // x y z, nx ny nz
 const kUnchanged = [1, 1, 1];
-const kMoments = 7; // that tell how much room the organ takes
+const kMoments = 7; // sampled to find the organ's extent
 
 export class Morph {
   #weights;
@@ -18,7 +18,7 @@ export class Morph {
     this.#weights = new Float32Array(meta.components);
   }
 
-  /// Fills `vertices` (x y z in mm, then a normal that is not of unit length yet) with the organ at `time_s`.
+  /// Fills `vertices` (x y z in mm, then an unnormalised normal) at `time_s`.
   evaluate(time_s) {
     this.weightsAt(time_s);
     this.#place();
@@ -26,8 +26,8 @@ export class Morph {
     return this.vertices;
   }
 
-  /// A factor on the colour of each vertex, three each, as the screen has colours: blood, then what was done to the
-  /// tissue, the lowest first. Null for an organ whose colour stays.
+  /// Returns the colour factor of each vertex, three each, in screen values: blood, then damage, lowest layer
+  /// first. Null for an organ of constant colour.
   tintsAt(time_s) {
     const { fed, paint } = this.arrays;
     if (!fed) return null;
@@ -39,7 +39,7 @@ export class Morph {
     }
     return tints;
   }
-  /// What colours the organ at this time: {blood, paints: [{factor, layer}]}.
+  /// Returns the colours at this time: {blood, paints: [{factor, layer}]}.
   coloursAt(time_s) {
     if (!this.arrays.fed) return { blood: kUnchanged, paints: [] };
     const { before, after, share } = this.#between(time_s);
@@ -51,7 +51,7 @@ export class Morph {
     };
   }
 
-  /// Weights at this time, each times its scale: linear between two frames. Valid until the next call.
+  /// Returns the weights at this time, times their scales, interpolated linearly. Valid until the next call.
   weightsAt(time_s) {
     const { components, scale } = this.meta;
     const { before, after, share } = this.#between(time_s);
@@ -63,7 +63,7 @@ export class Morph {
     }
     return this.#weights;
   }
-  /// The frames before and after a time, which lie as close as the movement asks, and how far it is between them.
+  /// Returns the frames around a time, spaced as the movement requires, and the fraction between them.
   #between(time_s) {
     const times = this.arrays.time_ms;
     const at = 1000 * time_s;
@@ -97,12 +97,12 @@ export class Morph {
     }
   }
 
-  /// Sums the normals of the triangles, each as long as twice its area.
+  /// Sums the normals of the triangles, weighted by twice their area.
   #turnNormals() {
     addNormals(this.index, this.vertices);
   }
 
-  /// Centre and radius of a ball round the organ at some moments from the first to the last.
+  /// Returns centre and radius of a sphere around the organ at some sampled moments.
   ball() {
     if (this.#ball) return this.#ball;
     const low = [Infinity, Infinity, Infinity];
@@ -130,7 +130,7 @@ export class Morph {
   #ball = null;
 }
 
-/// Goes from each tint towards a factor by the share, of 255, of its vertex.
+/// Blends each tint towards a factor by its vertex's share of 255.
 function mixTints(tints, factor, shares) {
   for (let i = 0, o = 0; i < shares.length; ++i, o += 3) {
     const share = shares[i] / 255;
@@ -139,8 +139,8 @@ function mixTints(tints, factor, shares) {
   }
 }
 
-/// The triangles round each vertex: from first[v] up to first[v + 1], the other two vertices of each, in the order in
-/// which they go round it: others[2 i], others[2 i + 1].
+/// Triangles around each vertex: from first[v] up to first[v + 1], the other two vertices of each in winding
+/// order: others[2 i], others[2 i + 1].
 export function fanned(index, vertices) {
   const first = new Uint32Array(vertices + 1);
   for (const vertex of index) first[vertex + 1] += 1;
@@ -158,7 +158,7 @@ export function fanned(index, vertices) {
   return { first, others };
 }
 
-/// Orders a fan so that a triangle begins where the one before ended: the shader looks its vertex up once.
+/// Orders a fan so that triangles share edges with their predecessor: the shader looks up each vertex once.
 function chain(others, begin, end) {
   for (let i = begin; i + 1 < end; ++i) {
     let next = i + 1;
@@ -168,7 +168,7 @@ function chain(others, begin, end) {
   }
 }
 
-/// Adds to `vertices` (x y z nx ny nz each) the normals of the triangles of `index`, weighted by area.
+/// Adds the area-weighted normals of the triangles of `index` to `vertices` (x y z nx ny nz each).
 export function addNormals(index, vertices) {
   for (let i = 0; i < index.length; i += 3) {
     const a = kFloatsAVertex * index[i];

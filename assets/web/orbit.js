@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A camera that turns about a point, as OrbitCamera of the window: y up, z towards the viewer, millimetres.
+// Orbit camera like the window's OrbitCamera: y up, z towards the viewer, millimetres.
 
 const kHighest_deg = 89;
 const kZoomPerStep = 0.89;
-const kMargin = 1.12; // of the view's half height round a framed ball
+const kMargin = 1.12; // half height of the view relative to a framed sphere
 const kFieldOfView_deg = 32;
 const kDegreesPerPixel = 0.35;
 const kHalfAngleTangent = Math.tan((kFieldOfView_deg * Math.PI) / 360);
@@ -15,7 +15,7 @@ export class OrbitCamera {
   #radius = 100;
   #distance = 500;
 
-  /// Looks at a ball so that it fills a view of this shape (width by height).
+  /// Frames a sphere in a view with this aspect ratio.
   frame({ centre, radius }, aspect) {
     this.target = [...centre];
     this.#radius = Math.max(radius, 1);
@@ -27,19 +27,19 @@ export class OrbitCamera {
     this.azimuth_deg = from === 'side' ? 90 : 0;
     this.elevation_deg = from === 'top' ? kHighest_deg : 0;
   }
-  /// Turns by a drag of so many pixels.
+  /// Rotates by a drag in pixels.
   orbit(right_px, down_px) {
     this.azimuth_deg = (this.azimuth_deg - kDegreesPerPixel * right_px) % 360;
     const elevation = this.elevation_deg + kDegreesPerPixel * down_px;
     this.elevation_deg = Math.min(Math.max(elevation, -kHighest_deg), kHighest_deg);
   }
-  /// Moves with a drag of so many pixels in a view of `height_px`.
+  /// Pans by a drag in a view of `height_px`.
   pan(right_px, down_px, height_px) {
     const mmPerPixel = (2 * this.#distance * kHalfAngleTangent) / Math.max(height_px, 1);
     const { right, up } = this.axes();
     this.target = this.target.map((value, i) => value - (right[i] * right_px - up[i] * down_px) * mmPerPixel);
   }
-  /// One step is one notch of a wheel; positive comes nearer.
+  /// `steps`: notches of a wheel; positive zooms in.
   zoom(steps) {
     const wanted = this.#distance * kZoomPerStep ** steps;
     this.#distance = Math.min(Math.max(wanted, 0.5 * this.#radius), 20 * this.#radius);
@@ -54,7 +54,7 @@ export class OrbitCamera {
     const { back } = this.axes();
     return this.target.map((value, i) => value + back[i] * this.#distance);
   }
-  /// View and projection in one, by columns, for a view of this shape.
+  /// Returns view and projection combined, column-major, for this aspect ratio.
   matrix(aspect) {
     const { right, up, back } = this.axes();
     const eye = this.position();

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the server sends of an organ: its body once, whatever number of recordings show it; how it was moved, and its
-// painted skin.
+// Loads organs: the body once for any number of recordings, the movement of a recording, and the painted
+// skin.
 import { api } from './api.js';
 import { readContainer } from './container.js';
 
 const bodies = new Map();
 const skins = new Map();
 
-/// {meta, arrays} as Morph takes them, of the recording at this path. Throws Refusal, NoConnection, RangeError.
+/// Loads the organ of the recording at this path as {meta, arrays} for Morph. Throws Refusal, NoConnection,
+/// RangeError.
 export async function organOf(path) {
   const moved = readContainer(await api.file(`${path}/organ`));
   return onBody(await once(bodies, moved.meta.body, bringBody), moved);
 }
 
-/// {width, height, look, corner, place, index, colour, relief}: `corner` says whose vertex each drawn corner is,
-/// `place` where it lies on the map, pixels; `colour`, `relief`: ImageBitmap. Null where it cannot be had: the
-/// organ has its plain colours then.
+/// Resolves with {width, height, look, corner, place, index, colour, relief}: `corner`: vertex of each drawn
+/// corner; `place`: its position on the map in pixels; `colour`, `relief`: ImageBitmap. Null if unavailable:
+/// the organ is then drawn in plain colours.
 export function skinOf(name) {
   return name ? once(skins, name, bringSkin).catch(() => null) : Promise.resolve(null);
 }
 
-/// A recording's own displacements follow those that it shares with others; `weights` are of both.
+/// Appends the recording's own displacements to the shared ones; `weights` cover both.
 export function onBody(body, moved) {
   const joined = (name) => {
     const all = new Int16Array(body.arrays[name].length + moved.arrays[name].length);
@@ -35,7 +36,7 @@ export function onBody(body, moved) {
   };
 }
 
-/// What did not come is asked for again the next time.
+/// Caches a promise; failures are retried the next time.
 function once(kept, name, bring) {
   if (!kept.has(name)) {
     const coming = bring(`/api/organs/${name}`);

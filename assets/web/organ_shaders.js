@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertex shaders that evaluate the twist (GLSL ES 3.00); organ_sum.js feeds them.
+// Vertex shaders that evaluate the twist (GLSL ES 3.00); used by organ_sum.js.
 
-/// Texels a row of the textures that are read by number.
+/// Texels per row of data textures.
 export const kRow = 1024;
 
-/// Of an organ; the server makes no more.
+/// Maximum components of an organ, also the server's limit.
 export const kMaxComponents = 64;
-/// Bruises, tears (32 of both in a recording) and a clip that lie on an organ at once.
+/// Maximum layers at once: bruises, tears (32 together per recording) and a clip.
 export const kMaxPaints = 33;
 
-/// Where a vertex lies: its mean place and each displacement times its weight.
+/// Position of a vertex: its mean plus each displacement times its weight.
 export const kPlaceShader = `#version 300 es
 layout(location = 0) in vec3 mean;
 uniform highp isampler2DArray steps;
@@ -24,10 +24,10 @@ void main() {
   placed = vec4(sum, 1.0);
 }`;
 
-/// What is drawn of a corner: its vertex's place; the sum of the normals of the triangles round it, each as long as
-/// twice its area; blood, then what was done to the tissue, the lowest first.
+/// Data of a drawn corner: its vertex's position; the sum of the normals of adjacent triangles, weighted by
+/// twice their area; colour factors of blood, then damage, lowest layer first.
 export const kCornerShader = `#version 300 es
-layout(location = 0) in uvec3 whose; // vertex, its first triangle among the fans, how many
+layout(location = 0) in uvec3 corner; // vertex, its first triangle in the fans, number of triangles
 layout(location = 1) in float fed;
 uniform highp sampler2DArray places;
 uniform highp usampler2D fans;
@@ -46,11 +46,11 @@ vec3 place(uint vertex) {
   return texelFetch(places, ivec3(texel(vertex), 0), 0).xyz;
 }
 void main() {
-  position = place(whose.x);
+  position = place(corner.x);
   normal = vec3(0.0);
   uint known = ~0u;
   vec3 side;
-  for (uint i = whose.y; i < whose.y + whose.z; ++i) {
+  for (uint i = corner.y; i < corner.y + corner.z; ++i) {
     uvec2 others = texelFetch(fans, texel(i), 0).xy;
     if (others.x != known) side = place(others.x) - position;
     vec3 next = place(others.y) - position;
@@ -60,6 +60,6 @@ void main() {
   }
   factor = mix(vec3(1.0), blood, fed);
   for (int i = 0; i < paintCount; ++i) {
-    factor = mix(factor, paintFactors[i], texelFetch(paints, ivec3(texel(whose.x), paintLayers[i]), 0).r);
+    factor = mix(factor, paintFactors[i], texelFetch(paints, ivec3(texel(corner.x), paintLayers[i]), 0).r);
   }
 }`;

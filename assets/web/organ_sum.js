@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The organ at any moment, by the vertex shaders of organ_shaders.js: its displacements lie on the graphics card once,
-// and a picture brings their weights and no vertex. The first shader writes each vertex's place into a buffer
-// (transform feedback), the second each corner's place, normal and factor on the colour, from which it is drawn.
+// The organ at any time, evaluated by the vertex shaders of organ_shaders.js: the displacements are uploaded
+// once, and each picture needs only their weights. The first shader writes vertex positions to a buffer
+// (transform feedback), the second position, normal and colour factor of each corner, which are then drawn.
 import { attribute, kCorner_B, makeFeedback, tableTexture } from './gl.js';
 import { fanned } from './morph.js';
 import { kCornerShader, kMaxComponents, kMaxPaints, kPlaceShader, kRow } from './organ_shaders.js';
@@ -9,9 +9,9 @@ import { kCornerShader, kMaxComponents, kMaxPaints, kPlaceShader, kRow } from '.
 const kPlace_B = 16;
 
 export class OrganSum {
-  /// `morph`: the organ; `corner`: whose vertex each drawn corner is, null: one corner a vertex. `buffer` then holds the
-  /// corners, `places` the vertices, four floats each. Throws RangeError for an organ with more displacements than a
-  /// picture can sum, Error where the shaders do not compile.
+  /// `morph`: the organ; `corner`: vertex of each drawn corner, null: one corner per vertex. `buffer`
+  /// receives the corners, `places` the vertices, four floats each. Throws RangeError if there are too many
+  /// displacements, Error if the shaders do not compile.
   constructor(gl, morph, corner = null) {
     const { meta, arrays } = morph;
     if (meta.components > kMaxComponents) throw new RangeError('too many components');
@@ -26,7 +26,7 @@ export class OrganSum {
     this.buffer = this.#room(kCorner_B * this.corners);
     this.placeArray = this.#array(() => attribute(gl, 0, arrays.mean, 3));
     this.cornerArray = this.#array(() => {
-      attribute(gl, 0, whoseAndFans(corners, fans), 3);
+      attribute(gl, 0, cornerFans(corners, fans), 3);
       if (arrays.fed) attribute(gl, 1, Uint8Array.from(corners, (vertex) => arrays.fed[vertex]), 1, { normalised: true });
     });
     const texels = kRow * this.rows;
@@ -73,7 +73,7 @@ export class OrganSum {
     });
   }
 
-  /// Fills `places` and `buffer` with the organ at this time.
+  /// Fills `places` and `buffer` for this time.
   move(time_s) {
     const { gl, morph, placing, lighting } = this;
     gl.enable(gl.RASTERIZER_DISCARD);
@@ -82,7 +82,7 @@ export class OrganSum {
     this.#weigh(time_s);
     gl.bindVertexArray(this.placeArray);
     placing.write(this.places, morph.meta.vertices);
-    // A vertex has to know its neighbours' places: they become a texture without leaving the card.
+    // The shader needs the positions of neighbours: copy them to a texture on the card.
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, this.places);
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.textures.places);
     gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, 0, kRow, this.rows, 1, gl.RGBA, gl.FLOAT, 0);
@@ -113,7 +113,7 @@ export class OrganSum {
     this.lighting.setWhole('paintLayers', shown.map(({ layer }) => layer));
     this.lighting.set('paintFactors', shown.flatMap(({ factor }) => factor));
   }
-  /// The last one is bound to the first unit, which the caller's own textures take.
+  /// Binds the last texture to the first unit, which the caller's own textures use.
   #bind(program, kinds) {
     const { gl } = this;
     const names = Object.keys(kinds);
@@ -126,15 +126,15 @@ export class OrganSum {
   }
 }
 
-/// Vertex, its first triangle among the fans, how many: three a corner.
-function whoseAndFans(corners, { first }) {
-  const whose = new Uint32Array(3 * corners.length);
-  corners.forEach((vertex, i) => whose.set([vertex, first[vertex], first[vertex + 1] - first[vertex]], 3 * i));
-  return whose;
+/// Vertex, its first triangle in the fans, number of triangles: three per corner.
+function cornerFans(corners, { first }) {
+  const data = new Uint32Array(3 * corners.length);
+  corners.forEach((vertex, i) => data.set([vertex, first[vertex], first[vertex + 1] - first[vertex]], 3 * i));
+  return data;
 }
 
-/// Numbers of one vertex after the other, `width` each, layer by layer: four texel channels a vertex (one where width is
-/// 1), each layer filled up to `texels`.
+/// Packs `width` numbers per vertex layer by layer, four channels per vertex (one if width is 1), padding
+/// each layer to `texels`.
 function inTexels(values, width, vertices, texels) {
   const channels = width === 1 ? 1 : 4;
   const layers = values.length / width / vertices;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee has done: the trend of each module with what counts as competent, and the runs.
+// A trainee's own record: the trend of each module with the criterion of competence, and the runs.
 import { api } from './api.js';
 import { h } from './dom.js';
 import { clockTenths, dayText, figure, joinedSentences } from './numbers.js';
 import { t } from './texts.js';
 import { trendChart } from './trend_chart.js';
 
-export const kPatience_ms = 120_000; // runs that nobody has measured yet are measured first
+export const kPatience_ms = 120_000; // runs without metrics are measured first
 
 /// "3 of 4 on target · passed", in the words of the window.
 export function runText(run) {
   return run.result === '' ? t('running') : `${run.result}  \u00b7  ${run.outcome.word}`;
 }
 
-/// A level never stands alone: what counts as competent, and how often that is wrong, stand beside it. Returns what tells the
-/// verdict of one module after the other; what several are judged by is said with the first of them.
+/// A level is never shown alone, but with the criterion of competence and its error rates. Returns a function
+/// for the verdicts of successive modules; the criterion that several share is stated with the first of them.
 export function verdictTexts() {
   const said = new Map();
   return (verdict, title) => {
@@ -41,7 +41,7 @@ export class OwnPage {
       ...modules.map((module) => this.#module(module, tell)), this.#runs(runs));
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays
+    this.load().catch(() => {}); // keeps the present content
   }
 
   #module(module, tell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What physicians wrote at moments of own runs, and the reader's answers.
+// Physicians' remarks on the reader's own runs, with replies.
 import { api } from './api.js';
 import { button, field, h, say } from './dom.js';
 import { clockTenths, dayText } from './numbers.js';
@@ -10,7 +10,7 @@ const kLongestAnswer = 400;
 
 export class OwnRemarksPage {
   element = h('div', { class: 'queue' }, h('h1', {}, t('Remarks')));
-  #typed = new Map(); // what stands in an answer's field, by remark
+  #typed = new Map(); // unsent replies, by remark
 
   constructor(frame) {
     this.frame = frame;
@@ -25,7 +25,7 @@ export class OwnRemarksPage {
     this.#draw(await api.get('/api/own/remarks'));
   }
   resume() {
-    this.load().catch(() => {}); // what was typed stays
+    this.load().catch(() => {}); // keeps what was typed
   }
 
   #draw({ trials }) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the recording stands and how it moves. Knows no page and no clock: advance() is told the time.
+// Position and speed of playback. Independent of page and clock: advance() receives the elapsed time.
 
-/// A window that was dragged or a lid that was closed is not watching.
+/// Longer gaps (a dragged window, a closed lid) do not count as watching.
 const kLongestFrame_s = 0.25;
 export const kJump_us = 5_000_000;
 export const kStep_us = 40_000;
@@ -10,13 +10,13 @@ export class Playback {
   position_us = 0;
   playing = false;
 
-  /// `speeds`: allowed ones, rising; 1 is as it happened.
+  /// `speeds`: allowed ones, ascending; 1 is real time.
   constructor(length_us, speeds) {
     this.length_us = length_us;
     this.speeds = speeds;
     this.speed = Math.min(Math.max(1, speeds[0]), speeds.at(-1));
   }
-  /// The next moment, `elapsed_s` later: the stretch that went by, {from_us, to_us, speed}, or null.
+  /// Advances by `elapsed_s`; returns the interval played, {from_us, to_us, speed}, or null.
   advance(elapsed_s) {
     if (!this.playing) return null;
     const from_us = this.position_us;
@@ -28,12 +28,12 @@ export class Playback {
   seek(position_us) {
     this.position_us = Math.round(Math.min(Math.max(position_us, 0), this.length_us));
   }
-  /// From the end it begins anew.
+  /// At the end, restarts from the beginning.
   toggle() {
     if (!this.playing && this.position_us === this.length_us) this.position_us = 0;
     this.playing = !this.playing;
   }
-  /// The next slower or faster allowed speed.
+  /// Selects the next slower or faster allowed speed.
   changeSpeed(direction) {
     const at = this.speeds.indexOf(this.speed) + direction;
     this.speed = this.speeds[Math.min(Math.max(at, 0), this.speeds.length - 1)];
@@ -43,7 +43,7 @@ export class Playback {
   }
 }
 
-/// Joins stretches [[from, to], ...] to disjoint, rising ones.
+/// Merges intervals [[from, to], ...] into disjoint, ascending ones.
 export function joined(stretches) {
   const sorted = stretches.filter(([from, to]) => to > from).sort((a, b) => a[0] - b[0]);
   const all = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recording: picture, traces and what moves them.
+// Player of a recording: stage, traces and controls.
 import { api } from './api.js';
 import { readContainer } from './container.js';
 import { button, h, say, show } from './dom.js';
@@ -17,8 +17,8 @@ export class Player {
   #last_ms = 0;
   #watched = [];
 
-  /// `opened`: answer of GET /api/cases/H, or of it task (missing: the recording says it), watched, length_us, rules
-  /// and digest. `on`: played({from_us, to_us, speed}), paused().
+  /// `opened`: answer of GET /api/cases/H, or of it task (if missing, from the recording), watched,
+  /// length_us, rules and digest. `on`: played({from_us, to_us, speed}), paused().
   constructor(path, opened, on) {
     Object.assign(this, { path, opened, on });
     this.#watched = opened.watched ?? [];
@@ -51,9 +51,9 @@ export class Player {
     return this.playback.position_us;
   }
 
-  /// Brings the recording, then the organ. Throws Refusal, NoConnection.
+  /// Loads the recording, then the organ. Throws Refusal, NoConnection.
   async load() {
-    // Its place is kept free, so that nothing moves away under the pointer.
+    // Reserve its space, so that nothing moves under the pointer.
     show(this.stagePlace, true);
     say(this.sentence, '');
     say(this.waiting, t('The recording is being opened. You may score meanwhile.'));
@@ -81,7 +81,7 @@ export class Player {
       return;
     }
     const tissue = api.file('/quick_tissue.frag').then((bytes) => new TextDecoder().decode(bytes));
-    tissue.catch(() => {}); // heard of where it is needed
+    tissue.catch(() => {}); // handled where it is awaited
     const organ = await organOf(this.path);
     this.#showOrgan(true);
     if (!this.stage.open()) {
@@ -118,13 +118,13 @@ export class Player {
   setBookmarks(times_us) {
     this.traces.setBookmarks(times_us);
   }
-  /// What the server counts as watched; what it has not heard of yet is added.
-  setWatched(stretches, unheard) {
-    this.#watched = joined([...stretches, ...unheard.map(({ from_us, to_us }) => [from_us, to_us])]);
+  /// Shows the stretches that the server counts as watched, plus those not yet reported.
+  setWatched(stretches, unreported) {
+    this.#watched = joined([...stretches, ...unreported.map(({ from_us, to_us }) => [from_us, to_us])]);
     this.traces.setWatched(this.#watched);
   }
 
-  /// False: not a key of the player.
+  /// Returns false if the key is not the player's.
   key(event) {
     switch (event.key) {
       case ' ':
@@ -205,7 +205,7 @@ export class Player {
         'aria-label': t('Speed'), title: t('J slower, L faster; the speed is kept with the mark'),
         onchange: () => {
           this.playback.speed = Number(this.speed.value);
-          this.speed.blur(); // the keys belong to the sheet again
+          this.speed.blur(); // returns the focus to the sheet
         },
       }, speeds.map((one) => h('option', { value: one }, t('%1 ×', pointsText(one)))));
     this.#showSpeed();

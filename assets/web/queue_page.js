@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of a rater: what waits, what fits into ten minutes, what is done.
+// A rater's cases: open, within ten minutes, done.
 import { api } from './api.js';
 import { h } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
@@ -26,7 +26,7 @@ export class QueuePage {
     this.element.querySelector('.primary')?.focus();
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays; the next click tells
+    this.load().catch(() => {}); // keeps the present content; the next click reports the error
   }
 
   #head({ next, drafts, waiting }) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws triangles into pixels by itself, for browsers without WebGL: near ones hide far ones, light comes from the
-// upper left. Knows no page.
+// Software rasteriser for browsers without WebGL: z-buffer, light from the upper left. Independent of the
+// page.
 
 const kFloatsAVertex = 6; // x y z, nx ny nz; as Morph has them
 const kKeyLight = [-0.45, 0.72, 0.53];
-const kShade = 0.42; // of the light where none falls
+const kShade = 0.42; // ambient share of the light
 
-/// Places of the vertices on a picture of this size: x, y, depth each.
+/// Projects vertices onto a picture of this size: x, y, depth each.
 function placed(vertices, matrix, model, width, height) {
   const count = vertices.length / kFloatsAVertex;
   const places = new Float32Array(3 * count);
@@ -27,7 +27,7 @@ function placed(vertices, matrix, model, width, height) {
   return { places, worlds };
 }
 
-/// How much light falls on a triangle, whichever side it shows: 0 .. 1.
+/// Returns the light on a two-sided triangle: 0 .. 1.
 function lightOn(worlds, a, b, c, light) {
   const [ux, uy, uz] = [0, 1, 2].map((k) => worlds[b + k] - worlds[a + k]);
   const [vx, vy, vz] = [0, 1, 2].map((k) => worlds[c + k] - worlds[a + k]);
@@ -36,8 +36,9 @@ function lightOn(worlds, a, b, c, light) {
   return { n, share: (n[0] * light[0] + n[1] * light[1] + n[2] * light[2]) / length };
 }
 
-/// A picture of RGBA bytes, empty where nothing is. `meshes`: {index, vertices, colour, model}: colour of three bytes a
-/// vertex or three for all; model: its place, by columns, or missing. `camera`: matrix() and axes() of OrbitCamera.
+/// Returns RGBA bytes, transparent where nothing is drawn. `meshes`: {index, vertices, colour, model};
+/// colour: three bytes per vertex or three for all; model: column-major matrix, or missing. `camera`:
+/// matrix() and axes() of OrbitCamera.
 export function rasterPicture(meshes, camera, width, height) {
   const bytes = new Uint8ClampedArray(4 * width * height);
   const depths = new Float32Array(width * height).fill(Infinity);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remarks of a case at the server. Each function promises the list as it is then.
+// Stores remarks of a case on the server. Each function promises the resulting list.
 import { api, NoConnection } from './api.js';
 
-/// `path()`: of the case. A new remark whose answer got lost is looked for before it is sent again.
+/// `path()`: of the case. If the answer to a new remark was lost, looks for the remark before sending it
+/// again.
 export function remarkStore(path) {
   let doubtful = false;
   return {

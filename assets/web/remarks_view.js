@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bookmarks of the rater and remarks for the trainee, each at a moment of the recording.
+// The rater's bookmarks and remarks for the trainee, each at a moment of the recording.
 import { NoConnection } from './api.js';
 import { button, h, say, show } from './dom.js';
 import { clockTenths } from './numbers.js';
@@ -9,11 +9,12 @@ import { t } from './texts.js';
 const kLongestRemark = 400;
 
 export class RemarksView {
-  #edited = null; // whose words stand in the field; null: a new one
+  #edited = null; // the remark being edited; null: a new one
   #time_us = 0;
   #last = Promise.resolve();
 
-  /// `store`: add(time_us, text), edit(id, text), read(): promises of the list. `player`: where the playhead is.
+  /// `store`: add(time_us, text), edit(id, text), read(): promises of the list. `player`: position of the
+  /// playhead.
   constructor(remarks, store, player, done) {
     Object.assign(this, { remarks, store, player, done });
     this.bookmark = button(t('Bookmark'), () => this.addBookmark(), { title: t('Bookmarks this moment for yourself (B)') });
@@ -36,7 +37,7 @@ export class RemarksView {
     show(this.form, false);
     this.#show();
   }
-  /// Words that were typed and not stored.
+  /// True if there is unsaved text.
   get unsaved() {
     return !this.form.hidden && this.input.value.trim() !== '';
   }
@@ -48,7 +49,7 @@ export class RemarksView {
     if (!this.player.ready) return;
     this.#open(null, this.player.position_us, '');
   }
-  /// The words of the own remark that is nearest to the playhead.
+  /// Edits the reader's remark nearest to the playhead.
   editNearest() {
     const apart = (one) => Math.abs(one.time_us - this.player.position_us);
     const worded = this.remarks.filter((one) => one.text !== '');
@@ -87,7 +88,7 @@ export class RemarksView {
     const stored = await this.#store(() => (id === null ? this.store.add(time_us, text) : this.store.edit(id, text)));
     if (stored) this.#close();
   }
-  /// One after the other: a remark may be typed while a bookmark is still on its way.
+  /// Sends one by one: a remark may be typed while a bookmark is being sent.
   #store(send) {
     this.#last = this.#last.then(async () => {
       try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One own run after it was done: the recording, and each twist against what was asked for.
+// Debriefing of one of the reader's runs: the recording, and each twist against its task.
 import { api, NoConnection, Refusal } from './api.js';
 import { button, h } from './dom.js';
 import { clockTenths, dayText, figure, joinedSentences } from './numbers.js';
@@ -63,7 +63,7 @@ export class RunPage {
     return h('section', { class: 'card stack' }, h('h2', {}, t('By all runs')), verdictTexts()(verdict, ''));
   }
 
-  /// What was asked for, what was good, what to do better: the words of the window's debrief.
+  /// The task, what was good and what to improve, with the window's sentences.
   #told() {
     const { checks, strengths, weaknesses, findings } = this.run.told;
     const { code, sentence, cause, remedy } = this.run.outcome;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says whether what was typed is at the server.
+// Shows whether the draft is saved.
 import { h, say } from './dom.js';
 import { t } from './texts.js';
 
@@ -7,11 +7,11 @@ export class SaveStatus {
   element = h('span', { class: 'saved' });
   #troubled = false;
 
-  /// Something else, until the next change.
+  /// Shows another text until the next change.
   say(text) {
     say(this.element, text);
   }
-  /// `keeper`: DraftKeeper. A screen reader tells of trouble and of its end, not of each key.
+  /// `keeper`: DraftKeeper. Screen readers announce trouble and its end, not every change.
   show({ state, problem }) {
     const troubled = !['idle', 'saving', 'saved'].includes(state);
     this.element.setAttribute('aria-live', troubled || this.#troubled ? 'polite' : 'off');

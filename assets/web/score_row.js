@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line of the rubric: name, scale as cells, the answer, anchors, and a field for why there is none.
+// One row of the rubric: name, scale, answer, anchors, and a field for the reason of a missing mark.
 import { button, h, say, show } from './dom.js';
 import { scoreText } from './numbers.js';
 import { t } from './texts.js';
@@ -10,12 +10,11 @@ let made = 0;
 
 export class ScoreRow {
   #answer = { score_steps: null, not_assessable: '' };
-  #before = null; // the answer when the reason was asked for
+  #before = null; // the answer when the reason was requested
   #current = false;
 
-  /// `on`: what the row tells: wanted(), scored(steps), adjusted(direction), reasoned(text), takenBack(answer),
-  /// finished().
-  /// `reasons`: what may be said instead of a mark; null: a mark must be given.
+  /// `on`: events wanted(), scored(steps), adjusted(direction), reasoned(text), takenBack(answer),
+  /// finished(). `reasons`: choices instead of a mark; null: a mark is required.
   constructor({ code, label, description = '', scale, anchors = [], reasons = [] }, on) {
     Object.assign(this, { code, label, scale, anchors, on });
     const id = `row-${++made}`;
@@ -82,7 +81,7 @@ export class ScoreRow {
     this.strip.setAttribute('aria-readonly', String(readOnly));
     this.buttons.forEach((one) => show(one, !readOnly));
   }
-  /// Opens the field for the reason and puts the keyboard there.
+  /// Opens and focuses the field for the reason.
   askReason() {
     if (this.readOnly) return;
     this.#before = this.#answer;
@@ -111,7 +110,7 @@ export class ScoreRow {
     const cell = [...this.strip.children].indexOf(event.target.closest('.cell'));
     if (cell >= 0) this.on.scored(this.#stepsOf(cell));
   }
-  /// Where the rater is, every anchor; elsewhere the one that was met.
+  /// Shows all anchors in the active row, otherwise the one of the score.
   #showAnchor() {
     const steps = this.#answer.score_steps;
     const line = (one) => t('%1: %2', scoreText(one.steps, this.scale), one.text);
@@ -135,7 +134,7 @@ export class ScoreRow {
   #reasonKey(event) {
     if (event.isComposing || event.ctrlKey || event.metaKey) return;
     if (event.key === 'Escape') {
-      // Takes back what was typed since N, and nothing else: a score that stands goes on standing.
+      // Reverts only the reason typed since N: an existing score stays.
       this.on.takenBack(this.#before ?? this.#answer);
     } else if (event.key !== 'Enter') {
       return;

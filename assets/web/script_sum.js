@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The organ at any moment, by the page's script: what organ_sum.js does on a graphics card, for renderers that run
-// vertex shaders slower than a browser runs its scripts.
+// Script counterpart of organ_sum.js, for renderers whose vertex shaders are slower than the browser's
+// scripts.
 import { kCorner_B } from './gl.js';
 
 const kFloatsACorner = kCorner_B / 4;
 
 export class ScriptSum {
-  /// As OrganSum; `buffer` holds the same corners.
+  /// Like OrganSum; `buffer` has the same corners.
   constructor(gl, morph, corner = null) {
     Object.assign(this, { gl, morph });
     this.corner = corner ?? Uint32Array.from({ length: morph.meta.vertices }, (_, i) => i);
@@ -15,7 +15,7 @@ export class ScriptSum {
     this.#send();
   }
 
-  /// Fills `buffer` with the organ at this time.
+  /// Fills `buffer` for this time.
   move(time_s) {
     const { morph, corner, corners } = this;
     const vertices = morph.evaluate(time_s);

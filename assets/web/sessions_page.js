@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who is signed in with a browser: the reader's own sessions, or those of everybody. Each can be ended from here.
+// Browser sessions: the reader's own, or everybody's. Each can be ended here.
 import { api } from './api.js';
 import { button, h } from './dom.js';
 import { figure } from './numbers.js';
@@ -15,7 +15,7 @@ function ago(seconds) {
 export class SessionsPage {
   element = h('div', { class: 'queue' });
 
-  /// `all`: of everybody, for whoever manages users.
+  /// `all`: everybody's sessions, for user managers.
   constructor(frame, all) {
     this.frame = frame;
     this.all = all;
@@ -28,7 +28,7 @@ export class SessionsPage {
     this.#draw(await api.get(this.path));
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays
+    this.load().catch(() => {}); // keeps the present content
   }
 
   #draw({ sessions }) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How strict the reader is, beside the others on the same cases. Nobody else is shown.
+// The reader's severity, compared with the others on the same cases. Nobody else is identified.
 import { api } from './api.js';
 import { h } from './dom.js';
 import { figure } from './numbers.js';
@@ -23,7 +23,7 @@ export class SeverityPage {
       this.#figure(own), this.#cases(own));
   }
   resume() {
-    this.load().catch(() => {}); // what was shown stays
+    this.load().catch(() => {}); // keeps the present content
   }
   #figure(own) {
     const off = own.difference_points;

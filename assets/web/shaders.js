@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How tissue and steel answer to light (GLSL ES 3.00). Tissue by the window's own shader for renderers without a
-// graphics card, assets/shaders/quick_tissue.frag; what scene_view.qml gives to that stands here.
+// Lighting of tissue and steel (GLSL ES 3.00). Tissue uses the window's shader for software renderers,
+// assets/shaders/quick_tissue.frag; the inputs from scene_view.qml are repeated here.
 
 export const kVertexShader = `#version 300 es
 layout(location = 0) in vec3 position;
@@ -15,7 +15,7 @@ out vec3 outward;
 out vec3 toEye;
 out vec4 tint;
 out vec2 place;
-// The scene graph of the window reads colours of vertices as linear light, too.
+// The window's scene graph also treats vertex colours as linear light.
 vec3 linear(vec3 c) {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
@@ -23,13 +23,13 @@ void main() {
   vec4 world = model * vec4(position, 1.0);
   outward = normalize(mat3(model) * normal);
   toEye = eye - world.xyz;
-  // Without a painted skin the map is white, and the vertices bring the tissue's colour.
+  // Without a painted skin the map is white, and vertices carry the tissue's colour.
   tint = vec4(colour * colour * linear(clamp(factor, 0.0, 1.0)), 1.0);
   place = map;
   gl_Position = viewProjection * world;
 }`;
 
-/// Of the room, of the camera, and of tissue whose light wanders as far as it can; scene_view.qml has the same.
+/// Lights of the room, of the camera, and for strongly scattering tissue; same as in scene_view.qml.
 export const kLamps = {
   lampDirection: [-0.27, 0.788, 0.553],
   lensDirection: [-0.54, 0.24, 0.80],
@@ -38,7 +38,7 @@ export const kLamps = {
   scatterRim: [0.35, 0.06, 0.04],
 };
 
-/// The window's shader as WebGL 2 takes it.
+/// Adapts the window's shader to WebGL 2.
 export function tissueShader(source) {
   return `#version 300 es
 precision highp float;
@@ -57,7 +57,7 @@ uniform float relief;
 ${source}`;
 }
 
-/// Puts the height of the relief into the fourth channel of the colour, once for each skin.
+/// Writes the relief's height into the alpha channel of the colour, once per skin.
 export const kJoinVertexShader = `#version 300 es
 out vec2 place;
 void main() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sheet while it is filled in, with undo and redo: the same as app/services/review/sheet_editor.h. Knows no page.
+// A sheet being edited, with undo and redo; mirrors app/services/review/sheet_editor.h. Independent of the
+// page.
 
 /// Code of the overall mark among the rows.
 export const kOverallRow = '';
@@ -8,9 +9,8 @@ function isOnScale(steps, scale) {
   return Number.isInteger(steps) && steps >= scale.lowest_steps && steps <= scale.highest_steps;
 }
 
-/// What a digit means on a scale: 7 is seven points; 1 and then 0 is ten; a lone 0 is zero, or ten on a scale that
-/// begins above zero. `typed`: what the digits before in the same row have come to, in points, or null. Null: no
-/// score on this scale.
+/// Interprets a digit on a scale: 7 is seven points; 1 then 0 is ten; a lone 0 is zero, or ten on a scale
+/// that begins above zero. `typed`: points typed so far in this row, or null. Null: no such score.
 export function stepsForDigit(scale, digit, typed) {
   const within = (points) => {
     const steps = points * scale.steps_per_point;
@@ -32,7 +32,7 @@ function given(answer) {
   return answer.score_steps !== null || answer.not_assessable !== '';
 }
 
-/// Two sheets say the same, whatever their revisions.
+/// True if two sheets have the same content, whatever their revisions.
 export function sameMarks(a, b) {
   const answers = (sheet) => {
     const rows = sheet.rows.map((row) => [row.code, row.score_steps, row.not_assessable]);
@@ -45,8 +45,8 @@ export class SheetEditor {
   #states;
   #at = 0;
 
-  /// `rubric`, `start` as in GET /api/cases/H. `start` may lack rows; those that the rubric does not have are left
-  /// out. A rubric without an overall scale has no overall mark.
+  /// `rubric`, `start`: as in GET /api/cases/H. Rows missing in `start` are empty, unknown ones dropped. A
+  /// rubric without an overall scale has no overall mark.
   constructor(rubric, start) {
     this.rubric = rubric;
     const answers = new Map(start.rows.map((row) => [row.code, row]));
@@ -61,7 +61,7 @@ export class SheetEditor {
     this.#states = [{ state, change: null, open: false }];
   }
 
-  /// As the server takes it.
+  /// The sheet in the server's format.
   get sheet() {
     const { rows, overall, comment } = this.#present;
     const sheet = {
@@ -80,7 +80,7 @@ export class SheetEditor {
     return this.#states[this.#at].state;
   }
 
-  /// Codes in the order of scoring.
+  /// Codes in scoring order.
   order() {
     const codes = this.rubric.rows.map((row) => row.code);
     return this.rubric.overall ? [...codes, kOverallRow] : codes;
@@ -93,13 +93,13 @@ export class SheetEditor {
   scale(code) {
     return code === kOverallRow ? this.rubric.overall : this.rubric.rows.find((row) => row.code === code).scale;
   }
-  /// Codes without an answer, in the order of scoring.
+  /// Codes without an answer, in scoring order.
   unanswered() {
     return this.order().filter((code) => !given(this.answer(code)));
   }
 
-  /// All return false, changing nothing, when there is nothing to change or the score lies outside the scale.
-  /// `merge`: part of the keystroke before ("1", "0" for ten).
+  /// These return false without effect if nothing would change or the score is off the scale. `merge`:
+  /// continues the previous keystroke ("1", "0" for ten).
   setScore(code, score_steps, merge = false) {
     if (!isOnScale(score_steps, this.scale(code))) return false;
     return this.#put(code, { score_steps, not_assessable: '' }, { kind: 'score', row: code }, merge);
@@ -129,7 +129,7 @@ export class SheetEditor {
   get canRedo() {
     return this.#at + 1 < this.#states.length;
   }
-  /// What undo() would take back, redo() would bring again: {kind, row}, or null.
+  /// The step that undo() or redo() would perform: {kind, row}, or null.
   get undoable() {
     return this.canUndo ? this.#states[this.#at].change : null;
   }
@@ -139,7 +139,7 @@ export class SheetEditor {
   undo() {
     if (!this.canUndo) return false;
     this.#at -= 1;
-    this.#states[this.#at].open = false; // what is typed now is a step of its own
+    this.#states[this.#at].open = false; // what follows is a separate step
     return true;
   }
   redo() {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the keys of a sheet mean: the marked row, digits, arrows. As SheetPanel of the window. Knows no page.
+// Keys of a sheet: selected row, digits, arrows; like the window's SheetPanel. Independent of the page.
 import { stepsForDigit } from './sheet_editor.js';
 
 export class SheetKeys {
-  #typed = null; // points that the digits in this row have come to
+  #typed = null; // points typed so far in this row
 
   constructor(editor) {
     this.editor = editor;
@@ -15,7 +15,7 @@ export class SheetKeys {
     if (code !== this.current) this.#typed = null;
     this.current = code;
   }
-  /// Another row; from the last to the first, and back.
+  /// Selects the next or previous row, wrapping round.
   step(direction) {
     const order = this.editor.order();
     const at = order.indexOf(this.current) + direction;
@@ -26,10 +26,10 @@ export class SheetKeys {
     this.#typed = null;
   }
 
-  /// All below return whether the sheet was changed.
+  /// The methods below return whether the sheet changed.
   digit(value) {
     if (this.advancing && this.#typed !== null && !this.#longer(this.#typed, value)) {
-      this.#advance(); // the figure before was complete
+      this.#advance(); // the previous figure was complete
     }
     const scale = this.editor.scale(this.current);
     const steps = stepsForDigit(scale, value, this.#typed);
@@ -41,7 +41,7 @@ export class SheetKeys {
     if (this.advancing && (joins || !this.#longer(points, 0))) this.#advance();
     return changed;
   }
-  /// Half a point, or the finest step. An arrow adjusts a score; it invents none.
+  /// Adjusts by half a point, or the finest step. Only existing scores are adjusted.
   adjust(direction, finest = false) {
     this.#typed = null;
     const scale = this.editor.scale(this.current);
@@ -54,7 +54,7 @@ export class SheetKeys {
     this.#typed = null;
     return this.editor.clear(this.current);
   }
-  /// By mouse or finger.
+  /// Sets a score by mouse or touch.
   choose(code, steps) {
     this.mark(code);
     this.#typed = null;
@@ -68,7 +68,7 @@ export class SheetKeys {
     const steps = stepsForDigit(scale, next, points);
     return points > 0 && steps !== null && steps / scale.steps_per_point === points * 10 + next;
   }
-  /// On to the next row; the last stays.
+  /// Selects the next row; stays on the last.
   #advance() {
     if (this.current !== this.editor.order().at(-1)) this.step(+1);
     this.#typed = null;

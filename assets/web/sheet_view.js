@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sheet on the page: one row a line of the rubric, the overall mark, a comment. Tab goes round in it, Esc leads
-// out.
+// The sheet on the page: one row per line of the rubric, the overall mark, a comment. Tab cycles within it,
+// Esc leaves it.
 import { field, h } from './dom.js';
 import { ScoreRow } from './score_row.js';
 import { kOverallRow } from './sheet_editor.js';
@@ -12,7 +12,8 @@ const kLongestComment = 10000;
 export class SheetView {
   readOnly = false;
 
-  /// `on`: edited(), finish(), out(). `reasons`: null where every row must be scored; such a sheet has no comment.
+  /// `on`: edited(), finish(), out(). `reasons`: null if every row must be scored; the sheet then has no
+  /// comment.
   constructor(rubric, reasons, on) {
     this.on = on;
     this.scoresOnly = reasons === null;
@@ -34,7 +35,7 @@ export class SheetView {
       h('div', { class: 'last-rows' }, overall.map((row) => row.element), this.scoresOnly ? null : commentRow));
     this.element.addEventListener('keydown', (event) => this.#wander(event));
   }
-  /// The editor outlives its showing.
+  /// The editor outlives the view.
   setEditor(editor) {
     this.editor = editor;
     const { advancing, current } = this.keys ?? {};
@@ -51,7 +52,7 @@ export class SheetView {
   nameOf(code) {
     return this.names.get(code) ?? code;
   }
-  /// After undo, redo or another change from outside.
+  /// Call after undo, redo or other outside changes.
   refresh() {
     for (const row of this.rows) {
       row.setAnswer(this.editor.answer(row.code));
@@ -76,7 +77,7 @@ export class SheetView {
     this.#edit(() => this.editor.clearAll());
   }
 
-  /// Digits, arrows, N or X, Backspace, Delete. False: not a key of the sheet.
+  /// Handles digits, arrows, N or X, Backspace, Delete. False: not a key of the sheet.
   key(event) {
     if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       this.keys.step(event.key === 'ArrowUp' ? -1 : +1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Name and password; a new password where the old one must be changed, and at the first visit. Used to sign in and to
+// Sign-in form: name and password; a new password at the first visit or if it must be changed. Also used to
 // unlock.
 import { api } from './api.js';
 import { button, field, h, say, show } from './dom.js';
@@ -9,8 +9,8 @@ import { t } from './texts.js';
 
 export const kShortestPassword = 15;
 
-/// Shows the form in `place`. `login`: only this person (unlocking). `ready`: nothing is sent before it resolves.
-/// `onSignedIn({token, user})`.
+/// Shows the form in `place`. `login`: only this person (unlocking). `ready`: awaited before anything is
+/// sent. `onSignedIn({token, user})`.
 export function putSignInForm(place, { login = '', action = t('Sign in'), ready = null, onSignedIn }) {
   const name = field(t('Sign-in name'), {
     name: 'login', autocomplete: 'username', autocapitalize: 'none', spellcheck: 'false', required: true, value: login,
@@ -53,7 +53,7 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
       secret.input.focus();
     }
   }
-  /// Too many wrong tries: the button comes back when the time is over.
+  /// Too many wrong attempts: enables the button again after the wait.
   function waitFor(seconds) {
     if (seconds <= 0) {
       go.disabled = false;
@@ -78,8 +78,8 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
   });
 }
 
-/// The first visit, by a link. `link`: what stands behind its #; empty: it is typed, from a card. `onBack()`: to the
-/// sign-in.
+/// First visit by an invitation link. `link`: the part after #; empty: typed from a card. `onBack()`: back to
+/// the sign-in.
 export function putJoinForm(place, { link, onBack, onSignedIn }) {
   const typed = field(t('What stands in the link behind the #'), { name: 'link', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
   const code = field(t('The code that you were given besides the link'), { name: 'code', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
@@ -99,12 +99,12 @@ export function putJoinForm(place, { link, onBack, onSignedIn }) {
   });
 }
 
-/// Two people made it: its code came another way.
+/// True if two people made the invitation: its code is delivered separately.
 function isByTwo(link) {
   return link.startsWith('2.');
 }
 
-/// `fields`: what is asked for besides. `send(newPassword)`.
+/// `fields`: additional fields. `send(newPassword)`.
 function putNewPassword(place, { title, heading = 'h2', words, login = '', fields = [], send, onBack, onSignedIn }) {
   const one = { type: 'password', autocomplete: 'new-password', required: true };
   const fresh = field(t('New password'), { ...one, name: 'new' });
@@ -116,7 +116,7 @@ function putNewPassword(place, { title, heading = 'h2', words, login = '', field
     { class: 'stack', novalidate: true, onsubmit: store },
     h(heading, {}, title),
     h('p', {}, words),
-    // Keeps password managers from filing the new password under nobody.
+    // Lets password managers store the new password under the right name.
     h('input', { type: 'text', autocomplete: 'username', value: login, hidden: true }),
     fields.map((field) => field.row),
     fresh.row, again.row, said, go,

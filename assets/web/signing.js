@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An act that is signed: the password is asked for where the signature wants it.
+// Signed acts: asks for the password if the signature requires it.
 import { askSignature } from './dialogs.js';
 import { problemText } from './problem.js';
 
-/// A password that was not asked for is not sent.
+/// Omits a password that was not requested.
 export function shownPassword(password) {
   return password === null ? {} : { password };
 }
 
-/// Sends by `send(password)`; asks for the password until it is right or given up. False: given up. Throws what `send`
-/// throws else.
+/// Calls `send(password)`, asking for the password until it is right or cancelled. False: cancelled. Rethrows
+/// other errors of `send`.
 export async function signed(send, login, password = null, meaning = '') {
   try {
     await send(password);

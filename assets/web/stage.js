@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The organ and the instrument in three dimensions. Draws only when something moved; draws fewer pixels when
-// pictures take too long.
+// 3D view of organ and instrument. Draws only on changes; lowers the resolution if frames take too long.
 import { h } from './dom.js';
 import { drawnByProcessor, joinedTexture, makeMesh, makeProgram, makeTexture, openContext, shadersAreSlow } from './gl.js';
 import { addNormals, Morph } from './morph.js';
@@ -13,16 +12,16 @@ import { jawOpening, poseMatrix, product, turnedAbout } from './tool_pose.js';
 const kIdentity = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 const kSteel = [0.66, 0.68, 0.7];
 const kWhite = [1, 1, 1];
-/// Of an organ without a painted skin.
+/// Look of an organ without a painted skin.
 const kPlainLook = { wetness: 0.38, scatter: 1, relief_mm: 0 };
-/// Share of the screen's pixels that are drawn; the first may be more than one a point of the layout.
+/// Resolution relative to the screen; the first may exceed one pixel per CSS pixel.
 const kShares = [1, 0.8, 0.6, 0.45];
 const kMaxRatio = 2;
 const kSlow_ms = 36;
 const kVerySlow_ms = 90;
 const kJudgedFrames = 8;
-const kStill_ms = 300; // after it the picture stands, and may take its time
-const kLoneShare = 2; // of a picture that follows none closely where the processor draws: what was sought is soon there
+const kStill_ms = 300; // after this, redraw in full quality
+const kLoneShare = 2; // resolution of single frames on software renderers, so that seeking stays responsive
 
 export class Stage {
   camera = new OrbitCamera();
@@ -34,7 +33,7 @@ export class Stage {
   #slow_ms = [];
   #share = 0;
 
-  /// False where the browser has no WebGL 2.
+  /// False without WebGL 2.
   open() {
     this.#gl = openContext(this.canvas);
     if (!this.#gl) return false;
@@ -52,7 +51,7 @@ export class Stage {
 
   #meshes = null;
   #toolParts = [];
-  /// Containers of the recording and the organ; `tissue`: source of the window's shader.
+  /// `recording`, `organ`: containers; `tissue`: source of the window's shader.
   setCase(recording, organ, tissue) {
     this.recording = recording;
     this.organ = new Morph(organ);
@@ -61,7 +60,7 @@ export class Stage {
     this.#upload();
     this.fit();
   }
-  /// What skinOf() gives: the tissue's picture in place of its plain colours.
+  /// `skin`: from skinOf(); replaces the plain colours.
   setSkin(skin) {
     this.skin = skin;
     this.#upload();
@@ -124,7 +123,7 @@ export class Stage {
     return Math.max(this.canvas.clientWidth, 1) / Math.max(this.canvas.clientHeight, 1);
   }
 
-  /// Draws with the next frame of the screen.
+  /// Draws with the next animation frame.
   redraw() {
     if (this.#awaits || !this.#meshes) return;
     this.#awaits = true;
@@ -147,7 +146,7 @@ export class Stage {
   #still = false;
   #sharpens = false;
   #later = null;
-  /// What stands is drawn once more with all pixels.
+  /// Redraws a still picture at full resolution.
   #sharpen() {
     clearTimeout(this.#later);
     if (this.#drawnShare === 0) return;
@@ -165,11 +164,11 @@ export class Stage {
     this.canvas.width = width;
     this.canvas.height = height;
   }
-  /// Pictures that follow each other closely tell how fast this machine is.
+  /// Frames in quick succession show how fast this machine is.
   #judge(now_ms) {
     const took_ms = now_ms - this.#lastFrame_ms;
     this.#lastFrame_ms = now_ms;
-    if (took_ms > 500) return; // it stood still
+    if (took_ms > 500) return; // it was paused
     this.#slow_ms.push(took_ms);
     if (this.#slow_ms.length < kJudgedFrames) return;
     const middle_ms = this.#slow_ms.sort((a, b) => a - b)[kJudgedFrames / 2];
@@ -201,7 +200,7 @@ export class Stage {
     this.#drawTool(this.#meshes.tool);
     this.#sharpen();
   }
-  /// The operating lamp stays where the room has it, the one beside the lens goes along.
+  /// The operating lamp is fixed in the room; the lamp at the lens moves with the camera.
   #begin(program) {
     const { right, up, back } = this.camera.axes();
     const lens = kLamps.lensDirection;
@@ -211,8 +210,8 @@ export class Stage {
     program.set('lampDirection', kLamps.lampDirection);
     program.set('lensDirection', [0, 1, 2].map((k) => lens[0] * right[k] + lens[1] * up[k] + lens[2] * back[k]));
   }
-  /// meta.tool.parts: {name, first, count} of vertices; 'upper_jaw' opens by +opening_deg about axis and pivot,
-  /// 'lower_jaw' by -opening_deg.
+  /// meta.tool.parts: {name, first, count} of vertices; 'upper_jaw' opens by +opening_deg about axis and
+  /// pivot, 'lower_jaw' by -opening_deg.
   #drawTool(mesh) {
     const pose = poseMatrix(this.recording, this.#time_s);
     const { pivot_mm, axis = [1, 0, 0], opening_deg } = this.organ.meta.tool;
@@ -226,7 +225,7 @@ export class Stage {
   }
 }
 
-/// Which indices draw each part, given its vertices; the triangles of a part lie together.
+/// Returns the index range of each part from its vertices; its triangles are contiguous.
 function partsOf(index, parts) {
   return parts.map(({ name, first, count }) => {
     const inside = (at) => index[at] >= first && index[at] < first + count;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mouse, fingers and keys on the stage: drag turns, two fingers or the right button move, wheel and pinch zoom.
+// Mouse, touch and keys on the stage: drag rotates, two fingers or the right button pan, wheel and pinch
+// zoom.
 
 const kKeyTurn_px = 24;
-const kPinchStep = 0.08; // of the distance between two fingers: one notch
+const kPinchStep = 0.08; // relative change of the finger distance per notch
 
 export function followInput(stage) {
   const { canvas, camera } = stage;
@@ -39,7 +40,7 @@ export function followInput(stage) {
   for (const end of ['pointerup', 'pointercancel']) {
     canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
-  canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the keyboard stays in the sheet
+  canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the sheet keeps the focus
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   canvas.addEventListener(
     'wheel',
@@ -69,7 +70,7 @@ export function followInput(stage) {
       return;
     }
     event.preventDefault();
-    event.stopPropagation(); // the arrows of the sheet are others
+    event.stopPropagation(); // the sheet has its own arrow keys
     stage.redraw();
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Submitting and amending: what is missing, the question before the seal, the signature.
+// Submitting and amending: missing answers, confirmation, signature.
 import { NoConnection } from './api.js';
 import { button, h, say, show } from './dom.js';
 import { figure, joinedSentences } from './numbers.js';
@@ -7,7 +7,7 @@ import { problemText } from './problem.js';
 import { signed } from './signing.js';
 import { t } from './texts.js';
 
-const kRounding = 0.1; // percent: the last tick of a recording has no length
+const kRounding = 0.1; // percent: the last tick of a recording has no duration
 const kLongestReason = 200;
 
 export class SubmitBar {
@@ -15,7 +15,7 @@ export class SubmitBar {
   #amending = false;
   #busy = false;
 
-  /// `page`: what is submitted (CasePage). Its case may be sealed already.
+  /// `page`: what to submit (CasePage). Its case may already be submitted.
   constructor(page) {
     this.page = page;
     this.text = h('p', { class: 'check' });
@@ -34,7 +34,7 @@ export class SubmitBar {
   get amending() {
     return this.#amending;
   }
-  /// The sheet was changed.
+  /// Call after a change of the sheet.
   edited() {
     this.#asking = false;
     this.refresh();
@@ -42,7 +42,7 @@ export class SubmitBar {
   takeFocus() {
     (this.submit.hidden ? this.amend : this.submit).focus();
   }
-  /// What the button and Ctrl+Enter do: ask, then seal.
+  /// Asks for confirmation, then submits (button or Ctrl+Enter).
   async go() {
     if (this.#busy) return;
     if (this.#amending) {
@@ -55,19 +55,19 @@ export class SubmitBar {
       }
     }
   }
-  /// What was watched last may still be on its way to the server: whoever answers at once is not sent back for that.
+  /// Waits for the last viewing report, so that a quick answer is not rejected for it.
   async #answer() {
     if (this.#waits) return;
     this.#waits = true;
     await this.#heard;
     this.#waits = false;
-    if (!this.#asking || this.#busy) return; // taken back meanwhile
+    if (!this.#asking || this.#busy) return; // cancelled meanwhile
     if (this.#ready()) await this.#seal(() => this.#submitOnce());
     else this.#lead();
   }
   #heard = Promise.resolve();
   #waits = false;
-  /// True: there was a question, and it is taken back.
+  /// Cancels the confirmation; true if there was one.
   cancel() {
     if (!this.#asking && !this.#amending) return false;
     this.#asking = false;
@@ -87,7 +87,7 @@ export class SubmitBar {
     show(this.reason, this.#amending);
     this.submit.disabled = this.#busy;
     const text = this.#amending ? this.#amendText() : sealed ? t('submitted and sealed') : this.#checkText();
-    this.text.setAttribute('aria-live', this.#asking ? 'polite' : 'off'); // not of each second that was watched
+    this.text.setAttribute('aria-live', this.#asking ? 'polite' : 'off'); // do not announce every second watched
     say(this.text, text);
     this.text.classList.toggle('caution', this.#asking && !this.#ready());
   }
@@ -104,7 +104,7 @@ export class SubmitBar {
     if (!this.#ready()) this.#lead();
     this.#heard = this.page.reporter.report().then(() => this.refresh(), () => {});
   }
-  /// To what is missing.
+  /// Goes to what is missing.
   #lead() {
     const [first] = this.page.editor.unanswered();
     if (first !== undefined) this.page.view.mark(first);
@@ -145,7 +145,7 @@ export class SubmitBar {
 
   async #seal(send) {
     this.#busy = true;
-    this.page.view.setReadOnly(true); // what is typed now would not be sealed
+    this.page.view.setReadOnly(true); // later changes would not be part of the seal
     say(this.problem, '');
     this.refresh();
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes elements of SVG.
+// Creates SVG elements.
 const kSpace = 'http://www.w3.org/2000/svg';
 
 export function svg(tag, attributes, ...children) {
@@ -9,9 +9,9 @@ export function svg(tag, attributes, ...children) {
   return element;
 }
 
-const kQuiet = 4; // modules of white round a QR code
+const kQuiet = 4; // quiet zone around a QR code, in modules
 
-/// Of rows of 0 and 1, as a phone's camera reads it.
+/// Draws a QR code from rows of 0 and 1.
 export function qrPicture(rows, label) {
   const side = rows.length + 2 * kQuiet;
   const squares = rows.flatMap((row, y) => [...row].map((one, x) => (one === '1' ? `M${x + kQuiet} ${y + kQuiet}h1v1h-1z` : '')));

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sentences of the pages. English stands in the sources as a literal of t(); app/web/web_texts.cpp
-// lists it, and the server sends the translations.
+// Texts of the pages. English is the literal of t() in the sources; app/web/web_texts.cpp lists them, and the
+// server sends translations.
 
 const kStored = 'torsio.language';
 let texts = {};
 let present = 'en';
 
-/// "en" or "zh_CN": what the reader chose, else what the browser asks for.
+/// Returns "en" or "zh_CN": the reader's choice, otherwise the browser's language.
 export function wantedLanguage() {
   try {
     const stored = localStorage.getItem(kStored);
     if (stored) return stored;
   } catch {
-    // a browser that keeps nothing
+    // no storage
   }
   return navigator.language.toLowerCase().startsWith('zh') ? 'zh_CN' : 'en';
 }
@@ -21,7 +21,7 @@ export function chooseLanguage(language) {
   try {
     localStorage.setItem(kStored, language);
   } catch {
-    // then it holds until the page is left
+    // no storage: applies until the page is left
   }
 }
 
@@ -29,23 +29,25 @@ export function language() {
   return present;
 }
 
-/// For Intl and the lang attribute.
+/// Returns the locale for Intl and the lang attribute.
 export function locale() {
   return present === 'zh_CN' ? 'zh-CN' : 'en-GB';
 }
 
-/// `answer` of GET /api/texts.
+/// `answer`: of GET /api/texts.
 export function useTexts(answer) {
   texts = answer.texts;
   present = answer.language;
 }
 
-/// The sentence in the present language; %1 to %9 stand for `values`, "%1 {case|cases}" follows the number.
+/// Returns the sentence in the current language; %1 to %9 are replaced by `values`, "%1 {case|cases}" follows
+/// the number.
 export function t(english, ...values) {
   return filledIn(texts[english] || english, values.map(String));
 }
 
-/// As filledIn() of sim/core/text.h: all places in one pass, so that a value may look like a place.
+/// Like filledIn() of sim/core/text.h: replaces all placeholders in one pass, so that values may contain
+/// placeholders.
 export function filledIn(pattern, values) {
   let number = null;
   return pattern.replace(/%([1-9])|\{([^|{}]*)\|([^{}]*)\}/g, (whole, place, one, many) => {

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the instrument is and how far its jaw stands open at any moment of the recording. Knows no WebGL.
+// Pose and jaw opening of the instrument at any time of the recording. Independent of WebGL.
 
 const kFloatsAPose = 7; // x y z mm, quaternion w x y z
 
-/// The frames before and after a time, and how far it lies between them.
+/// Returns the frames around a time and the fraction between them.
 function momentOf({ rate_hz, frames }, time_s) {
   const at = Math.min(Math.max(time_s * rate_hz, 0), frames - 1);
   const before = Math.floor(at);
   return { before, after: Math.min(before + 1, frames - 1), share: at - before };
 }
 
-/// Model matrix by columns: what lies in the instrument's frame comes into the view frame.
+/// Returns the column-major model matrix from instrument frame to view frame.
 export function poseMatrix({ meta, arrays }, time_s) {
   const { tool } = arrays;
   const { before, after, share } = momentOf(meta, time_s);
   const a = tool.subarray(kFloatsAPose * before, kFloatsAPose * (before + 1));
   const b = tool.subarray(kFloatsAPose * after, kFloatsAPose * (after + 1));
-  // The shorter of the two ways between the orientations.
+  // Take the shorter way between the orientations.
   const way = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -1 : 1;
   const between = (i, sign) => a[i] * (1 - share) + sign * b[i] * share;
   const q = [3, 4, 5, 6].map((i) => between(i, way));
@@ -24,13 +24,13 @@ export function poseMatrix({ meta, arrays }, time_s) {
   return rigid(q.map((value) => value / length), [0, 1, 2].map((i) => between(i, 1)));
 }
 
-/// 0 closed, 1 open; the recording holds how far it is closed in 255 steps.
+/// Returns 0 closed, 1 open; the recording stores how far it is closed in 255 steps.
 export function jawOpening({ meta, arrays }, time_s) {
   const { before, after, share } = momentOf(meta, time_s);
   return 1 - (arrays.closed[before] * (1 - share) + arrays.closed[after] * share) / 255;
 }
 
-/// A jaw that turned by `angle_rad` about the axis through the pivot.
+/// Returns the rotation of a jaw by `angle_rad` about the axis through the pivot.
 export function turnedAbout(axis, pivot, angle_rad) {
   const half = 0.5 * angle_rad;
   const q = [Math.cos(half), ...axis.map((value) => value * Math.sin(half))];
@@ -41,7 +41,7 @@ export function turnedAbout(axis, pivot, angle_rad) {
   return turn;
 }
 
-/// a * b, 4 x 4 by columns.
+/// Returns a * b, 4 x 4, column-major.
 export function product(a, b) {
   const made = new Float32Array(16);
   for (let column = 0; column < 4; ++column) {

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One trace: its scale, its words and how it is drawn.
+// One trace: scale, texts and drawing.
 import { figure } from './numbers.js';
 
-const kSmallTorque_Nm = 0.1; // below it an untwisting is told in mN m
-const kRoom = 1.05; // a limit does not lie on the edge
+const kSmallTorque_Nm = 0.1; // below, an untwisting is shown in mN m
+const kRoom = 1.05; // keeps a limit off the edge
 
 function withUnit(size, unit) {
   return unit === '\u00b0' || unit === '' ? size + unit : `${size} ${unit}`;
 }
 
-/// "1.8 N", with the decimals of the lane.
+/// Formats "1.8 N" with the lane's decimals.
 export function sizeText(one, value) {
   return withUnit(figure(value * one.factor, one.decimals), one.unit);
 }
 
-/// "0…185°": what a lane shows from bottom to top.
+/// Formats the range of a lane: "0…185°".
 export function scaleText(one) {
   const end = (value) => (Math.abs(value) < 0.5 * 10 ** -one.decimals ? '0' : figure(value, one.decimals));
   return withUnit(`${end(one.bottom * one.factor)}\u2026${end(one.top * one.factor)}`, one.unit);
 }
 
-/// What one lane shows: `low`, `high` (extremes a frame), `value` (at it), `limit` or null, `band` ({target, tolerance}) or
-/// null; `fine`: small values are told in thousandths; `decimals`: otherwise, null: by their size. Zero is always on it; a limit stands on the side of the larger values.
+/// Makes a lane: `low`, `high` (extremes per frame), `value` (at the frame), `limit` or null, `band`
+/// ({target, tolerance}) or null; `fine`: small values in thousandths; `decimals`: otherwise, null: by
+/// magnitude. The range always includes zero; the limit is drawn on the side of the values.
 export function lane({ low, high = low, value = low, limit = null, band = null, fine = false, decimals = null, ...rest }) {
   let [least, most] = [0, 0];
   for (const one of low) least = Math.min(least, one);
@@ -70,7 +71,7 @@ export function drawLane(paint, one, area, palette) {
   paint.fillStyle = palette[one.colour];
   for (let x = 0; x < columns; ++x) {
     let [low, high] = [Infinity, -Infinity];
-    // One frame of overlap joins the columns.
+    // Overlap columns by one frame to join them.
     for (let i = Math.max(frameAt(x) - 1, 0); i <= frameAt(x + 1); ++i) {
       low = Math.min(low, one.lowest[i]);
       high = Math.max(high, one.highest[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Angle, torque and force over time, the stretches that were watched, bookmarks and the playhead. A click seeks.
+// Angle, torque and force over time, with watched stretches, bookmarks and playhead. A click seeks.
 import { h } from './dom.js';
 import { clockTenths, clockTime, figure, kForceDecimals, kTorqueDecimals } from './numbers.js';
 import { t } from './texts.js';
@@ -11,7 +11,7 @@ const kTicks_s = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800];
 
 const kLanesOfATwist = 3;
 
-/// What an untwisting does to the organ; none of a twist, and no lumen where the organ has none.
+/// Lanes of an untwisting: blood, and lumen if the organ has one; empty for a twist.
 function bloodLanes(arrays) {
   if (!arrays.flow_percent) return [];
   const lanes = [
@@ -50,7 +50,7 @@ export class Traces {
     this.onSeek = onSeek;
     new ResizeObserver(() => this.#redraw(true)).observe(this.canvas);
     window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw(true));
-    this.canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the keyboard stays in the sheet
+    this.canvas.addEventListener('mousedown', (event) => event.preventDefault()); // the sheet keeps the focus
     this.canvas.addEventListener('pointerdown', (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       if (event.pointerType !== 'touch') this.#seekTo(event.clientX); // a finger may be about to scroll
@@ -62,7 +62,7 @@ export class Traces {
     this.canvas.addEventListener('keydown', (event) => this.#key(event));
   }
 
-  /// `task` of the case: the band and the limits.
+  /// `task`: of the case, with band and limits.
   setRecording(recording, task) {
     this.recording = recording;
     const { arrays } = recording;
@@ -109,7 +109,7 @@ export class Traces {
     this.#describe();
     this.#redraw();
   }
-  /// The values at the playhead, as shown beside the lanes.
+  /// Returns the values at the playhead, shown beside the lanes.
   readings() {
     if (!this.recording) return [];
     const { rate_hz, frames } = this.recording.meta;
@@ -123,7 +123,7 @@ export class Traces {
     const share = (x_px - this.canvas.getBoundingClientRect().left - left) / (right - left);
     this.onSeek(Math.min(Math.max(share, 0), 1) * this.recording.meta.length_us);
   }
-  /// Left and right move the playhead here, as a slider should; elsewhere they belong to the sheet.
+  /// Left and right move the playhead here, like a slider; elsewhere they belong to the sheet.
   #key(event) {
     const steps = { ArrowLeft: -1e6, ArrowRight: 1e6, PageDown: -5e6, PageUp: 5e6 };
     if (!(event.key in steps) || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -134,7 +134,7 @@ export class Traces {
   em_px = 16;
   labels_px = 80;
   readings_px = 80;
-  /// Room for what stands beside the lanes, at both sides.
+  /// Measures the margins for labels on both sides.
   #measure() {
     const style = getComputedStyle(this.canvas);
     this.em_px = parseFloat(style.fontSize);
@@ -147,7 +147,7 @@ export class Traces {
   #plot() {
     const { em_px } = this;
     const width = this.canvas.clientWidth;
-    const narrow = width < 26 * em_px; // then there is no room for readings
+    const narrow = width < 26 * em_px; // too narrow for readings
     return {
       left: this.labels_px, right: Math.round(width - (narrow ? em_px : this.readings_px)), top: 8,
       bottom: Math.round(this.canvas.clientHeight - 1.7 * em_px),

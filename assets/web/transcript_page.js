@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee may take away, to be printed from the browser.
+// A trainee's transcript, printed from the browser.
 import { api } from './api.js';
 import { button, h } from './dom.js';
 import { dayText, figure } from './numbers.js';
@@ -15,7 +15,7 @@ export class TranscriptPage {
   get title() {
     return t('Transcript');
   }
-  /// It is made when it is asked for: that is noted.
+  /// Requested on demand, because the server logs each request.
   async load() {
     this.element.replaceChildren(h('h1', {}, t('Transcript')),
       h('p', {}, t('Everything that you have done, to print or to keep. That it was made is noted in the audit trail.')),

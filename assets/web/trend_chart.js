@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tries at a module, one mark each, with the threshold and the fitted curve. Drawn with SVG; a table says the same.
+// Attempts at a module, one point each, with threshold and fitted curve. SVG; a table has the same content.
 import { h } from './dom.js';
 import { figure } from './numbers.js';
 import { svg } from './svg.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holds in this tab what could not be brought to the server yet, so that a reload loses nothing. Gone with the tab.
+// Keeps unsaved work in the tab's session storage, so that a reload loses nothing.
 
 const kPrefix = 'torsio.unsaved.';
 
@@ -11,7 +11,7 @@ export function keepUnsaved(login, label, sheet) {
   try {
     sessionStorage.setItem(keyOf(login, label), JSON.stringify(sheet));
   } catch {
-    // full or forbidden: the page itself still holds it, and asks before it is left
+    // full or forbidden: the page still has it, and asks before it is left
   }
 }
 
@@ -19,11 +19,11 @@ export function dropUnsaved(login, label) {
   try {
     sessionStorage.removeItem(keyOf(login, label));
   } catch {
-    // nothing was kept
+    // nothing stored
   }
 }
 
-/// The sheet that was kept, or null.
+/// Returns the stored sheet, or null.
 export function unsavedSheet(login, label) {
   try {
     return JSON.parse(sessionStorage.getItem(keyOf(login, label)));
@@ -32,13 +32,13 @@ export function unsavedSheet(login, label) {
   }
 }
 
-/// Everything of everybody: somebody signs out.
+/// Removes everything, on signing out.
 export function forgetUnsaved() {
   try {
     for (const key of Object.keys(sessionStorage)) {
       if (key.startsWith(kPrefix)) sessionStorage.removeItem(key);
     }
   } catch {
-    // nothing was kept
+    // nothing stored
   }
 }

@@ -1,63 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells the server every two seconds what was played. The server decides what of it counts. Knows no page.
+// Reports every two seconds what was played; the server decides what counts. Independent of the page.
 import { NoConnection } from './api.js';
 
 const kEvery_ms = 2000;
 
 export class ViewingReporter {
-  #unheard = []; // not sent yet
+  #unreported = []; // not sent yet
   #sent = [];    // under way
   #last_ms = 0;
   #stopped = false;
 
-  /// `post(body, options)`: promise of the server's answer. `onAnswer(answer, unheard)`.
+  /// `post(body, options)`: promise of the server's answer. `onAnswer(answer, unreported)`.
   constructor({ post, onAnswer, now = () => performance.now() }) {
     Object.assign(this, { post, onAnswer, now });
     this.#last_ms = now();
   }
-  /// Stretches that the server has not answered for yet.
-  get unheard() {
-    return [...this.#sent, ...this.#unheard];
+  /// Stretches not yet acknowledged by the server.
+  get unreported() {
+    return [...this.#sent, ...this.#unreported];
   }
-  /// The recording went on; reports where it is time.
+  /// Call as the recording plays; reports when due.
   played(stretch) {
-    const last = this.#unheard.at(-1);
+    const last = this.#unreported.at(-1);
     if (last && last.to_us === stretch.from_us && last.speed === stretch.speed) {
       last.to_us = stretch.to_us;
     } else if (stretch.to_us > stretch.from_us) {
-      this.#unheard.push({ ...stretch });
+      this.#unreported.push({ ...stretch });
     }
     if (this.now() - this.#last_ms >= kEvery_ms) this.report();
   }
-  /// Now: it was paused, or the sheet is submitted. Never throws; what was not heard is sent with the next one.
+  /// Reports now, on pausing or submitting. Never throws; what failed is sent with the next report.
   async report() {
     while (this.underway) await this.underway;
-    if (this.#stopped || this.#unheard.length === 0) return;
+    if (this.#stopped || this.#unreported.length === 0) return;
     this.underway = this.#send();
     await this.underway;
   }
-  /// The page is left: the last stretches, without waiting for an answer.
+  /// Sends the last stretches without waiting for an answer, when the page is closed.
   close() {
     if (this.#stopped) return;
     this.#stopped = true;
-    this.post({ played: this.#unheard, open: false }, { last: true, quiet: true }).catch(() => {});
+    this.post({ played: this.#unreported, open: false }, { last: true, quiet: true }).catch(() => {});
   }
-  /// The sheet is sealed: nothing counts any more.
+  /// Stops reporting once the sheet is submitted.
   stop() {
     this.#stopped = true;
   }
 
   async #send() {
     this.#last_ms = this.now();
-    this.#sent = this.#unheard;
-    this.#unheard = [];
+    this.#sent = this.#unreported;
+    this.#unreported = [];
     try {
       const answer = await this.post({ played: this.#sent, open: true });
       this.#sent = [];
-      this.onAnswer(answer, this.unheard);
+      this.onAnswer(answer, this.unreported);
     } catch (error) {
-      const again = error instanceof NoConnection || error.passes || error.needsSignIn;
-      if (again) this.#unheard = [...this.#sent, ...this.#unheard];
+      const again = error instanceof NoConnection || error.isTransient || error.needsSignIn;
+      if (again) this.#unreported = [...this.#sent, ...this.#unreported];
       this.#sent = [];
     } finally {
       this.underway = null;

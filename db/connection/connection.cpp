@@ -29,7 +29,7 @@ QVariant toVariant(const Value& value) {
     }
     QVariant operator()(bool flag) const { return flag; }
     QVariant operator()(const std::string& text) const {
-      // An empty text stays a text: a default-constructed QString would be stored as null.
+      // An empty text is not null: a default-constructed QString would be stored as null.
       return text.empty() ? QStringLiteral("")
                           : QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
     }
@@ -49,7 +49,7 @@ Blob toBlob(const QByteArray& bytes) {
 
 }  // namespace
 
-/// QSqlQuery with its database kept alive and the text for messages.
+/// A QSqlQuery that keeps its database alive, with its SQL text for messages.
 class Statement::Query {
  public:
   enum class Start { kPrepare, kRun };
@@ -76,11 +76,11 @@ class Statement::Query {
   std::shared_ptr<ConnectionState> state;
   std::string text;
   QSqlQuery query;
-  bool worthKeeping = false;  // prepared, and its last run was without fault
+  bool worthKeeping = false;  // prepared, and its last run succeeded
   std::int64_t affectedRows = 0;
-  int columns = -1;                               // of the rows; below 0: not asked for yet
-  std::shared_ptr<const ChangeWatch::Plan> plan;  // null: nobody watches what it changes
-  std::vector<Value> bound;                       // with a plan only
+  int columns = -1;                               // number of columns; negative: not queried yet
+  std::shared_ptr<const ChangeWatch::Plan> plan;  // null: changes are not watched
+  std::vector<Value> bound;                       // only with a plan
 };
 
 Statement::Statement(std::unique_ptr<Query> query) : query_(std::move(query)) {}
@@ -216,7 +216,7 @@ std::optional<std::string> Statement::maybeText(int column) const {
 
 int Statement::columnCount() const {
   if (query_->columns < 0) {
-    query_->columns = query_->query.record().count();  // copies the row
+    query_->columns = query_->query.record().count();  // record() copies the row
   }
   return query_->columns;
 }
@@ -272,7 +272,7 @@ std::shared_ptr<ChangeWatch> Connection::watchChanges(std::shared_ptr<ChangeWatc
   return std::exchange(state_->watch, std::move(watch));
 }
 
-void Connection::tellChanged(std::string_view table, std::vector<Value> key, bool removed) {
+void Connection::reportChange(std::string_view table, std::vector<Value> key, bool removed) {
   if (state_->watch) {
     state_->watch->changedElsewhere(table, std::move(key), removed);
   }
@@ -353,7 +353,7 @@ void Transaction::commit() {
     Connection connection(state_);
     state_->watch->beforeCommit(connection);
   }
-  state_->commit();  // throws: the destructor then rolls back
+  state_->commit();  // on an exception the destructor rolls back
   open_ = false;
   state_->depth = 0;
   if (state_->watch) {

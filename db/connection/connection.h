@@ -20,17 +20,17 @@ class ConnectionState;  // QtSql lives behind it (connection_state.h)
 class Statement;
 
 enum class OpenMode {
-  kCreate,     ///< SQLite: made if missing. PostgreSQL: the database must exist
+  kCreate,     ///< SQLite: created if missing. PostgreSQL: the database must exist
   kReadWrite,  ///< must exist
-  kReadOnly,   ///< must exist; nothing can be changed
+  kReadOnly,   ///< must exist; read-only
 };
 
-/// One open database. Belongs to the thread that opened it: using it from another is a broken contract;
-/// closing it there is allowed. A QCoreApplication must exist before the first one is opened (QtSql loads its
-/// drivers through it); the library makes none.
+/// An open database. Confined to the thread that opened it, except for closing; any other use breaks the
+/// contract. A QCoreApplication must exist before the first one is opened (QtSql loads its drivers through
+/// it).
 ///
-/// SQLite runs with write-ahead log, synchronous FULL, foreign keys on and a busy timeout, so that what a
-/// statement reported as done survives a power cut, and two processes may share one file.
+/// SQLite runs with write-ahead log, synchronous FULL, foreign keys and a busy timeout, so that whatever a
+/// statement reported as done survives a power cut, and several processes may share a file.
 class Connection {
  public:
   Connection(Connection&&) noexcept;
@@ -39,32 +39,31 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
   ~Connection();
 
-  /// Compiles one statement with `?` placeholders. Throws DbError.
+  /// Prepares a statement with `?` placeholders. Throws DbError.
   [[nodiscard]] Statement prepare(std::string_view sql);
-  /// Runs one statement that returns no rows. Returns the number of rows it changed. Throws DbError.
+  /// Runs a statement that returns no rows. Returns the number of changed rows. Throws DbError.
   std::int64_t execute(std::string_view sql, std::initializer_list<Value> values = {});
-  /// Runs one statement without placeholders just as it is: schema changes. Throws DbError.
+  /// Runs a statement without placeholders, unprepared: schema changes. Throws DbError.
   void executeVerbatim(std::string_view sql);
-  /// Executes one statement without placeholders that returns rows and cannot be prepared (FETCH). Throws
-  /// DbError.
+  /// Runs a statement without placeholders that returns rows and cannot be prepared (FETCH). Throws DbError.
   [[nodiscard]] Statement selectVerbatim(std::string_view sql);
 
-  /// Has `observer` hear the text of every statement that is prepared from now on: diagnosis
-  /// (kShowStatements), query plans.
+  /// Calls `observer` with the text of every statement prepared from now on, for diagnosis (kShowStatements)
+  /// and query plans.
   void observeStatements(std::function<void(std::string_view)> observer);
 
-  /// Has `watch` hear what statements that are prepared from now on change; null: nobody. Returns the watch
-  /// before. Not inside a transaction that changed something.
+  /// Reports changes by statements prepared from now on to `watch`; null: to nobody. Returns the previous
+  /// watch. Not allowed in a transaction with changes.
   std::shared_ptr<ChangeWatch> watchChanges(std::shared_ptr<ChangeWatch> watch);
-  /// Tells the watch of a row that a function of the database changed or removed in this transaction; `key`:
-  /// in the order of the key's columns.
-  void tellChanged(std::string_view table, std::vector<Value> key, bool removed);
+  /// Reports to the watch a row that a database function changed or removed in this transaction; `key`: in
+  /// the order of the key's columns.
+  void reportChange(std::string_view table, std::vector<Value> key, bool removed);
 
   [[nodiscard]] Engine engine() const noexcept;
-  /// For messages; never contains a password.
+  /// Returns the address for messages, without a password.
   [[nodiscard]] const std::string& location() const noexcept;
   [[nodiscard]] bool readOnly() const noexcept;
-  /// Whether a Transaction is open.
+  /// True while a Transaction is open.
   [[nodiscard]] bool inTransaction() const noexcept;
 
  private:
@@ -77,18 +76,16 @@ class Connection {
 
 inline constexpr int kBusyTimeout_ms = 5000;
 
-/// Environment variable: when set, each statement that is prepared goes to standard error, never with its
-/// values.
+/// Environment variable; if set, every prepared statement is printed to standard error, without its values.
 inline constexpr const char* kShowStatements = "TORSIO_SHOW_STATEMENTS";
 
-/// Opens a database without looking at its schema (openRecord in db/migrations does both). `busyTimeout_ms`:
-/// how long to wait for a lock, and on PostgreSQL also about how long for a server that does not answer.
-/// Throws Error (kFileMissing, kFileUnreadable: not a database, kFileUnwritable: read-only file or folder) or
-/// DbError.
+/// Opens a database without checking its schema (openRecord in db/migrations does both). `busyTimeout_ms`:
+/// how long to wait for a lock and, on PostgreSQL, roughly for a server that does not answer. Throws Error
+/// (kFileMissing; kFileUnreadable: not a database; kFileUnwritable: read-only file or folder) or DbError.
 [[nodiscard]] Connection openDatabase(const std::string& locator, OpenMode mode,
                                       int busyTimeout_ms = kBusyTimeout_ms);
 
-/// A prepared statement: execute, then step through its rows. Keeps its database open while it lives.
+/// A prepared statement: execute it, then step through its rows. Keeps its database open.
 class Statement {
  public:
   Statement(Statement&&) noexcept;
@@ -99,17 +96,18 @@ class Statement {
 
   /// Sets the placeholder at `position` (from 0) for the next execute(). Doubles must be finite.
   Statement& bind(int position, const Value& value);
-  /// Runs with what was bound. May be called again with other values. Throws DbError.
+  /// Runs with the bound values. May be called again with others. Throws DbError.
   void execute();
   /// Binds all placeholders in order and runs. Throws DbError.
   void execute(std::initializer_list<Value> values);
   void execute(std::span<const Value> values);
-  /// Moves to the next row; false after the last, and then the statement is reset. Throws DbError.
+  /// Moves to the next row; false after the last, which resets the statement. Throws DbError.
   [[nodiscard]] bool step();
   /// Rows changed by the last execute() of an INSERT, UPDATE or DELETE.
   [[nodiscard]] std::int64_t affectedRows() const;
 
-  /// Columns of the current row, from 0. A null reads as 0, false or empty; ask isNull() or the maybe form.
+  /// Columns of the current row, from 0. Null reads as 0, false or empty; use isNull() or the maybe form to
+  /// tell.
   [[nodiscard]] bool isNull(int column) const;
   [[nodiscard]] std::int64_t int64(int column) const;
   [[nodiscard]] double real(int column) const;
@@ -121,7 +119,7 @@ class Statement {
   [[nodiscard]] std::optional<std::string> maybeText(int column) const;
   [[nodiscard]] int columnCount() const;
   [[nodiscard]] std::string columnName(int column) const;
-  /// The value with its own type; booleans of SQLite come back as integers.
+  /// Returns the value with its stored type; SQLite returns booleans as integers.
   [[nodiscard]] Value value(int column) const;
 
  private:
@@ -132,22 +130,22 @@ class Statement {
   std::unique_ptr<Query> query_;
 };
 
-/// Several statements as one: all or nothing. Rolls back unless commit() was reached; the destructor never
-/// throws. A Transaction inside a Transaction joins the outer one: it keeps nothing by itself, and if it is
-/// given up, the outer one cannot be committed any more.
+/// Groups statements: all or nothing. Rolls back unless commit() was reached; the destructor never throws. A
+/// nested Transaction joins the outer one: its commit alone persists nothing, and if it is abandoned, the
+/// outer one can no longer be committed.
 class Transaction {
  public:
   enum class Purpose {
     kChange,
-    kLook,  ///< nothing is written: all that is read is of one moment, and nobody waits for it
+    kLook,  ///< read-only: a consistent snapshot that blocks nobody
   };
-  /// SQLite takes the write lock at once (BEGIN IMMEDIATE), so that it waits here and never in the middle.
+  /// On SQLite kChange takes the write lock at once (BEGIN IMMEDIATE), so that it waits here, not halfway.
   explicit Transaction(Connection& connection, Purpose purpose = Purpose::kChange);
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();
 
-  /// Throws DbError; then everything was rolled back.
+  /// Throws DbError after rolling everything back.
   void commit();
 
  private:

@@ -21,7 +21,7 @@ namespace torsio {
 
 namespace {
 
-/// One parameter as PostgreSQL's library reads it; Qt turns each semicolon between them into a blank.
+/// Formats one libpq parameter; Qt turns the semicolons between them into blanks.
 QString optionOf(const std::string& name, const std::string& value) {
   std::string quoted;
   for (const char c : value) {
@@ -30,13 +30,13 @@ QString optionOf(const std::string& name, const std::string& value) {
   return QString::fromStdString(name + "='" + quoted + "'");
 }
 
-/// What the address says, behind what Torsio says where it says nothing: of two, the last one counts. A
-/// service's own file would be overruled, so it says all of it.
+/// Appends the address's parameters to our defaults: of duplicates, the last one counts. Our defaults would
+/// override a service file, so they are left out if a service is named.
 QString serverOptions(const Locator& locator, int busyTimeout_ms) {
   QStringList options{optionOf("fallback_application_name", "torsio")};
   if (locator.parameter("service").empty()) {
-    // A server that vanished without a word (a cable, a power cut) is noticed about when a lock would be
-    // given up.
+    // A server that vanished without notice (a cable, a power cut) is detected about when a lock wait would
+    // time out.
     options += {optionOf("connect_timeout", std::to_string(std::max(2, busyTimeout_ms / 1000))),
                 optionOf("tcp_user_timeout", std::to_string(busyTimeout_ms + 1000)),
                 optionOf("keepalives_idle", "10"), optionOf("keepalives_interval", "3"),
@@ -51,7 +51,7 @@ QString serverOptions(const Locator& locator, int busyTimeout_ms) {
 constexpr std::size_t kMaxKept = 64;
 constexpr int kMaxRowsKept = 32;  // a query holds the rows of its last run
 
-/// Unique while the connection lives.
+/// Unique while the connection exists.
 std::string connectionName(const void* state) {
   return "torsio-" + std::to_string(reinterpret_cast<std::uintptr_t>(state));
 }
@@ -63,7 +63,7 @@ struct ConnectionState::Kept {
     std::string sql;
     QSqlQuery query;
   };
-  std::list<One> all;  // the one used last first
+  std::list<One> all;  // most recently used first
   [[nodiscard]] auto find(std::string_view sql) {
     return std::find_if(all.begin(), all.end(), [sql](const One& one) { return one.sql == sql; });
   }
@@ -128,21 +128,21 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
                 Text::tr("Check that you may read and write in its folder"));
   }
   try {
-    // The first read shows whether it is a database at all.
+    // The first read shows whether the file is a database at all.
     run("SELECT count(*) FROM sqlite_master");
     run("PRAGMA foreign_keys = ON");
-    run("PRAGMA recursive_triggers = ON");  // so that REPLACE cannot pass the delete triggers
+    run("PRAGMA recursive_triggers = ON");  // otherwise REPLACE would bypass the delete triggers
     run("PRAGMA trusted_schema = OFF");
     if (!readOnly) {
       run("PRAGMA journal_mode = WAL");
       run("PRAGMA synchronous = FULL");
-      run("PRAGMA secure_delete = ON");  // what is erased is overwritten, not only forgotten
-      run("BEGIN IMMEDIATE");            // finds a read-only file system before the first record
+      run("PRAGMA secure_delete = ON");  // erased data are overwritten, not just unlinked
+      run("BEGIN IMMEDIATE");            // detects a read-only file system before the first record
       run("ROLLBACK");
     }
   } catch (const DbError& error) {
     if (error.fault() == DbFault::kBusy) {
-      return;  // somebody is writing, so it can be written
+      return;  // somebody is writing, so the file is writable
     }
     if (error.fault() == DbFault::kReadOnly && readOnly && hasJournal(locator.file)) {
       throw Error(ErrorCode::kFileUnreadable, Text::tr("a program that was ended left a change half done"),
@@ -164,7 +164,7 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
 }
 
 void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
-  // What is not said is the service's or the library's own.
+  // Parts left out come from the service or the library's defaults.
   if (!locator.host.empty()) {
     database_->setHostName(QString::fromStdString(locator.host));
   }
@@ -196,7 +196,7 @@ QSqlQuery ConnectionState::query() const {
   TORSIO_EXPECTS(std::this_thread::get_id() == thread_);
   TORSIO_EXPECTS(!broken);  // after a failure the transaction must be left, not continued
   QSqlQuery query(*database_);
-  // Not for PostgreSQL: there it means single-row mode, in which no second query may run meanwhile.
+  // Not for PostgreSQL, where it means single-row mode, which allows no second query meanwhile.
   if (engine == Engine::kSqlite) {
     query.setForwardOnly(true);
   }
@@ -216,7 +216,7 @@ std::unique_ptr<QSqlQuery> ConnectionState::takeKept(std::string_view sql) {
 }
 
 void ConnectionState::keep(std::string sql, QSqlQuery&& query) {
-  // SQLite prepares in this process. What selects "*" would have other columns once a table has another one.
+  // SQLite prepares in-process. "SELECT *" would change its columns when a table gets a new one.
   if (engine == Engine::kSqlite || query.size() > kMaxRowsKept || sql.find("SELECT *") != std::string::npos ||
       kept_->find(sql) != kept_->all.end()) {
     return;
@@ -258,7 +258,7 @@ void ConnectionState::commit() {
   if (engine == Engine::kSqlite) {
     run("COMMIT");
   } else if (!database_->commit()) {
-    // Also when the server turned COMMIT into ROLLBACK: a plain COMMIT statement would report success.
+    // Also if the server turned COMMIT into ROLLBACK: a plain COMMIT statement would report success.
     fail("COMMIT", database_->lastError());
   }
 }
@@ -274,7 +274,7 @@ void ConnectionState::abandon() noexcept {
     } else {
       database_->rollback();
     }
-  } catch (...) {  // Qt reports by value; only memory could run out here, and then the engine rolls back
+  } catch (...) {  // Qt reports errors by value; only memory can run out here, and then the engine rolls back
   }
 }
 

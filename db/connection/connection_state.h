@@ -23,34 +23,34 @@ class ConnectionState {
   ConnectionState& operator=(const ConnectionState&) = delete;
   ~ConnectionState();
 
-  /// A query of this database; our own bug when called from another thread than the opening one.
+  /// Returns a new query of this database; must be called in the thread that opened it.
   [[nodiscard]] QSqlQuery query() const;
-  /// A prepared query that keep() was given for the same text, or null: preparing and forgetting one on a
-  /// server are two more ways to it and back.
+  /// Returns a prepared query passed to keep() with the same text, or null. Preparing and dropping one on a
+  /// server costs two round trips.
   [[nodiscard]] std::unique_ptr<QSqlQuery> takeKept(std::string_view sql);
-  /// Keeps a prepared query that ran without fault, if it is worth it; the oldest of many are given up.
+  /// Caches a prepared query that ran without error, if that pays; evicts the least recently used.
   void keep(std::string sql, QSqlQuery&& query);
-  /// After a change of tables.
+  /// Drops the cached queries; called after schema changes.
   void forgetKept() noexcept;
-  /// Runs one statement just as it is, and forgets its rows.
+  /// Runs one statement verbatim and discards its rows.
   void run(std::string_view sql);
-  /// Throws the DbError for `error`, and remembers that the open transaction is lost.
+  /// Throws the DbError for `error` and marks the open transaction as lost.
   [[noreturn]] void fail(std::string_view sql, const QSqlError& error);
 
   void begin(Transaction::Purpose purpose);
   void commit();
-  /// Rolls back at once; what still belongs to the transaction is refused until it is left.
+  /// Rolls back at once; further statements of the transaction are refused.
   void abandon() noexcept;
-  /// The outermost Transaction ends without having been kept.
+  /// Called when the outermost Transaction ends without commit.
   void leave() noexcept;
 
   Engine engine;
   std::string location;
   bool readOnly = false;
-  int depth = 0;  ///< open transactions, the inner ones joined
+  int depth = 0;  ///< open transactions, including nested ones
   std::function<void(std::string_view)> observer;
   std::shared_ptr<ChangeWatch> watch;
-  bool broken = false;  ///< the open transaction was rolled back already
+  bool broken = false;  ///< the open transaction has already been rolled back
 
  private:
   void openSqlite(const Locator& locator, OpenMode mode, int busyTimeout_ms);
@@ -64,10 +64,10 @@ class ConnectionState {
   std::unique_ptr<Kept> kept_;
 };
 
-/// "INSERT INTO trial_chunk" out of a whole statement: enough to know which, without values.
+/// Returns the start of a statement, "INSERT INTO trial_chunk": enough to identify it, without values.
 [[nodiscard]] std::string operationOf(std::string_view sql);
 
-/// The fault behind a driver's error, from the native code (never from QSqlError::type, which differs).
+/// Maps a driver's native error code to a fault (QSqlError::type differs between drivers).
 [[nodiscard]] DbFault faultOf(Engine engine, const QSqlError& error);
 
 }  // namespace torsio

@@ -16,7 +16,7 @@ void refuseReadOnly(const Text& what, const fs::path& path) {
 
 namespace {
 
-/// Whether somebody took all write permissions away: then we do not write, even where root could.
+/// True if all write permissions were removed: then we do not write, even as root.
 bool markedReadOnly(const fs::path& path) {
   constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   std::error_code failed;
@@ -34,7 +34,7 @@ void requireUsableFile(const fs::path& file, OpenMode mode) {
                 Text::tr("Name a file in that folder"));
   }
   const bool exists = fs::exists(file, ignored);
-  if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would wait for somebody who writes
+  if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would block until somebody writes
     throw Error(ErrorCode::kFileUnreadable, Text::tr("is no file, so it is no database"), file.string(),
                 Text::tr("Name a file"));
   }
@@ -61,7 +61,7 @@ void requireUsableFile(const fs::path& file, OpenMode mode) {
   if (exists && markedReadOnly(file)) {
     refuseReadOnly(Text::tr("database file is read-only"), file);
   }
-  // The write-ahead log is a file beside the database.
+  // The write-ahead log is a file beside the database, so the folder must be writable.
   if (markedReadOnly(folder)) {
     refuseReadOnly(Text::tr("folder is read-only"), folder);
   }

@@ -8,15 +8,16 @@
 
 namespace torsio {
 
-/// Says why an SQLite file cannot be opened, where the engine would only be "unable to open database file": a
-/// folder, a pipe, an empty file, a link to nothing, something read-only. Throws Error (kFileMissing,
+/// Checks that an SQLite file can be opened, where the engine would only report "unable to open database
+/// file":
+/// a folder, a pipe, an empty file, a dangling link, no write permission. Throws Error (kFileMissing,
 /// kFileUnreadable, kFileUnwritable).
 void requireUsableFile(const std::filesystem::path& file, OpenMode mode);
 
-/// Throws Error (kFileUnwritable) that says what to do.
+/// Throws Error (kFileUnwritable) with the remedy.
 [[noreturn]] void refuseReadOnly(const Text& what, const std::filesystem::path& path);
 
-/// Whether a change was begun there (SQLite's rollback journal) that only somebody who may write takes back.
+/// True if an interrupted change (SQLite's rollback journal) awaits rollback, which needs write access.
 [[nodiscard]] bool hasJournal(const std::string& file);
 
 }  // namespace torsio

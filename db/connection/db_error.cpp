@@ -20,7 +20,7 @@ ErrorCode codeOf(DbFault fault) {
 
 DbError::DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
                  const Text& remedy)
-    // Whoever reads that the server is away learns nothing from what it was asked last.
+    // If the server is unreachable, the last statement tells the reader nothing.
     : Error(codeOf(fault),
             operation.empty() || fault == DbFault::kUnreachable ? what : Text::tr("%1 (%2)", what, operation),
             where, remedy),

@@ -7,25 +7,25 @@
 
 namespace torsio {
 
-/// What kind of refusal a database gave, the same for both engines.
+/// Kinds of database errors, common to both engines.
 enum class DbFault {
   kOther,
   kBusy,          ///< another connection holds the lock; nothing was changed
-  kUnique,        ///< such a row exists already
-  kForeignKey,    ///< refers to a row that does not exist, or is still referred to
-  kCheck,         ///< a value outside the rule of its column
+  kUnique,        ///< such a row already exists
+  kForeignKey,    ///< references a missing row, or is still referenced
+  kCheck,         ///< a value violates the rule of its column
   kNotNull,       ///< a value is missing
-  kAppendOnly,    ///< the row is sealed: it may be added to, never changed
-  kReadOnly,      ///< the connection or the file may not be written
+  kAppendOnly,    ///< the row is sealed: it cannot be changed
+  kReadOnly,      ///< the connection or file is read-only
   kFull,          ///< no space left
   kCorrupt,       ///< the file is damaged
   kUnreachable,   ///< the server does not answer, or the connection was lost
-  kConflict,      ///< two transactions crossed (serialisation, deadlock)
-  kBrokenBefore,  ///< an earlier statement of this transaction failed: nothing of it can be kept
+  kConflict,      ///< transactions collided (serialisation failure, deadlock)
+  kBrokenBefore,  ///< an earlier statement of this transaction failed, so it cannot be committed
 };
 
-/// A database refused an operation. Carries the operation ("INSERT INTO trial_chunk") without any values, so
-/// that no name or mark reaches a log. Its code is kDatabase, and kVerifyFailed for a damaged file.
+/// A database error. Carries the operation ("INSERT INTO trial_chunk") without values, so that no name or
+/// mark reaches a log. Its code is kDatabase, or kVerifyFailed for a damaged file.
 class DbError : public Error {
  public:
   DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
@@ -33,7 +33,7 @@ class DbError : public Error {
 
   [[nodiscard]] DbFault fault() const noexcept { return fault_; }
   [[nodiscard]] const std::string& operation() const noexcept { return operation_; }
-  /// Whether the same operation, repeated from the start of its transaction, may succeed.
+  /// True if repeating the whole transaction may succeed.
   [[nodiscard]] bool retryable() const noexcept;
 
  private:

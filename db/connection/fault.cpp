@@ -59,7 +59,7 @@ DbFault postgresqlFault(const QString& state) {
       {"40P01", DbFault::kConflict},
       {"53100", DbFault::kFull},
       {"XX001", DbFault::kCorrupt},
-      {"57014", DbFault::kBusy},  // longer than statement_timeout
+      {"57014", DbFault::kBusy},  // statement_timeout exceeded
       {"57P01", DbFault::kUnreachable},
       {"57P02", DbFault::kUnreachable},
       {"57P03", DbFault::kUnreachable},
@@ -73,7 +73,7 @@ DbFault postgresqlFault(const QString& state) {
   return state.isEmpty() || state.startsWith(QLatin1String("08")) ? DbFault::kUnreachable : DbFault::kOther;
 }
 
-/// A number in the file's head that no SQLite ever wrote; the engine has no code of its own for it.
+/// Detects a format number in the file header that no SQLite version wrote; the engine has no code for it.
 bool isOfNoFormat(const QSqlError& error) {
   return error.databaseText().contains(QLatin1String("unsupported file format"));
 }
@@ -168,7 +168,8 @@ void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
   }
   const Wording wording = wordingOf(fault);
   Text what = wording.what;
-  // The driver's first line names constraint or syntax; further lines of PostgreSQL repeat values.
+  // The first line of the driver's message names constraint or syntax; PostgreSQL's further lines contain
+  // values.
   const std::string detail = error.databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
   if (fault == DbFault::kOther || fault == DbFault::kCheck || fault == DbFault::kNotNull ||
       fault == DbFault::kUnique || fault == DbFault::kUnreachable) {

@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-/// What PostgreSQL's library reads and an address may say. No secret is among them.
+/// libpq parameters allowed in an address. None is secret.
 constexpr std::array<std::string_view, 23> kServerParameters{"application_name",
                                                              "channel_binding",
                                                              "connect_timeout",

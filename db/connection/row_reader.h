@@ -15,10 +15,10 @@
 
 namespace torsio {
 
-/// Reads the current row of a Statement from left to right: each call takes the next column, so that a list
-/// of columns and its reader follow the same order and no column has a number. A null reads as 0, false or
-/// empty; the maybe form keeps it. Lives for one row, in the connection's thread. Taking more columns than
-/// there are is a broken contract.
+/// Reads the current row of a Statement from left to right: each call takes the next column, so that the
+/// column list and its reader share one order and no column has a number. Null reads as 0, false or empty;
+/// the maybe form preserves it. Valid for one row, in the connection's thread. Taking more columns than there
+/// are breaks the contract.
 class RowReader {
  public:
   explicit RowReader(const Statement& row) : row_(row) {}
@@ -31,32 +31,32 @@ class RowReader {
   [[nodiscard]] std::optional<std::int64_t> maybeInt64() { return row_.maybeInt64(next()); }
   [[nodiscard]] std::optional<double> maybeReal() { return row_.maybeReal(next()); }
   [[nodiscard]] std::optional<std::string> maybeText() { return row_.maybeText(next()); }
-  /// Takes the column and says whether it holds a value.
+  /// Takes a column; true if it is not null.
   [[nodiscard]] bool hasValue() { return !row_.isNull(next()); }
 
-  /// Whether the next column is null; takes none.
+  /// True if the next column is null; takes none.
   [[nodiscard]] bool nextIsNull() const;
-  /// Leaves out as many columns.
+  /// Skips columns.
   void skip(int columns);
-  /// Whether every column was taken.
+  /// True if every column was taken.
   [[nodiscard]] bool atEnd() const { return column_ == row_.columnCount(); }
 
  private:
-  /// The number of the column that is taken now.
+  /// Returns the index of the column to take, and advances.
   [[nodiscard]] int next();
 
   const Statement& row_;
   int column_ = 0;
 };
 
-/// Throws ContractError when a reader left columns of its row.
+/// Throws ContractError if a reader left columns of its row.
 void expectRowTaken(const RowReader& row);
 
-/// What `read` makes of a RowReader.
+/// Result type of `read` on a RowReader.
 template <typename Read>
 using RowOf = std::decay_t<std::invoke_result_t<Read&, RowReader&>>;
 
-/// Makes `read(RowReader&)` of the current row; it takes every column.
+/// Returns `read(RowReader&)` of the current row; it must take every column.
 template <typename Read>
 [[nodiscard]] RowOf<Read> readRow(const Statement& statement, Read& read) {
   RowReader row(statement);
@@ -65,8 +65,7 @@ template <typename Read>
   return made;
 }
 
-/// Steps an executed statement to its end and returns what `read(RowReader&)` makes of each row. Throws
-/// DbError.
+/// Steps an executed statement to its end and returns `read(RowReader&)` of each row. Throws DbError.
 template <typename Read>
 [[nodiscard]] std::vector<RowOf<Read>> readRows(Statement& statement, Read&& read) {
   std::vector<RowOf<Read>> rows;
@@ -76,8 +75,8 @@ template <typename Read>
   return rows;
 }
 
-/// Steps an executed statement once and returns what `read(RowReader&)` makes of that row; empty: no row.
-/// Throws DbError.
+/// Steps an executed statement once and returns `read(RowReader&)` of that row; empty: no row. Throws
+/// DbError.
 template <typename Read>
 [[nodiscard]] std::optional<RowOf<Read>> readFirst(Statement& statement, Read&& read) {
   if (!statement.step()) {
@@ -86,7 +85,7 @@ template <typename Read>
   return readRow(statement, read);
 }
 
-/// Runs one SELECT with its values and returns what `read(RowReader&)` makes of each row. Throws DbError.
+/// Runs a SELECT with its values and returns `read(RowReader&)` of each row. Throws DbError.
 template <typename Read>
 [[nodiscard]] auto selectAll(Connection& connection, std::string_view sql, std::span<const Value> values,
                              Read&& read) {
@@ -95,15 +94,15 @@ template <typename Read>
   return readRows(statement, read);
 }
 
-/// Runs one SELECT with its values and returns what `read(RowReader&)` makes of each row. Throws DbError.
+/// Runs a SELECT with its values and returns `read(RowReader&)` of each row. Throws DbError.
 template <typename Read>
 [[nodiscard]] auto selectAll(Connection& connection, std::string_view sql,
                              std::initializer_list<Value> values, Read&& read) {
   return selectAll(connection, sql, std::span(values.begin(), values.size()), read);
 }
 
-/// Runs one SELECT with its values and returns what `read(RowReader&)` makes of its first row; empty: no row.
-/// Throws DbError.
+/// Runs a SELECT with its values and returns `read(RowReader&)` of its first row; empty: no row. Throws
+/// DbError.
 template <typename Read>
 [[nodiscard]] auto selectFirst(Connection& connection, std::string_view sql,
                                std::initializer_list<Value> values, Read&& read) {
@@ -112,27 +111,27 @@ template <typename Read>
   return readFirst(statement, read);
 }
 
-/// Reads a row of one text.
+/// Reads a row with a single text column.
 [[nodiscard]] inline std::string readText(RowReader& row) {
   return row.text();
 }
-/// Reads rows of one id of this kind.
+/// Reads rows with a single id of this kind.
 template <typename Kind>
 [[nodiscard]] Kind readId(RowReader& row) {
   return row.text();
 }
 
-/// Reads a row of one whole number.
+/// Reads a row with a single integer column.
 [[nodiscard]] inline std::int64_t readInt64(RowReader& row) {
   return row.int64();
 }
 
-/// Reads a row of one truth value.
+/// Reads a row with a single boolean column.
 [[nodiscard]] inline bool readBoolean(RowReader& row) {
   return row.boolean();
 }
 
-/// The text of an INSERT with a placeholder for each column. `columns`: their names, divided by commas.
+/// Returns an INSERT statement with one placeholder per column. `columns`: comma-separated names.
 [[nodiscard]] std::string insertInto(std::string_view table, std::string_view columns);
 
 }  // namespace torsio

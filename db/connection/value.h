@@ -17,8 +17,8 @@ namespace torsio {
 
 using Blob = std::vector<std::byte>;
 
-/// One value on its way into a statement: null, 64-bit integer, double, bool, UTF-8 text or bytes. Converts
-/// implicitly from the C++ types that mean one of these, and from std::optional of them (empty = null).
+/// A value to bind: null, 64-bit integer, double, bool, UTF-8 text or bytes. Converts implicitly from the
+/// corresponding C++ types and from std::optional of them (empty = null).
 class Value {
  public:
   using Storage = std::variant<std::monostate, std::int64_t, double, bool, std::string, Blob>;
@@ -52,7 +52,7 @@ class Value {
   Storage storage_;
 };
 
-/// Text that is null when empty: for columns in which "not known" is legal and an empty text means nothing.
+/// Maps empty text to null: for columns in which "not known" is legal and an empty text means nothing.
 [[nodiscard]] inline Value textOrNull(const std::string& text) {
   return text.empty() ? Value() : Value(text);
 }

@@ -27,7 +27,7 @@ constexpr std::uint32_t kRecordMark = 0x544F5253;
 /// The head of a database file, https://www.sqlite.org/fileformat2.html#the_database_header.
 struct SqliteHead {
   bool database = false;
-  bool writeAheadLog = false;  // a record that was opened for writing
+  bool writeAheadLog = false;  // the database was opened for writing
   std::uint32_t application = 0;
 };
 
@@ -55,8 +55,8 @@ std::int64_t rowsOf(Connection& connection, const char* table) {
   return row.step() ? row.int64(0) : 0;
 }
 
-/// Writes one page in rollback mode: the commit makes the system flush the whole file to the disk, which
-/// VACUUM INTO and copying leave open.
+/// Writes one page in rollback mode: the commit makes the system flush the whole file to disk, which VACUUM
+/// INTO and copying do not.
 void settleAs(std::uint32_t mark, const fs::path& copy) {
   Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
   const std::vector<std::string> findings = integrityFindings(connection);
@@ -64,13 +64,13 @@ void settleAs(std::uint32_t mark, const fs::path& copy) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("backup does not pass its check: %1", findings.front()),
                 copy.string(), Text::tr("Check the disk, and the database itself"));
   }
-  leaveLog(connection);
+  disableWriteAheadLog(connection);
   connection.executeVerbatim("PRAGMA synchronous = FULL");
   connection.executeVerbatim("PRAGMA application_id = " + std::to_string(mark));
   connection.executeVerbatim("PRAGMA user_version = 1");
 }
 
-/// Gives the logs of a damaged database to the file `to`.
+/// Moves the logs of a damaged database beside the file `to`.
 void moveLogs(const fs::path& from, const fs::path& to) {
   for (const char* suffix : {"-wal", "-shm", "-journal"}) {
     if (fs::exists(withSuffix(from, suffix))) {
@@ -108,7 +108,7 @@ void requireReplaceable(const fs::path& target, Replace replace) {
 std::vector<std::string> integrityFindings(Connection& connection) {
   std::vector<std::string> findings;
   if (connection.engine() != Engine::kSqlite) {
-    return findings;  // the server keeps its own files
+    return findings;  // the server takes care of its own files
   }
   Statement check = connection.prepare("PRAGMA integrity_check");
   check.execute();
@@ -126,7 +126,7 @@ std::vector<std::string> integrityFindings(Connection& connection) {
   return findings;
 }
 
-void leaveLog(Connection& connection) {
+void disableWriteAheadLog(Connection& connection) {
   std::string mode;
   Statement answer = connection.selectVerbatim("PRAGMA journal_mode = DELETE");
   while (answer.step()) {
@@ -137,14 +137,14 @@ void leaveLog(Connection& connection) {
   }
 }
 
-void settleSqlite(const fs::path& copy) {
+void flushSqlite(const fs::path& copy) {
   settleAs(kRecordMark, copy);
 }
 
-bool foldSqlite(const fs::path& file) {
+bool checkpointSqlite(const fs::path& file) {
   try {
     Connection connection = openDatabase(file.string(), OpenMode::kReadWrite, 0);
-    leaveLog(connection);
+    disableWriteAheadLog(connection);
     return true;
   } catch (const DbError& error) {
     if (error.fault() == DbFault::kBusy) {
@@ -164,10 +164,10 @@ fs::path replaceSqlite(const fs::path& ready, const fs::path& target) {
       fs::rename(ready, target);
       return aside;
     }
-    const bool whole = foldSqlite(target);
+    const bool whole = checkpointSqlite(target);
     aside = numberedName(withSuffix(target, ".before-restore"));
     if (!whole) {
-      moveLogs(target, aside);  // they must never meet the restored file
+      moveLogs(target, aside);  // they must not meet the restored file
     }
     try {
       exchangeRecord(ready, target, aside);
@@ -187,7 +187,7 @@ void backupSqlite(Connection& connection, const fs::path& target, Replace replac
   const FileInTheMaking copy(target);
   connection.execute("VACUUM INTO ?", {copy.path().string()});
   settleAs(kBackupMark, copy.path());
-  requireReplaceable(target, replace);  // whoever was faster keeps what he wrote
+  requireReplaceable(target, replace);  // whoever was faster wins
   std::error_code failed;
   fs::rename(copy.path(), target, failed);
   if (failed) {
@@ -226,7 +226,7 @@ fs::path restoreSqlite(const fs::path& backup, const fs::path& target,
   if (finish) {
     finish(ready.path());
   }
-  settleSqlite(ready.path());
+  flushSqlite(ready.path());
   return replaceSqlite(ready.path(), target);
 }
 

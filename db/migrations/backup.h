@@ -11,19 +11,19 @@ namespace torsio {
 
 class Connection;
 
-/// What may be replaced by a new backup.
+/// What a new backup may replace.
 enum class Replace { kNothing, kBackup };
 
-/// Writes a consistent copy of an open SQLite database while others go on working, checks it, marks it as a
-/// backup, and renames it to `target`. On failure nothing is left behind and an older `target` is untouched.
-/// Throws DbError, Error: kFileUnwritable when `target` exists and nothing may be replaced, and always when
-/// it is a database but no backup: a record is never replaced by one.
+/// Writes a consistent copy of an open SQLite database while others keep working, checks it, marks it as a
+/// backup and renames it to `target`. On failure nothing is left behind and an existing `target` is
+/// untouched. Throws DbError; Error kFileUnwritable if `target` exists and may not be replaced, and always if
+/// it is a database but not a backup: a record is never replaced by a backup.
 void backupSqlite(Connection& connection, const std::filesystem::path& target,
                   Replace replace = Replace::kNothing);
-/// Throws what backupSqlite() would when `target` must stay.
+/// Throws what backupSqlite() would throw if `target` may not be replaced.
 void requireReplaceable(const std::filesystem::path& target, Replace replace);
 
-/// What a backup holds, after it was read from end to end.
+/// Contents of a backup that was read from end to end.
 struct BackupContent {
   std::int64_t schemaVersion = 0;
   std::int64_t trials = 0;
@@ -34,32 +34,32 @@ struct BackupContent {
 /// kVerifyFailed).
 [[nodiscard]] BackupContent checkBackup(const std::filesystem::path& backup);
 
-/// Puts a checked copy of `backup` in place of `target`. What was there is kept beside it as
-/// "<target>.before-restore-N", the first free number; returns that path, empty when nothing was there. There
-/// is a whole record under the name `target` at every instant (exchangeRecord). Throws Error (kDatabase) when
-/// another program has `target` open; nothing is changed then, nor when the backup does not pass its check or
-/// `finish`, which may write to the copy and must have closed it, throws.
+/// Replaces `target` by a checked copy of `backup`. The old file is kept as "<target>.before-restore-N" with
+/// the first free number; returns that path, empty if there was none. A complete record has the name `target`
+/// at every instant (exchangeRecord). Throws Error (kDatabase) if another program has `target` open. Nothing
+/// is changed then, nor if the check fails or `finish` throws; `finish` may write to the copy and must close
+/// it.
 std::filesystem::path restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target,
                                     const std::function<void(const std::filesystem::path&)>& finish = {});
 
-/// Reads all of a database file that is to take a record's place, and makes sure that it lies on the disk
-/// whole. Throws Error (kVerifyFailed) when it is not sound.
-void settleSqlite(const std::filesystem::path& copy);
+/// Reads a database file completely and flushes it to disk before it replaces a record. Throws Error
+/// (kVerifyFailed) if it is damaged.
+void flushSqlite(const std::filesystem::path& copy);
 
-/// Puts `ready`, a settled file in the same folder, in place of `target`, as restoreSqlite does. Throws Error
-/// (kDatabase) when another program or another connection has `target` open, (kFileUnwritable); then `target`
-/// and `ready` are as before.
+/// Replaces `target` by `ready`, a settled file in the same folder, like restoreSqlite. Throws Error
+/// (kDatabase) if another program or connection has `target` open, (kFileUnwritable); both files are then
+/// unchanged.
 std::filesystem::path replaceSqlite(const std::filesystem::path& ready, const std::filesystem::path& target);
 
-/// Folds the write-ahead log of an open file into it and works without one from then on. Throws Error
-/// (kFileUnwritable) when not all of it could be folded: the engine only keeps the log then.
-void leaveLog(Connection& connection);
+/// Checkpoints the write-ahead log of an open file and switches it off. Throws Error (kFileUnwritable) if the
+/// checkpoint was incomplete: the engine then keeps the log.
+void disableWriteAheadLog(Connection& connection);
 
-/// Folds the write-ahead log into the file, so that it can be moved alone. Returns false for a file that is
-/// no database any more, or when the disk is full. Throws Error (kDatabase) when anybody else has it open.
-bool foldSqlite(const std::filesystem::path& file);
+/// Checkpoints the write-ahead log into the file so that it can be moved alone. Returns false if the file is
+/// no longer a database or the disk is full. Throws Error (kDatabase) if anybody else has it open.
+bool checkpointSqlite(const std::filesystem::path& file);
 
-/// What the engine finds wrong with the file or its references; empty: nothing.
+/// Returns the engine's findings about the file and its references; empty: it is sound.
 [[nodiscard]] std::vector<std::string> integrityFindings(Connection& connection);
 
 }  // namespace torsio

@@ -8,7 +8,7 @@ namespace torsio {
 
 namespace {
 
-/// Housekeeping that others at work may delay.
+/// Runs housekeeping that other users may postpone.
 void runWhenFree(Connection& connection, const char* sql) {
   if (connection.engine() != Engine::kSqlite || connection.inTransaction()) {
     return;

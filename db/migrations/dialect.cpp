@@ -28,7 +28,7 @@ Statements appendOnlySupport(Engine engine) {
   if (engine == Engine::kSqlite) {
     return {};
   }
-  // SQLSTATE TR001 is ours: fault.cpp knows it.
+  // SQLSTATE TR001 is ours; fault.cpp maps it.
   return {
       "CREATE FUNCTION refuse_change() RETURNS trigger LANGUAGE plpgsql AS $$\n"
       "BEGIN\n"
@@ -44,7 +44,7 @@ Statements appendOnlySupport(Engine engine) {
       "END $$"};
 }
 
-/// `gated`: an open erasure_gate lets the change pass.
+/// `gated`: changes are allowed while erasure_gate holds a row.
 Statements appendOnly(Engine engine, const std::string& table, bool gated) {
   if (engine == Engine::kPostgresql) {
     const std::string function = gated ? "refuse_change()" : "refuse_thaw()";

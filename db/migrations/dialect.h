@@ -25,7 +25,7 @@ namespace torsio {
 [[nodiscard]] std::vector<std::string> statementsFor(Engine engine, std::string_view migration,
                                                      const std::string& where);
 
-/// Tables that a migration declares append-only or immutable, in its order.
+/// Returns the tables that a migration declares append-only or immutable, in its order.
 [[nodiscard]] std::vector<std::string> appendOnlyTables(std::string_view migration);
 
 }  // namespace torsio

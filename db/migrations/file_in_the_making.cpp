@@ -24,7 +24,7 @@ void removeDatabase(const fs::path& file) noexcept {
 
 namespace {
 
-/// A database with its logs, another file, or a folder with all that is in it.
+/// Removes a database with its logs, any other file, or a folder with its contents.
 void removeUnfinished(const fs::path& path) noexcept {
   std::error_code ignored;
   if (fs::is_directory(fs::symlink_status(path, ignored))) {
@@ -47,7 +47,7 @@ fs::path freeName(const fs::path& wanted) {
   return name;
 }
 
-fs::path beyondLinks(const fs::path& file) {
+fs::path linkTarget(const fs::path& file) {
   std::error_code ignored;
   return fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
 }

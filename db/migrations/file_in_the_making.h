@@ -9,30 +9,30 @@
 
 namespace torsio {
 
-/// A database and what SQLite may lay beside it.
+/// Suffixes of a database file and the files that SQLite may put beside it.
 inline constexpr const char* kDatabaseParts[] = {"", "-wal", "-shm", "-journal"};
 
-/// Returns `file` with `suffix` at the end of its name.
+/// Returns `file` with `suffix` appended to its name.
 [[nodiscard]] std::filesystem::path withSuffix(std::filesystem::path file, const std::string& suffix);
-/// Removes a database file with its logs, as far as they are there.
+/// Removes a database file and its logs, if present.
 void removeDatabase(const std::filesystem::path& file) noexcept;
-/// Returns `wanted` if nothing has that name, else the first free one of "wanted-2", "wanted-3" ... (before
-/// the ending `.sqlite`, if there is one).
+/// Returns `wanted` if the name is free, otherwise the first free one of "wanted-2", "wanted-3" ... (before
+/// an ending `.sqlite`).
 [[nodiscard]] std::filesystem::path freeName(const std::filesystem::path& wanted);
 
-/// Returns the file that a link leads to, or `file` itself when it is none.
-[[nodiscard]] std::filesystem::path beyondLinks(const std::filesystem::path& file);
+/// Returns the target of a symbolic link, or `file` itself.
+[[nodiscard]] std::filesystem::path linkTarget(const std::filesystem::path& file);
 
-/// Returns the first of "<stem>-1", "<stem>-2" ... that nothing has.
+/// Returns the first free name of "<stem>-1", "<stem>-2" ...
 [[nodiscard]] std::filesystem::path numberedName(const std::filesystem::path& stem);
 
-/// The temporary file "<target>.part" of a database, or a folder, that is being made: held by a lock file
-/// beside it while this object lives, gone at the end unless it was renamed. What a killed program leaves is
-/// found by its lock, and swept.
+/// The temporary file or folder "<target>.part" of something under construction. A lock file beside it is
+/// held for the lifetime of this object; the temporary is removed at the end unless it was renamed. What a
+/// killed program leaves behind is recognised by its lock file and swept.
 class FileInTheMaking {
  public:
-  /// Removes leftovers of that name. Throws Error (kFileUnwritable) when another program is making `target`
-  /// for longer than `patience`, or its folder cannot be written.
+  /// Removes leftovers with that name. Throws Error (kFileUnwritable) if another program is still making
+  /// `target` after `patience`, or its folder is not writable.
   explicit FileInTheMaking(const std::filesystem::path& target, std::chrono::milliseconds patience = {});
   FileInTheMaking(const FileInTheMaking&) = delete;
   FileInTheMaking& operator=(const FileInTheMaking&) = delete;
@@ -45,8 +45,8 @@ class FileInTheMaking {
   FileLock lock_;
 };
 
-/// Removes from `folder` what killed programs left there of what was in the making. What another program is
-/// making now stays, and so does every file without a lock of ours beside it.
+/// Removes leftovers of killed programs from `folder`. Keeps what another program is making now, and every
+/// file without one of our lock files.
 void sweepUnfinished(const std::filesystem::path& folder);
 
 }  // namespace torsio

@@ -21,7 +21,7 @@
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 
-// Outside any namespace, as Qt demands: a static library's resources register only when asked.
+// Outside any namespace, as Qt requires: a static library registers its resources only on request.
 static void registerMigrationFiles() {
   Q_INIT_RESOURCE(migrations);
 }
@@ -33,11 +33,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kInMemory = ":memory:";
-// A second program that starts meanwhile waits for the first one's record.
+// A second program started meanwhile waits for the record that the first one makes.
 constexpr auto kMakingPatience = std::chrono::seconds(30);
 
-// Held while a step runs, so that a second station waits instead of running it too ("TORM" in ASCII, and the
-// schema: records beside this one in the database do not wait). A copy of a record holds it to its end.
+// Held during a migration, so that a second station waits instead of migrating too ("TORM" in ASCII, and the
+// schema: other records in the same database do not wait). A copy of a record holds it to its end.
 constexpr const char* kAdvisoryLock =
     "SELECT pg_advisory_xact_lock(1414484557, hashtext(current_schema()::text))";
 
@@ -51,7 +51,7 @@ constexpr const char* kBookkeeping =
     " software_version TEXT NOT NULL,"
     " applied_utc_us BIGINT NOT NULL)";
 
-// Reason of the entry that seals what an older version left unsealed.
+// Reason of the audit entry that seals rows left unsealed by an older version.
 constexpr const char* kSealedOnUpgrade = "sealed on upgrade, not before";
 
 struct AppliedStep {
@@ -77,7 +77,7 @@ bool hasBookkeeping(Connection& connection) {
   return hasTable(connection, "schema_migration");
 }
 
-/// Tables that are not ours; an SQLite file of another program must never be migrated.
+/// True if there are tables that are not ours; another program's SQLite file must never be migrated.
 bool hasForeignTables(Connection& connection) {
   return connection.engine() == Engine::kSqlite &&
          countOf(connection, "SELECT count(*) FROM sqlite_master WHERE type = 'table'") > 0;
@@ -137,8 +137,8 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
   transaction.commit();
 }
 
-/// Makes the file of a new record. It gets its name when its tables are in it: whoever is killed meanwhile
-/// leaves no file that looks like a record and is none.
+/// Creates the file of a new record and renames it once its tables exist, so that a killed program leaves no
+/// incomplete record.
 void makeRecord(const fs::path& file, const std::vector<Migration>& migrations,
                 const MigrationOptions& options) {
   requireUsableFile(file, OpenMode::kCreate);
@@ -150,7 +150,7 @@ void makeRecord(const fs::path& file, const std::vector<Migration>& migrations,
   {
     Connection fresh = openDatabase(making.path().string(), OpenMode::kCreate);
     migrate(fresh, migrations, options);
-    leaveLog(fresh);  // so that the file can be moved alone
+    disableWriteAheadLog(fresh);  // so that the file can be moved without its log
   }
   fs::rename(making.path(), file, failed);
   if (failed) {
@@ -247,7 +247,7 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
     const fs::path file = connection.location();
     fs::path copy = file;
     copy += ".schema-" + std::to_string(state.version) + ".sqlite";
-    copy = freeName(copy);  // an older copy may be all that is left of what it holds
+    copy = freeName(copy);  // an older copy may be the only one of its data
     backupSqlite(connection, copy);
     report.backup = copy;
   }

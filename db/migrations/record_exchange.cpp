@@ -34,7 +34,7 @@ bool exchangedAtOnce(const fs::path& a, const fs::path& b) {
 void exchangeRecord(const fs::path& ready, const fs::path& target, const fs::path& aside, ExchangeBy first) {
   std::error_code failed;
   if (first == ExchangeBy::kOneStep) {
-    // Under its later name before the exchange, so that the old record has it right after.
+    // Renamed before the exchange, so that the old record has its final name right after it.
     fs::rename(ready, aside);
     if (exchangedAtOnce(aside, target)) {
       return;

@@ -5,21 +5,21 @@
 
 namespace torsio {
 
-/// How two files change places; each way is tried when the file system refuses the one before.
+/// Ways to exchange two files, tried in this order if the file system refuses one.
 enum class ExchangeBy {
-  kOneStep,   ///< the system exchanges both names at once (Linux)
-  kHardLink,  ///< the old file gets its second name first, then the new one replaces it at once
-  kNote,      ///< two renames, and a note beside the record from which recoverRecord() finishes them
+  kOneStep,   ///< one atomic exchange of both names (Linux)
+  kHardLink,  ///< a second name for the old file, then an atomic replacement
+  kNote,      ///< two renames, and a note beside the record from which recoverRecord() completes them
 };
 
-/// Puts the file `ready` in place of the record `target`, which is kept as `aside`, a free name. All three
-/// lie in one folder. However the program ends, a whole record stands under the name `target`, or (kNote) is
-/// put back there by recoverRecord(). Throws std::filesystem::filesystem_error; then the record is as before.
+/// Replaces the record `target` by the file `ready` and keeps the old one as `aside`, a free name, all in one
+/// folder. Whenever the program is killed, a complete record has the name `target` or (kNote) is restored to
+/// it by recoverRecord(). Throws std::filesystem::filesystem_error; the record is then unchanged.
 void exchangeRecord(const std::filesystem::path& ready, const std::filesystem::path& target,
                     const std::filesystem::path& aside, ExchangeBy first = ExchangeBy::kOneStep);
 
-/// Finishes an exchange in which the program was killed: when `record` is missing and a note tells where it
-/// went, it gets its name back.
+/// Completes an exchange during which the program was killed: if `record` is missing and a note names its
+/// present file, that is renamed back.
 void recoverRecord(const std::filesystem::path& record);
 
 }  // namespace torsio

@@ -12,11 +12,11 @@ namespace torsio {
 
 namespace {
 
-/// What a part of the schema is made of, by its kind and name.
+/// Definitions of parts of the schema by kind and name.
 using Parts = std::map<std::string, std::string>;
 
-/// What a value is, with its kind: bytes that spell the same text are another value.
-std::string toldOf(const Value& value) {
+/// Formats a value with its type: bytes that spell a text differ from that text.
+std::string describedValue(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value.storage())) {
     return "\"" + *text + "\"";
   }
@@ -26,7 +26,7 @@ std::string toldOf(const Value& value) {
   return std::holds_alternative<std::monostate>(value.storage()) ? "nothing" : "something else";
 }
 
-/// Each row a part: named by its first column behind `prefix`, made of all its columns.
+/// Makes a part of each row: named by `prefix` and the first column, defined by all columns.
 Parts partsFrom(Connection& connection, const std::string& prefix, const char* sql) {
   Parts parts;
   Statement row = connection.prepare(sql);
@@ -34,7 +34,7 @@ Parts partsFrom(Connection& connection, const std::string& prefix, const char* s
   while (row.step()) {
     std::string& made = parts[prefix + row.text(0)];
     for (int column = 0; column < row.columnCount(); ++column) {
-      made += (made.empty() ? "" : " ") + toldOf(row.value(column));
+      made += (made.empty() ? "" : " ") + describedValue(row.value(column));
     }
   }
   return parts;
@@ -46,7 +46,7 @@ Parts sqliteParts(Connection& connection) {
                    " WHERE name NOT LIKE 'sqlite\\_stat%' ESCAPE '\\'");
 }
 
-/// Who may do what, and which steps were applied: rows that the steps fill, and nothing else.
+/// Permission matrix and applied migrations: the rows that only migrations fill.
 Parts rightsIn(Connection& connection) {
   Parts parts =
       partsFrom(connection, "right ",
@@ -59,7 +59,7 @@ Parts rightsIn(Connection& connection) {
   return parts;
 }
 
-/// Columns, references, checks, keys and indices, in words that are the same for both engines.
+/// Columns, references, checks, keys and indices in a notation common to both engines.
 Parts outlineOfSqlite(Connection& connection) {
   Parts parts =
       partsFrom(connection, "column ",
@@ -109,7 +109,7 @@ Parts outlineOfPostgresql(Connection& connection) {
   return parts;
 }
 
-/// A trigger as one line: PostgreSQL writes its parentheses, its schema and the order of its events anew.
+/// Normalises a trigger to one line: PostgreSQL rewrites its parentheses, schema and order of events.
 std::string plainTrigger(std::string made, const std::string& schema) {
   std::string plain;
   for (const char letter : made) {
@@ -131,8 +131,8 @@ std::string plainTrigger(std::string made, const std::string& schema) {
   return plain;
 }
 
-/// Tables of other schemas that some account would read in place of those of the record: of a schema with its
-/// own name, or of one that its search path names first.
+/// Tables of other schemas that some account would read instead of the record's: in a schema of its own name,
+/// or one that precedes on its search path.
 Parts tablesReadInstead(Connection& connection) {
   return partsFrom(
       connection, "table that is read instead ",
@@ -149,8 +149,8 @@ Parts tablesReadInstead(Connection& connection) {
       " < array_position(path, current_schema()::text)))");
 }
 
-/// Triggers with what they do and whether they are on for every session, the bodies of their functions, and
-/// what would pass them by.
+/// Triggers with their actions and whether they fire in every session, the bodies of their functions, and
+/// anything that would bypass them.
 Parts postgresqlParts(Connection& connection) {
   Statement name = connection.prepare("SELECT quote_ident(current_schema())");
   name.execute();

@@ -9,22 +9,22 @@
 
 namespace torsio {
 
-/// A part of the schema, or of the matrix of rights, that is not as the steps of this program made it.
+/// A part of the schema or of the permission matrix that differs from this program's migrations.
 struct SchemaFinding {
   std::string part{};  ///< kind and name: "trigger person_code_frozen", "right trainee user.manage"
   std::string what{};  ///< one sentence without a full stop
 };
 
-/// Compares the schema of a record with what the steps make, so that nobody can take a trigger away, add one,
-/// or loosen a rule unseen. SQLite: every table, index, trigger and view. PostgreSQL: every column,
-/// reference, key, index, trigger (what it does, and whether it is on) and function, the number of checks,
-/// and rules, settings and tables of other schemas that would pass the triggers by, or let an account read
-/// something else. Of the schema that this program knows; empty: nothing differs, or the record is newer.
-/// `serverParts`: what a prepared server has besides, all of it or nothing.
+/// Compares the schema of a record with the migrations', so that removed or added triggers and loosened rules
+/// are detected. SQLite: every table, index, trigger and view. PostgreSQL: every column, reference, key,
+/// index, trigger (its action, and whether it is enabled) and function, the number of checks, and any rules,
+/// settings and tables of other schemas that would bypass the triggers or make an account read something
+/// else. Empty: no difference, or the record is newer than this program. `serverParts`: additional parts of a
+/// prepared server, which must be present completely or not at all.
 [[nodiscard]] std::vector<SchemaFinding> schemaFindings(
     Connection& connection, const std::map<std::string, std::string>& serverParts = {});
 
-/// A record in memory as the steps make it, with no row but theirs.
+/// Creates an in-memory record with the migrations' rows only.
 [[nodiscard]] Connection freshRecord();
 
 }  // namespace torsio

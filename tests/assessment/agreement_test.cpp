@@ -104,7 +104,7 @@ TEST(IntraclassCorrelation, AgreesOnEveryOccasionOfTheSyntheticStudy) {
   }
 }
 
-TEST(IntraclassCorrelation, IsUndefinedWithoutVariationAndSaysWhy) {
+TEST(IntraclassCorrelation, IsUndefinedWithoutVariationWithAReason) {
   EXPECT_THAT(intraclassCorrelation(NumberTable({{5, 5}, {5, 5}})).reason().str(),
               ::testing::HasSubstr("same"));
   EXPECT_FALSE(intraclassCorrelation(NumberTable(Rows{{1, 2}})));
@@ -114,7 +114,7 @@ TEST(IntraclassCorrelation, IsUndefinedWithoutVariationAndSaysWhy) {
               ::testing::HasSubstr("targets"));
 }
 
-TEST(IntraclassCorrelation, HasNoIntervalWhereItsDegreesOfFreedomVanish) {
+TEST(IntraclassCorrelation, HasNoIntervalIfItsDegreesOfFreedomVanish) {
   const Outcome<IccResult> icc = intraclassCorrelation(NumberTable(Rows{{0.0, 5.0, 8.0}, {2.0, 7.0, 5.0}}));
 
   ASSERT_TRUE(icc);
@@ -124,7 +124,7 @@ TEST(IntraclassCorrelation, HasNoIntervalWhereItsDegreesOfFreedomVanish) {
   EXPECT_FALSE(icc->agreementMean.interval);
 }
 
-TEST(IntraclassCorrelation, HasNoIntervalWhereThatOfTheMeanHasNoEnd) {
+TEST(IntraclassCorrelation, HasNoIntervalIfThatOfTheMeanIsUnbounded) {
   const Outcome<IccResult> got = intraclassCorrelation(NumberTable({{8, 8}, {3, 10}}));
   ASSERT_TRUE(got);
   EXPECT_NEAR(got->agreementMean.estimate, -10.0 / 2.25, 1e-12);
@@ -132,10 +132,10 @@ TEST(IntraclassCorrelation, HasNoIntervalWhereThatOfTheMeanHasNoEnd) {
   EXPECT_FALSE(got->agreementMean.interval);
 }
 
-TEST(IntraclassCorrelation, OfRatersThatDifferByAConstantLosesOnlyWhatTheResidualDivides) {
+TEST(IntraclassCorrelation, OfRatersThatDifferByAConstantLacksOnlyRatiosToTheResidual) {
   const Outcome<IccResult> got = intraclassCorrelation(NumberTable({{1, 2}, {2, 3}, {3, 4}}));
 
-  // Mean squares: targets 2, raters 1.5, residual 0. Agreement 2 / (2 + 2 x 1.5 / 3), as R's irr::icc.
+  // Mean squares: targets 2, raters 1.5, residual 0. Agreement 2 / (2 + 2 x 1.5 / 3), like R's irr::icc.
   ASSERT_TRUE(got);
   EXPECT_DOUBLE_EQ(got->agreementSingle.estimate, 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(got->agreementMean.estimate, 0.8);
@@ -164,8 +164,8 @@ TEST(KrippendorffAlpha, AgreesWithTheTextbookDataForAllMetrics) {
   }
 }
 
-/// Squared difference of two of all ratings by the definition: for ranks, the ratings from one to the other,
-/// the two ends counted half.
+/// Squared difference of two ratings by the definition: for ranks, the number of ratings from one to the
+/// other, the ends counted half.
 double definedDifference2(AlphaMetric metric, double a, double b, const std::vector<double>& all) {
   if (metric == AlphaMetric::kNominal) {
     return a == b ? 0.0 : 1.0;
@@ -184,7 +184,7 @@ double definedDifference2(AlphaMetric metric, double a, double b, const std::vec
   return between * between;
 }
 
-TEST(KrippendorffAlpha, IsItsDefinitionOnContinuousScoresWithGaps) {
+TEST(KrippendorffAlpha, MatchesItsDefinitionOnContinuousScoresWithGaps) {
   Random random(11);
   IncompleteRatings ratings(4, std::vector<std::optional<double>>(9));
   for (auto& coder : ratings) {
@@ -233,7 +233,7 @@ TEST(KrippendorffAlpha, IsItsDefinitionOnContinuousScoresWithGaps) {
   }
 }
 
-TEST(KrippendorffAlpha, TakesThousandsOfDistinctScoresAndRefusesSquaresThatOverflow) {
+TEST(KrippendorffAlpha, HandlesThousandsOfDistinctScoresAndRefusesOverflowingSquares) {
   Random random(3);
   IncompleteRatings ratings(10, std::vector<std::optional<double>>(800));
   for (std::size_t u = 0; u < 800; ++u) {
@@ -243,15 +243,16 @@ TEST(KrippendorffAlpha, TakesThousandsOfDistinctScoresAndRefusesSquaresThatOverf
     }
   }
 
-  // Variance of the units 1/12, of a rating about it 1/48: alpha is near their share, 0.8.
+  // Variance of the units 1/12, of a rating within them 1/48: alpha is near 0.8.
   EXPECT_NEAR(krippendorffAlpha(ratings, AlphaMetric::kInterval)->alpha, 0.8, 0.02);
   EXPECT_NEAR(krippendorffAlpha(ratings, AlphaMetric::kOrdinal)->alpha, 0.8, 0.03);
   EXPECT_NEAR(krippendorffAlpha(ratings, AlphaMetric::kNominal)->alpha, 0.0, 0.01);
-  EXPECT_FALSE(krippendorffInterval(ratings, AlphaMetric::kRatio, 1, 99));  // 8,000 values squared each time
+  EXPECT_FALSE(
+      krippendorffInterval(ratings, AlphaMetric::kRatio, 1, 99));  // 8,000 values squared per resample
   EXPECT_FALSE(krippendorffAlpha({{1e200, -1e200}, {1e200, 2e200}}, AlphaMetric::kInterval));
 }
 
-/// Expected disagreement of a ratio scale, pair by pair.
+/// Expected disagreement on a ratio scale, pair by pair.
 double expectedRatio(const IncompleteRatings& ratings) {
   std::vector<double> all;
   for (const auto& coder : ratings) {
@@ -270,7 +271,7 @@ double expectedRatio(const IncompleteRatings& ratings) {
   return sum / (n * (n - 1.0));
 }
 
-TEST(KrippendorffAlpha, OfARatioScaleSumsThousandsOfValuesAsPairByPair) {
+TEST(KrippendorffAlpha, OfARatioScaleMatchesTheSumOverPairs) {
   const auto ratings = [](const std::function<double(Random&)>& draw) {
     Random random(11);
     IncompleteRatings out(3, std::vector<std::optional<double>>(900));
@@ -312,7 +313,7 @@ TEST(KrippendorffAlpha, IsUndefinedWhenNothingVaries) {
   EXPECT_FALSE(krippendorffAlpha({{3.0, std::nullopt}, {std::nullopt, 2.0}}, AlphaMetric::kInterval));
 }
 
-TEST(KrippendorffInterval, HoldsThePointEstimateAndRepeatsForTheSameSeed) {
+TEST(KrippendorffInterval, ContainsThePointEstimateAndIsReproducible) {
   const IncompleteRatings ratings =
       incomplete(referenceCase("agreement", "kripp_textbook").input.at("coder_by_unit_null_missing"));
   const double alpha = krippendorffAlpha(ratings, AlphaMetric::kInterval)->alpha;
@@ -353,7 +354,7 @@ TEST(CohenKappa, AgreesOnTwoRatersOfTheAnxietyData) {
   expectKappa(*cohenKappa(table, KappaWeights::kQuadratic), c.expected.at("sq"), c.tolerance);
 }
 
-TEST(CohenKappa, NeedsNoTableWithQuadraticWeights) {
+TEST(CohenKappa, WithQuadraticWeightsNeedsNoTable) {
   const std::vector<double> first{3, 4, 4, 2, 5, 1, 3};
   const std::vector<double> second{3, 5, 4, 1, 4, 1, 2};
   NumberTable table(5, 5);
@@ -443,7 +444,7 @@ TEST(BlandAltman, AgreesWithTheFirstReadingsOfBothMeters) {
   EXPECT_TRUE(matches(got->limitErrorExact, c.expected.at("loa_se_exact_form").get<double>(), c.tolerance));
 }
 
-TEST(BlandAltmanAgainstPanel, LeavesTheRaterOutOfThePanel) {
+TEST(BlandAltmanAgainstPanel, ExcludesTheRaterFromThePanel) {
   // Rater 1 gives 1 more than the other two, who agree: the difference is 1, not 2/3 as against the full
   // panel.
   const auto got = blandAltmanAgainstPanel(NumberTable({{6, 5, 5}, {8, 7, 7}, {4, 3, 3}}));

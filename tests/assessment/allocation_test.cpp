@@ -57,7 +57,7 @@ std::vector<std::size_t> armsFromOne(const Allocation& allocation) {
   return arms;
 }
 
-TEST(Allocate, ReproducesTheVectorOfTheCompletePermutation) {
+TEST(Allocate, ReproducesTheReferenceOfTheCompletePermutation) {
   const Vectors vectors;
   const Allocation got =
       allocate(design(AllocationMethod::kCompletePermutation), vectors.seed, vectors.persons(false, false));
@@ -65,7 +65,7 @@ TEST(Allocate, ReproducesTheVectorOfTheCompletePermutation) {
   EXPECT_TRUE(replayAllocation(got).sound);
 }
 
-TEST(Allocate, ReproducesTheVectorsOfPermutedBlocks) {
+TEST(Allocate, ReproducesTheReferencesOfPermutedBlocks) {
   const Vectors vectors;
   AllocationDesign fixed = design(AllocationMethod::kPermutedBlocks);
   fixed.blockSizes = {6};
@@ -81,7 +81,7 @@ TEST(Allocate, ReproducesTheVectorsOfPermutedBlocks) {
   EXPECT_TRUE(replayAllocation(threeOrSix).sound);
 }
 
-TEST(Allocate, ReproducesTheVectorOfClosedStratifiedBlocks) {
+TEST(Allocate, ReproducesTheReferenceOfClosedStratifiedBlocks) {
   const Vectors vectors;
   AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
   strata.blockSizes = {3};
@@ -93,7 +93,7 @@ TEST(Allocate, ReproducesTheVectorOfClosedStratifiedBlocks) {
   EXPECT_TRUE(replayAllocation(got).sound);
 }
 
-TEST(Allocate, FillsTheLeftoversOfAllStrataJointlySoThatTheArmsComeOutEven) {
+TEST(Allocate, AllocatesTheRemaindersOfAllStrataJointlySoThatTheArmsComeOutEven) {
   const Vectors vectors;
   AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
   strata.blockSizes = {3};
@@ -107,14 +107,14 @@ TEST(Allocate, FillsTheLeftoversOfAllStrataJointlySoThatTheArmsComeOutEven) {
     }
     for (std::size_t arm = 0; arm < 3; ++arm) {
       EXPECT_EQ(counts[0][arm] + counts[1][arm], 10);
-      EXPECT_GE(counts[0][arm], 5);  // 17 men: five complete blocks of three, two leftovers
+      EXPECT_GE(counts[0][arm], 5);  // 17 men: five complete blocks of three, two remaining
       EXPECT_LE(counts[0][arm], 6);
     }
     EXPECT_TRUE(replayAllocation(got).sound);
   }
 }
 
-TEST(Allocate, FillsStrataWithBlocksOfSeveralSizesAndLeavesTheArmsEven) {
+TEST(Allocate, FillsStrataWithBlocksOfSeveralSizesAndKeepsTheArmsEven) {
   const Vectors vectors;
   AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
   strata.blockSizes = {3, 6};
@@ -129,11 +129,11 @@ TEST(Allocate, FillsStrataWithBlocksOfSeveralSizesAndLeavesTheArmsEven) {
     EXPECT_EQ(counts, (std::vector<int>{10, 10, 10})) << seed;
     EXPECT_TRUE(replayAllocation(got).sound);
   }
-  strata.blockSizes = {6, 9};  // nine persons could be six and three that fit no block
+  strata.blockSizes = {6, 9};  // nine persons could leave three that fit no block
   EXPECT_THROW((void)allocate(strata, 1, vectors.persons(true, false)), Error);
 }
 
-TEST(Allocate, LeavesNoArmTwoAheadHoweverManyAreLeftOver) {
+TEST(Allocate, NeverLeavesAnArmTwoAhead) {
   AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
   strata.factors = {kSex, kExperience};
   for (const std::vector<std::size_t>& sizes :
@@ -158,7 +158,7 @@ TEST(Allocate, LeavesNoArmTwoAheadHoweverManyAreLeftOver) {
   }
 }
 
-TEST(Allocate, RefusesAnArmThatIsNamedTwice) {
+TEST(Allocate, RejectsADuplicateArm) {
   AllocationDesign twice = design(AllocationMethod::kPermutedBlocks);
   twice.arms = {"simulator", "arm", "simulator"};
   twice.blockSizes = {3};
@@ -166,7 +166,7 @@ TEST(Allocate, RefusesAnArmThatIsNamedTwice) {
   EXPECT_THROW(validateDesign(twice), Error);
 }
 
-TEST(Allocate, ReproducesTheVectorOfMinimisationWithItsScores) {
+TEST(Allocate, ReproducesTheReferenceOfMinimisationWithItsScores) {
   const Vectors vectors;
   AllocationDesign margins = design(AllocationMethod::kMinimisation);
   margins.factors = {kSex, kExperience};
@@ -192,13 +192,13 @@ TEST(Allocate, ReproducesTheVectorOfMinimisationWithItsScores) {
   EXPECT_TRUE(replayAllocation(got).sound);
 }
 
-TEST(ReplayAllocation, FindsAChangedArmAnotherSeedAndARemovedRecord) {
+TEST(ReplayAllocation, DetectsAChangedArmAnotherSeedAndARemovedRecord) {
   const Vectors vectors;
   const Allocation kept =
       allocate(design(AllocationMethod::kCompletePermutation), vectors.seed, vectors.persons(false, false));
   Allocation changed = kept;
   changed.records[4].arm = (changed.records[4].arm + 1) % 3;
-  Allocation forged = changed;  // whoever rewrites a record and its hash still cannot change the seed
+  Allocation forged = changed;  // rewriting a record and its hash still cannot change the seed
   for (std::size_t i = 4; i < forged.records.size(); ++i) {
     forged.records[i].previousHash = forged.records[i - 1].hash;
     forged.records[i].hash = recordHash(forged.records[i]);
@@ -214,7 +214,7 @@ TEST(ReplayAllocation, FindsAChangedArmAnotherSeedAndARemovedRecord) {
   EXPECT_EQ(replayAllocation(shortened).firstWrongPosition, 3U);
 }
 
-TEST(Allocator, RefusesDesignsAndPersonsThatBreakTheRules) {
+TEST(Allocator, RejectsInvalidDesignsAndPersons) {
   AllocationDesign blocks = design(AllocationMethod::kPermutedBlocks);
   blocks.blockSizes = {4};
   EXPECT_THROW(Allocator(blocks, 1), Error);
@@ -232,7 +232,7 @@ TEST(Allocator, RefusesDesignsAndPersonsThatBreakTheRules) {
   EXPECT_THROW((void)allocator.assign({"p2", {0}}), Error);
 }
 
-TEST(AllocationMethods, SayWhetherTheyUseFactorsAndBlocks) {
+TEST(AllocationMethods, TellWhetherTheyUseFactorsAndBlocks) {
   EXPECT_FALSE(usesFactors(AllocationMethod::kCompletePermutation));
   EXPECT_FALSE(usesFactors(AllocationMethod::kPermutedBlocks));
   EXPECT_TRUE(usesFactors(AllocationMethod::kStratifiedBlocks));
@@ -243,7 +243,7 @@ TEST(AllocationMethods, SayWhetherTheyUseFactorsAndBlocks) {
   EXPECT_FALSE(usesBlocks(AllocationMethod::kMinimisation));
 }
 
-TEST(Allocator, RefusesAMethodWithoutTheFactorsOrBlocksThatItUses) {
+TEST(Allocator, RejectsAMethodWithoutTheFactorsOrBlocksThatItUses) {
   AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
   strata.factors = {kSex};
   EXPECT_THROW(Allocator(strata, 1), Error);  // no block size
@@ -253,7 +253,7 @@ TEST(Allocator, RefusesAMethodWithoutTheFactorsOrBlocksThatItUses) {
   EXPECT_THROW(Allocator(strata, 1), Error);
 }
 
-TEST(ReplayAllocation, FindsRecordsCutOffAndPersonsThatChangedPlacesByTheHeadOfTheChain) {
+TEST(ReplayAllocation, DetectsTruncationAndSwappedPersonsByTheHeadOfTheChain) {
   const Vectors vectors;
   const Allocation kept = allocate(design(AllocationMethod::kCompletePermutation), vectors.seed,
                                    vectors.persons(false, false), true, std::string(64, 'a'));
@@ -263,7 +263,7 @@ TEST(ReplayAllocation, FindsRecordsCutOffAndPersonsThatChangedPlacesByTheHeadOfT
   cut.records.pop_back();
   EXPECT_FALSE(replayAllocation(cut).sound);
 
-  // The whole file is written anew with two persons in each other's place: only a head kept elsewhere tells.
+  // The whole file is rewritten with two persons swapped: only a head stored elsewhere reveals it.
   std::vector<AllocationPerson> persons = vectors.persons(false, false);
   std::size_t other = 1;
   while (kept.records[other].arm == kept.records[0].arm) {

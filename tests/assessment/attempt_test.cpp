@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a twist is, what was on target, and what follows from it, with values worked out by hand.
+// Twists and targets of recorded attempts, and their metrics, with values calculated by hand.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTolerance_rad = radians(5.0);
 
-/// Samples written down stage by stage, one a millisecond.
+/// Samples built stage by stage, one per millisecond.
 class Recording {
  public:
   Recording() { header_.targetAngle_rad = radians(60.0); }
@@ -24,7 +24,7 @@ class Recording {
   Recording& free(int ticks) { return stage(ExercisePhase::kTracking, ticks, 0.0); }
   Recording& held(int ticks, double angle_deg) { return stage(ExercisePhase::kTwisting, ticks, angle_deg); }
   Recording& released(int ticks) { return stage(ExercisePhase::kReleased, ticks, 0.0); }
-  /// A grip that stays at an angle for 300 ms, let go, and back at rest.
+  /// A grip held at an angle for 300 ms, released, and back at rest.
   Recording& twist(double angle_deg) { return held(300, angle_deg).released(50).free(50); }
   Recording& target(double angle_deg) {
     next_ = {ServoCommand::Kind::kSetTarget, radians(angle_deg)};
@@ -39,12 +39,12 @@ class Recording {
     return *this;
   }
 
-  /// From here on the tissue bears so much more.
+  /// Raises the force on the tissue from here on.
   Recording& pressing(double force_N) {
     press_N_ = force_N;
     return *this;
   }
-  /// What the device can give at most from here on.
+  /// Limits the device's force from here on.
   Recording& deviceGives(double most_N) {
     device_N_ = most_N;
     return *this;
@@ -98,7 +98,7 @@ class Recording {
   std::int64_t tick_ = 0;
 };
 
-TEST(RecordedTwists, GoFromTheGripToTheEndOfTheReturn) {
+TEST(RecordedTwists, LastFromTheGripToTheEndOfTheReturn) {
   const Recording run = std::move(Recording().free(100).twist(58.0));
 
   const std::vector<RecordedTwist> twists = run.twists();
@@ -113,8 +113,8 @@ TEST(RecordedTwists, GoFromTheGripToTheEndOfTheReturn) {
   EXPECT_FALSE(twists[0].onTarget(radians(1.9)));
 }
 
-TEST(RecordedTwists, AreJudgedByTheTargetInForceWhenTheyAreLetGo) {
-  // The header asks for 60 degrees, a command before the second twist for 30, one within the third for 90.
+TEST(RecordedTwists, AreJudgedByTheTargetAtTheirRelease) {
+  // The header sets 60 degrees, a command before the second twist 30, one within the third 90.
   const Recording run =
       std::move(Recording().twist(60.0).target(30.0).twist(30.0).held(100, 20.0).target(90.0).twist(88.0));
 
@@ -127,14 +127,14 @@ TEST(RecordedTwists, AreJudgedByTheTargetInForceWhenTheyAreLetGo) {
   EXPECT_EQ(run.measured().twistsOnTarget(), 3);
 }
 
-TEST(RecordedTwists, ATargetThatComesWithTheReleaseIsNotInForceYet) {
+TEST(RecordedTwists, IgnoreATargetThatArrivesWithTheRelease) {
   const Recording run = std::move(Recording().held(300, 60.0).target(10.0).released(50));
 
   EXPECT_DOUBLE_EQ(run.twists().at(0).target_rad, radians(60.0));
 }
 
-TEST(RecordedTwists, TheLargestAngleSaysWhetherAGripWasATwist) {
-  // Never beyond 1.9 degrees: a touch. To 40 degrees and back to 1: a twist, and missed.
+TEST(RecordedTwists, RequireAMinimumAngle) {
+  // Up to 1.9 degrees: a touch. To 40 degrees and back to 1: a twist that missed.
   const Recording run = std::move(Recording().twist(1.9).held(200, 40.0).held(100, 1.0).released(50));
 
   const std::vector<RecordedTwist> twists = run.twists();
@@ -143,7 +143,7 @@ TEST(RecordedTwists, TheLargestAngleSaysWhetherAGripWasATwist) {
   EXPECT_NEAR(twists[0].error_rad(), radians(59.0), 1e-12);
 }
 
-TEST(RecordedTwists, AreNotCompletedWhenTheRecordingEndsTheDeviceIsLostOrTheReleaseWasNotSeen) {
+TEST(RecordedTwists, AreIncompleteIfTheRecordingEndsTheDeviceIsLostOrTheReleaseIsUnseen) {
   const Recording cut = std::move(Recording().twist(60.0).held(300, 60.0));
   const Recording ended = std::move(Recording().held(300, 60.0).status(kDeviceEnded).released(50));
   const Recording lost = std::move(Recording().held(300, 60.0).status(kDeviceLost).released(50));
@@ -159,7 +159,7 @@ TEST(RecordedTwists, AreNotCompletedWhenTheRecordingEndsTheDeviceIsLostOrTheRele
   EXPECT_FALSE(cut.twists().at(1).onTarget(kTolerance_rad));
 }
 
-TEST(SampleTimes, AreTheDevicesWhereTheyRiseAndElseTheTicks) {
+TEST(SampleTimes, AreTheDevicesIfTheyRiseOtherwiseTheTicks) {
   Recording run = std::move(Recording().free(3));
   run.samples[1].device.time_us = 1400;
 
@@ -171,8 +171,8 @@ TEST(SampleTimes, AreTheDevicesWhereTheyRiseAndElseTheTicks) {
   EXPECT_EQ(recordedDuration_us(run.header(), {}), 0);
 }
 
-TEST(AttemptMeasures, CountWhatWasCompletedAndTheRestApart) {
-  // Errors of 2, 10 and 4 degrees; the fourth is cut off.
+TEST(AttemptMeasures, CountCompletedTwistsAndTheOthersSeparately) {
+  // Errors of 2, 10 and 4 degrees; the fourth is truncated.
   const Recording run = std::move(Recording().twist(62.0).twist(50.0).twist(56.0).held(400, 60.0));
 
   const AttemptMeasures measures = run.measured();
@@ -200,7 +200,7 @@ TEST(AttemptMeasures, TakeTheLargestPeakTheSumOfMishapsAndTheMedianOfTheRest) {
   EXPECT_DOUBLE_EQ(measures.values.at(Quantity::kForceViolations), 2.0);
 }
 
-TEST(AttemptMeasures, OfARecordingWithoutATwistSayNothingOfErrors) {
+TEST(AttemptMeasures, OfARecordingWithoutTwistsContainNoErrors) {
   const AttemptMeasures measures = Recording().free(500).measured();
 
   EXPECT_FALSE(measures.meanAbsoluteError_deg);
@@ -211,7 +211,7 @@ TEST(AttemptMeasures, OfARecordingWithoutATwistSayNothingOfErrors) {
   EXPECT_EQ(measureAttempt(TrialHeader{}, {}, {}).duration_us, 0);
 }
 
-TEST(MeasuredTrial, TheHoldIsTheLastStayOnTargetUntilLettingGo) {
+TEST(MeasuredTrial, TheHoldIsTheLastStayOnTargetBeforeTheRelease) {
   // 56 degrees lies within five of 60, 50 does not: the first stay does not count.
   const MeasuredTrial run = Recording().held(200, 56.0).held(100, 50.0).held(250, 61.0).released(50).trial();
 
@@ -222,14 +222,14 @@ TEST(MeasuredTrial, TheHoldIsTheLastStayOnTargetUntilLettingGo) {
   EXPECT_TRUE(twist.metrics->at(Quantity::kHoldSteadiness));
 }
 
-TEST(MeasuredTrial, AStayThatIsTooShortIsNoHold) {
+TEST(MeasuredTrial, AShortStayIsNoHold) {
   const MeasuredTrial run = Recording().held(200, 30.0).held(200, 60.0).released(50).trial();
 
   EXPECT_NEAR(run.twists.at(0).held_s, 0.199, 1e-12);
   EXPECT_FALSE(run.twists.at(0).metrics->at(Quantity::kHoldSteadiness));
 }
 
-TEST(MeasuredTrial, AGapLeavesTheMetricsOfItsTwistUndefinedAndStillCountsIt) {
+TEST(MeasuredTrial, AGapLeavesTheMetricsOfItsTwistUndefinedButCountsTheTwist) {
   const Recording run =
       std::move(Recording().held(100, 60.0).missing(40).held(200, 60.0).released(50).free(50));
 
@@ -241,7 +241,7 @@ TEST(MeasuredTrial, AGapLeavesTheMetricsOfItsTwistUndefinedAndStillCountsIt) {
   EXPECT_EQ(run.measured().twistsOnTarget(), 1);
 }
 
-TEST(TrialTrace, TellsTheTargetInForceAtEverySample) {
+TEST(TrialTrace, HasTheTargetAtEverySample) {
   const Recording run = std::move(Recording().free(2).target(30.0).free(2));
 
   const TrialTrace trace = trialTrace(run.header(), run.samples, kTolerance_rad);
@@ -250,7 +250,7 @@ TEST(TrialTrace, TellsTheTargetInForceAtEverySample) {
   EXPECT_EQ(trace.targetAngle_rad, wanted);
 }
 
-TEST(TrialTrace, ACourseIsTrackedOnlyWhereTheTargetMovesWhileTheOrganIsHeld) {
+TEST(TrialTrace, TracksACourseOnlyWhileTheTargetMovesAndTheOrganIsHeld) {
   const MeasuredTrial fixed = Recording().target(30.0).twist(30.0).trial();
   // 150 samples 10 degrees below the target, 150 on it: mean error 5, root mean square 10 / sqrt(2).
   const MeasuredTrial moved = Recording().held(150, 50.0).target(50.0).held(150, 50.0).released(50).trial();
@@ -264,14 +264,14 @@ RunVerdict verdictOn(const Recording& run, const AttemptRules& rules) {
   return judgeRun(run.measured().values, rules);
 }
 
-TEST(PassRule, AsksForFourTwistsInFive) {
+TEST(PassRule, RequiresFourTwistsInFive) {
   EXPECT_EQ(wantedOnTarget(0), 1);
   EXPECT_EQ(wantedOnTarget(1), 1);
   EXPECT_EQ(wantedOnTarget(5), 4);
   EXPECT_EQ(wantedOnTarget(6), 5);  // 4.8
 }
 
-TEST(PassRule, ChecksTheAngleAlwaysAndWhatElseIsAskedFor) {
+TEST(PassRule, ChecksTheAngleAlwaysAndOtherDemandsIfMade) {
   const Recording run = std::move(Recording().twist(60.0).twist(58.0));
 
   const std::vector<TargetCheck> angle = verdictOn(run, {}).checks;
@@ -291,8 +291,8 @@ bool withinForce(const Recording& run, double limit_N) {
   return verdictOn(run, {.forceLimit_N = limit_N}).checks.back().passed;
 }
 
-// What was measured at a station: the tissue bore 3.30 N, the device had warmed up and gave 0.88 N of it.
-TEST(PassRule, JudgesTheForceOnTheTissueWhateverTheDeviceCouldGive) {
+// Measured at a station: the tissue bore 3.30 N; the warm device could render only 0.88 N.
+TEST(PassRule, JudgesTheForceOnTheTissueWhateverTheDeviceCouldRender) {
   const Recording run = std::move(Recording().deviceGives(0.88).pressing(2.1).twist(60.0));
 
   const AttemptMeasures measures = run.measured();
@@ -305,7 +305,7 @@ TEST(PassRule, JudgesTheForceOnTheTissueWhateverTheDeviceCouldGive) {
   EXPECT_TRUE(withinForce(run, 3.31));
 }
 
-TEST(PassRule, TheForceCountsFromTheFirstContactNotFromTheGrip) {
+TEST(PassRule, CountsTheForceFromTheFirstContactNotFromTheGrip) {
   const Recording before = std::move(Recording().pressing(4.0).touching(1).pressing(0.0).twist(60.0));
   const Recording after = std::move(Recording().twist(60.0).pressing(4.0).touching(1));
 
@@ -315,21 +315,21 @@ TEST(PassRule, TheForceCountsFromTheFirstContactNotFromTheGrip) {
   EXPECT_NEAR(*before.trial().twists.at(0).metrics->at(Quantity::kPeakForce), 4.0, 1e-12);
 }
 
-TEST(PassRule, WhatATwistThatIsNotCompletedDidToTheTissueCountsToo) {
+TEST(PassRule, CountsTheForceOfIncompleteTwistsToo) {
   const Recording cut = std::move(Recording().twist(60.0).pressing(3.0).held(100, 60.0));
 
   EXPECT_FALSE(withinForce(cut, 4.1));
   EXPECT_TRUE(withinForce(cut, 4.3));
 }
 
-TEST(PassRule, WhatALostDeviceReportsIsNotTheHands) {
+TEST(PassRule, IgnoresReadingsOfALostDevice) {
   const Recording lost =
       std::move(Recording().twist(60.0).status(kDeviceLost).pressing(50.0).held(100, 60.0).released(10));
 
   EXPECT_TRUE(withinForce(lost, 1.3));
 }
 
-TEST(PassRule, AForceThatIsNotKnownPassesNoLimit) {
+TEST(PassRule, AnUnknownForcePassesNoLimit) {
   for (const std::uint32_t why : {kForceNotFinite, kForceModelLate}) {
     const Recording run =
         std::move(Recording().limits(why).held(1, 10.0).limits(kForceFull).held(300, 60.0).released(50));
@@ -339,7 +339,7 @@ TEST(PassRule, AForceThatIsNotKnownPassesNoLimit) {
   }
 }
 
-TEST(PassRule, AReadingThatMadeNoSenseLeavesTheForceKnown) {
+TEST(PassRule, AnInvalidReadingLeavesTheForceKnown) {
   const Recording run = std::move(Recording()
                                       .limits(kForceNotFinite)
                                       .status(kDeviceInvalid)
@@ -352,7 +352,7 @@ TEST(PassRule, AReadingThatMadeNoSenseLeavesTheForceKnown) {
   EXPECT_NEAR(*run.trial().loads.tissueForce_N, 1.2, 1e-12);
 }
 
-TEST(PassRule, AsksForTheNumberOfTwistsOfTheExercise) {
+TEST(PassRule, RequiresTheExercisesNumberOfTwists) {
   const AttemptRules rules{.tolerance_rad = kTolerance_rad, .leastTwists = 5};
   Recording one = std::move(Recording().twist(60.0));
   Recording four = std::move(Recording().twist(60.0).twist(60.0).twist(60.0).twist(60.0));
@@ -365,14 +365,14 @@ TEST(PassRule, AsksForTheNumberOfTwistsOfTheExercise) {
   EXPECT_DOUBLE_EQ(*checksOf(one)[0].value, 1.0);
   EXPECT_DOUBLE_EQ(checksOf(one)[0].wanted, 5.0);
   EXPECT_FALSE(checksOf(one)[0].passed);
-  EXPECT_FALSE(checksOf(one)[1].passed);  // four on target are wanted of five
+  EXPECT_FALSE(checksOf(one)[1].passed);  // four of five must be on target
   EXPECT_FALSE(checksOf(four)[0].passed);
   EXPECT_TRUE(checksOf(four)[1].passed);
   EXPECT_TRUE(checksOf(five)[0].passed);
   EXPECT_TRUE(checksOf(five)[1].passed);
 }
 
-TEST(PassRule, AnAttemptThatDoesNotMeetTheDemandsIsNoSuccess) {
+TEST(PassRule, AnAttemptThatFailsADemandIsNoSuccess) {
   const AttemptRules rules{.forceLimit_N = 3.0, .torqueLimit_Nm = 0.5, .leastTwists = 2};
   const auto meets = [&rules](double twists, double force_N, double torque_Nm) {
     return meetsDemands({{Quantity::kCompletedTwists, twists},
@@ -444,7 +444,7 @@ TEST(RunVerdict, SaysEachCheckWithNameValueAndLimit) {
   EXPECT_FALSE(checks[6].passed);
 }
 
-TEST(TwistCount, CountsWhatTheDebriefCounts) {
+TEST(TwistCount, AgreesWithTheDebrief) {
   TwistCount count;
   std::int64_t now_us = 0;
   LiveState state;
@@ -474,7 +474,7 @@ TEST(TwistCount, CountsWhatTheDebriefCounts) {
   EXPECT_EQ(count.completed(), 2);
 }
 
-TEST(PassRule, ARunWithoutTwistsHasNothingToPassBy) {
+TEST(PassRule, ARunWithoutTwistsCannotPass) {
   const std::vector<TargetCheck> checks =
       verdictOn(std::move(Recording().free(10)), {.forceLimit_N = 5.0, .hold_s = 0.1}).checks;
 
@@ -483,7 +483,7 @@ TEST(PassRule, ARunWithoutTwistsHasNothingToPassBy) {
   }
 }
 
-TEST(Mastery, CountsInARowAndIsNotLostAgain) {
+TEST(Mastery, CountsAttemptsInARowAndIsPermanent) {
   const MasteryRule rule{
       .quantity = Quantity::kPeakForce, .atMost = true, .threshold = 2.0, .consecutive = 2};
   const std::vector<std::optional<double>> broken{1.0, std::nullopt, 2.0, 2.1};
@@ -496,7 +496,7 @@ TEST(Mastery, CountsInARowAndIsNotLostAgain) {
   EXPECT_DOUBLE_EQ(*masteryProgress(rule, met).last, 9.0);
 }
 
-TEST(Mastery, AnAttemptPassesByItsTargetsAndByAllRules) {
+TEST(Mastery, AnAttemptPassesByAllRulesOrByItsShareOnTarget) {
   const AttemptRules rules{.mastery = {{.quantity = Quantity::kEconomy, .threshold = 0.5},
                                        {.quantity = Quantity::kTime, .atMost = true, .threshold = 9.0}}};
   const auto passes = [&rules](double economy, double time_s, double reached) {
@@ -515,14 +515,14 @@ TEST(Mastery, AnAttemptPassesByItsTargetsAndByAllRules) {
   EXPECT_FALSE(passes(0.5, 9.0, 3.0));
 }
 
-TEST(Merit, IsTheLogarithmOfHowMuchBetterThanTheExpert) {
+TEST(Merit, IsTheLogarithmOfTheRatioToTheExpert) {
   EXPECT_DOUBLE_EQ(merit(Quantity::kSettling, 2.0, 2.0), 0.0);
   EXPECT_NEAR(merit(Quantity::kSettling, 1.5, 3.5), std::log(4.0 / 2.0), 1e-12);  // lower is better
   EXPECT_NEAR(merit(Quantity::kSparc, -3.0, -1.5), 2.0 * std::log(0.5), 1e-12);   // nearer 0 is better
   EXPECT_NEAR(merit(Quantity::kEconomy, 0.9, 0.4), std::log(1.0 / 0.5), 1e-12);   // higher is better
 }
 
-TEST(Merit, NamesTheBestAndTheWorstTwistOfEveryCriterionAndLeavesTheUnfinishedOut) {
+TEST(Merit, NamesTheBestAndWorstTwistByCriterionWithoutIncompleteOnes) {
   const MeasuredTrial own = Recording().twist(60.0).twist(50.0).held(400, 89.0).trial();
   const MeasuredTrial expert = Recording().twist(55.0).trial();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of numbers of a cohort.
+// The table of a cohort's numbers.
 #include "assessment/results/cohort_csv.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::size_t rowsOf(const CohortInputs& in, const std::string& section, const std
   }));
 }
 
-TEST(CohortCsv, HasEveryMarkOfACriterionTheAnchorsTheRevisionAndTheProgram) {
+TEST(CohortCsv, ContainsEveryMarkByCriterionAnchorsRevisionAndProgram) {
   CohortInputs in = demonstrationCohort();
   in.programHash = std::string(64, 'e');
 
@@ -49,11 +49,11 @@ TEST(CohortCsv, HasEveryMarkOfACriterionTheAnchorsTheRevisionAndTheProgram) {
   EXPECT_EQ(rowsOf(in, "criterion", "criterion_mean"), 0U) << "nothing before the set is complete";
 }
 
-TEST(CohortCsv, AMeanOfTwoMarksOfACriterionIsNotShownToWhoMayNotSeeMarks) {
+TEST(CohortCsv, HidesAMeanOfTwoMarksOfACriterionWithoutTheRightToSeeMarks) {
   CohortInputs in = demonstrationCohort();
   in.singleMarks = false;
   std::size_t kept = 0;
-  for (CriterionMark& mark : in.criterionMarks) {  // all but two could not be given
+  for (CriterionMark& mark : in.criterionMarks) {  // all but two are not assessable
     if (mark.trainee == "x101" && mark.occasion == 0 && mark.criterion == 0 && ++kept > 2) {
       mark.points.reset();
     }
@@ -66,7 +66,7 @@ TEST(CohortCsv, AMeanOfTwoMarksOfACriterionIsNotShownToWhoMayNotSeeMarks) {
   }
 }
 
-TEST(CohortCsv, HasARowForEachMetricOfAnUntwisting) {
+TEST(CohortCsv, ContainsARowForEachMetricOfAnUntwisting) {
   const std::vector<CohortCsvRow> rows = cohortCsvRows(withUntwistings());
 
   const auto count = [&rows](const std::string& statistic) {
@@ -78,10 +78,10 @@ TEST(CohortCsv, HasARowForEachMetricOfAnUntwisting) {
   const auto twists = std::count_if(rows.begin(), rows.end(), [](const CohortCsvRow& row) {
     return row.statistic == "twists" && row.occasion == "volvulus";
   });
-  EXPECT_EQ(twists, 0);  // an untwisting has none
+  EXPECT_EQ(twists, 0);  // not applicable to an untwisting
 }
 
-TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
+TEST(CohortCsv, IsTidyCompleteAndReproducible) {
   const CohortInputs in = demonstrationCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
   const std::string text = cohortCsvText(rows);
@@ -105,7 +105,7 @@ TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
   EXPECT_EQ(std::stod(n27->value), in.evaluations[0].n27);
 }
 
-TEST(CohortCsv, HoldsWhatTheTablesOfTheStudyShow) {
+TEST(CohortCsv, ContainsTheTablesOfTheStudy) {
   CohortInputs in = demonstrationCohort();
   in.equivalenceMargin = 1.0;
   // Agreement: three occasions, and within each of three groups.
@@ -145,7 +145,7 @@ TEST(CohortCsv, HoldsWhatTheTablesOfTheStudyShow) {
   EXPECT_EQ(csvCount(in, "limit_of_agreement_upper"), 0);
 }
 
-TEST(CohortCsvText, QuotesFieldsThatHoldCommasAndQuotes) {
+TEST(CohortCsvText, QuotesFieldsWithCommasAndQuotes) {
   CohortCsvRow row;
   row.item = "a,b";
   row.flags = "say \"so\"";

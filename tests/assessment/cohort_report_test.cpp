@@ -26,7 +26,7 @@ using testing::figureNamed;
 using testing::tableNamed;
 using testing::withUntwistings;
 
-TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
+TEST(CohortReport, ContainsEveryFigureOfThePaperWithMatchingSeriesAndCategories) {
   const ReportModel report = cohortReport(demonstrationCohort());
 
   for (const char* id : {"figure-15", "figure-16", "figure-17", "figure-18", "figure-19", "figure-20",
@@ -60,7 +60,7 @@ TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
   EXPECT_EQ(figureNamed(report, "figure-18")->categories.size(), 10U);
 }
 
-TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
+TEST(CohortReport, HasConsistentTablesWithUniqueNames) {
   const ReportModel report = cohortReport(demonstrationCohort());
   std::set<std::string> ids;
   int tables = 0;
@@ -80,7 +80,7 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
   EXPECT_EQ(report.sections.at(1).title, "What was simulated");
 }
 
-TEST(CohortReport, BeginsWithAPageThatABoardReadsInAMinute) {
+TEST(CohortReport, StartsWithAPageThatABoardReadsInAMinute) {
   CohortInputs in = demonstrationCohort();
   in.deviations = {{0, "T-01", "late", "came late"}};
   const ReportSection board = cohortReport(in).sections.front();
@@ -131,7 +131,7 @@ TEST(CohortReport, NamesOnTheFirstPageWhoReachedTheStandard) {
   EXPECT_EQ(cohortReport(in).sections.front().tables.at(0).rows.at(0).at(3).str(), "1 of 2");
 }
 
-TEST(CohortReport, WhatIsLeftOutStandsAfterThePageOfTheBoard) {
+TEST(CohortReport, ListsOmissionsAfterTheFirstPage) {
   CohortInputs in = demonstrationCohort();
   in.identity = ReportIdentity::kAggregated;
   const ReportModel report = cohortReport(in);
@@ -139,7 +139,7 @@ TEST(CohortReport, WhatIsLeftOutStandsAfterThePageOfTheBoard) {
   EXPECT_EQ(report.sections.at(1).title, "What is left out");
 }
 
-TEST(CohortReport, ShowsTheScoringSheetWithItsAnchorsAndWhatWasGivenForEachCriterion) {
+TEST(CohortReport, ShowsTheScoringSheetWithItsAnchorsAndTheMarksByCriterion) {
   const CohortInputs in = demonstrationCohort();
   const ReportModel report = cohortReport(in);
 
@@ -166,7 +166,7 @@ TEST(CohortReport, ShowsTheScoringSheetWithItsAnchorsAndWhatWasGivenForEachCrite
   EXPECT_TRUE(trainees->individual);
 }
 
-TEST(CohortReport, ACellThatLeadsBackShowsTheNumberThatItsLineHolds) {
+TEST(CohortReport, ATracedCellShowsTheNumberOfItsLine) {
   CohortInputs in = demonstrationCohort();
   std::map<std::string, std::string> values;
   for (const CohortCsvRow& row : cohortCsvRows(in)) {
@@ -200,7 +200,7 @@ TEST(CohortReport, ACellThatLeadsBackShowsTheNumberThatItsLineHolds) {
   EXPECT_GT(cells, 400U);
 }
 
-TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
+TEST(CohortReport, EveryFigureHasATableOfItsValues) {
   const ReportModel report = cohortReport(demonstrationCohort());
   for (const ReportSection& section : report.sections) {
     for (const ReportFigure& figure : section.figures) {
@@ -211,12 +211,12 @@ TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
       }
     }
   }
-  // The very numbers, to the last digit.
+  // Exactly the same numbers.
   const ReportFigure* means = figureNamed(report, "figure-16");
   EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1).str()), *means->series.at(0).y.at(0));
 }
 
-TEST(CohortReport, AColumnOfAFigureHasTheDecimalsThatItsNumbersNeed) {
+TEST(CohortReport, AFiguresColumnHasTheDecimalsThatItsNumbersNeed) {
   ReportFigure figure;
   figure.kind = FigureKind::kGroupedBars;
   figure.categories = {Text::verbatim("a"), Text::verbatim("b"), Text::verbatim("c")};
@@ -237,10 +237,10 @@ TEST(CohortReport, AColumnOfAFigureHasTheDecimalsThatItsNumbersNeed) {
   EXPECT_EQ(column(3), "0.3333 100.0000 0.0000");
 }
 
-TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
+TEST(CohortReport, AnAggregatedReportContainsNoIndividual) {
   CohortInputs in = demonstrationCohort();
   in.identity = ReportIdentity::kAggregated;
-  in.trainees.erase(in.trainees.begin() + 4, in.trainees.begin() + 10);  // four are left of the first group
+  in.trainees.erase(in.trainees.begin() + 4, in.trainees.begin() + 10);  // four of the first group remain
 
   const ReportModel report = cohortReport(in);
   std::string all;
@@ -279,7 +279,7 @@ TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
   }
 }
 
-TEST(CohortReport, SmallCountsAreNotShownBesideOthers) {
+TEST(CohortReport, SmallCountsAreSuppressed) {
   EXPECT_EQ(
       countsText({{Text::verbatim("female"), 4}, {Text::verbatim("male"), 26}}, ReportIdentity::kAggregated),
       "not shown (fewer than 5)");
@@ -290,7 +290,7 @@ TEST(CohortReport, SmallCountsAreNotShownBesideOthers) {
             "female 4, male 26");
 }
 
-TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
+TEST(CohortReport, StatesTheFreezeAndTheDeviations) {
   CohortInputs in = demonstrationCohort();
   in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
   in.deviations = {{1'767'600'000'000'000, "x101", "late", "came twenty minutes late"}};
@@ -318,7 +318,7 @@ TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
   EXPECT_TRUE(dose);
 }
 
-TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
+TEST(CohortReport, SingleMarksAreOmittedWithoutTheRightToSeeThem) {
   CohortInputs in = demonstrationCohort();
   in.singleMarks = false;
   const ReportModel report = cohortReport(in);
@@ -330,7 +330,7 @@ TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
   }
 }
 
-TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
+TEST(CohortReport, RejectsInconsistentInputs) {
   CohortInputs in = demonstrationCohort();
   in.ratings.pop_back();
   EXPECT_THROW((void)cohortReport(in), Error);
@@ -339,20 +339,20 @@ TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
   EXPECT_THROW((void)cohortReport(in), Error);
 }
 
-TEST(FormatUtc, KnowsLeapDaysAndTimesBefore1970) {
+TEST(FormatUtc, HandlesLeapDaysAndTimesBefore1970) {
   EXPECT_EQ(formatUtc(1'767'600'000'000'000), "2026-01-05 08:00 UTC");  // date -u -d @1767600000
   EXPECT_EQ(formatUtc(951'782'400'000'000), "2000-02-29 00:00 UTC");    // date -u -d @951782400
   EXPECT_EQ(formatUtc(-60'000'000), "1969-12-31 23:59 UTC");
 }
 
-TEST(CohortReport, LeavesOutSectionsWithoutData) {
+TEST(CohortReport, OmitsSectionsWithoutData) {
   CohortInputs in;
   in.instrument = paperInstrument();
   const ReportModel report = cohortReport(in);
   EXPECT_EQ(report.sections.size(), 2U);  // methods and provenance
 }
 
-TEST(CohortReport, UntwistingsHaveATableOfTheirOwn) {
+TEST(CohortReport, UntwistingsHaveTheirOwnTable) {
   const ReportModel report = cohortReport(withUntwistings());
 
   const ReportTable* table = tableNamed(report, "table-untwistings");
@@ -370,18 +370,18 @@ TEST(CohortReport, UntwistingsHaveATableOfTheirOwn) {
   EXPECT_EQ(tableNamed(cohortReport(demonstrationCohort()), "table-untwistings"), nullptr);
 }
 
-TEST(CohortReport, UntwistingsEnterNeitherTheLearningOfTwistsNorTheirTable) {
+TEST(CohortReport, UntwistingsAreExcludedFromTheLearningOfTwistsAndItsTable) {
   const ReportModel with = cohortReport(withUntwistings());
   const ReportModel without = cohortReport(demonstrationCohort());
 
-  EXPECT_EQ(with.sections.size(), without.sections.size());  // no section about learning because of them
+  EXPECT_EQ(with.sections.size(), without.sections.size());  // they add no section about learning
   const ReportTable* trials = tableNamed(with, "table-trials");
   ASSERT_NE(trials, nullptr);
   EXPECT_EQ(trials->rows.size(), tableNamed(without, "table-trials")->rows.size());
   EXPECT_EQ(trials->provenance.n, tableNamed(without, "table-trials")->provenance.n);
 }
 
-TEST(CohortReport, ACohortThatOnlyUndoesOrgansHasNoTableOfTwists) {
+TEST(CohortReport, ACohortWithUntwistingsOnlyHasNoTableOfTwists) {
   CohortInputs in = withUntwistings();
   std::erase_if(in.trials, [](const TrialSummaryRow& trial) { return trial.detorsion.empty(); });
 

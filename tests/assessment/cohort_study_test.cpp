@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the report makes of the marks of the training study: agreement, comparison, missing marks.
+// Report sections from the marks of the training study: agreement, comparison, missing marks.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,7 +27,7 @@ using testing::losing;
 using testing::paragraphsOf;
 using testing::tableNamed;
 
-TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
+TEST(CohortReport, ComparesGroupsAndRatersIfThereAreMarks) {
   const CohortInputs in = demonstrationCohort();
   const ReportModel report = cohortReport(in);
   const auto section =
@@ -55,7 +55,7 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
   }
 }
 
-TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
+TEST(CohortReport, HasTheStatisticiansAdditions) {
   CohortInputs in = demonstrationCohort();
   in.trials[0].attempts = {{8.0, false}, {3.0, true}, {2.0, true}};
   const ReportModel report = cohortReport(in);
@@ -80,14 +80,14 @@ TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
   for (const auto& offset : severity->series[0].y) {
     sum += *offset;
   }
-  EXPECT_NEAR(sum, 0.0, 1e-12);  // complete marks: what one rater is above, the others are below
+  EXPECT_NEAR(sum, 0.0, 1e-12);  // complete marks: the raters' offsets cancel
   ASSERT_NE(figureNamed(report, "figure-bland-altman"), nullptr);
   for (const char* id : {"figure-courses-1", "figure-courses-2", "figure-courses-3", "figure-classes"}) {
     EXPECT_NE(figureNamed(report, id), nullptr) << id;
   }
 }
 
-TEST(CohortReport, SaysWhoseLearningHasACurveAndWhyNot) {
+TEST(CohortReport, ListsLearningCurvesAndWhyOthersAreMissing) {
   CohortInputs in = demonstrationCohort();
   TrialSummaryRow straight = in.trials[0];
   straight.trainee = "x102";
@@ -105,7 +105,7 @@ TEST(CohortReport, SaysWhoseLearningHasACurveAndWhyNot) {
   EXPECT_THAT(learning->notes.back().str(), ::testing::HasSubstr("fitted to 1 of 2 trainees"));
 }
 
-TEST(CohortReport, SaysHowManyRatersAreNeededAndWhatEachGroupGained) {
+TEST(CohortReport, ReportsTheRatersNeededAndEachGroupsGain) {
   const CohortInputs in = demonstrationCohort();
   const StudyAnalysis study = analyseStudy(in);
   const ReportModel report = cohortReport(in);
@@ -131,7 +131,7 @@ TEST(CohortReport, SaysHowManyRatersAreNeededAndWhatEachGroupGained) {
   EXPECT_EQ(within->rows.at(0).at(4), "0.002");  // 2 / 2^10
 }
 
-TEST(CohortReport, OneMissingMarkTakesNothingOut) {
+TEST(CohortReport, OneMissingMarkExcludesNobody) {
   const std::string whose = demonstrationCohort().trainingMarks.back().trainee;
   const std::string by = demonstrationCohort().trainingMarks.back().rater;
   const CohortInputs in = losing([&](const TrainingMark& mark) {
@@ -149,7 +149,7 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
     }
   }
   const ReportTable& agreement = *tableNamed(report, "table-agreement");
-  ASSERT_EQ(agreement.rows.size(), 4U);  // the last occasion has a second line
+  ASSERT_EQ(agreement.rows.size(), 4U);  // the last occasion has a second row
   EXPECT_EQ(agreement.rows[2][1].str(), "29");
   EXPECT_EQ(agreement.rows[3][1].str(), "30");
   EXPECT_EQ(agreement.provenance.missing, 1);
@@ -163,7 +163,7 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
   ASSERT_NE(figureNamed(report, "figure-differences"), nullptr);
   EXPECT_EQ(figureNamed(report, "figure-differences")->series.size(), 2U);
 
-  // The first page answers by the comparison that is primary.
+  // The first page answers with the primary comparison.
   const ReportSection& board = report.sections.front();
   EXPECT_EQ(board.figures[0].series[0].y, figureNamed(report, "figure-differences")->series[0].y);
   EXPECT_THAT(board.figures[0].provenance.formula.str(), ::testing::HasSubstr("mixed model"));
@@ -171,7 +171,7 @@ TEST(CohortReport, OneMissingMarkTakesNothingOut) {
   EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("Of 600 marks 1 is missing, so the answer"));
 }
 
-TEST(CohortReport, ARaterWhoIsMissingAsAWholeIsSaidAndTakesNoAgreementOut) {
+TEST(CohortReport, ACompletelyMissingRaterIsReportedAndCostsNoAgreement) {
   const std::string by = demonstrationCohort().trainingMarks.back().rater;
   const CohortInputs in =
       losing([&](const TrainingMark& mark) { return mark.rater == by && mark.occasion == 2; });
@@ -194,7 +194,7 @@ TEST(CohortReport, ARaterWhoIsMissingAsAWholeIsSaidAndTakesNoAgreementOut) {
   EXPECT_THAT(raters.front()[3].str(), ::testing::HasSubstr(" to "));
 }
 
-TEST(CohortReport, MethodsNameTheComparisonThatIsUsed) {
+TEST(CohortReport, MethodsNameTheComparisonInUse) {
   EXPECT_THAT(paragraphsOf(cohortReport(demonstrationCohort())),
               ::testing::HasSubstr("Groups are compared by an analysis of covariance"));
   const TrainingMark lost = demonstrationCohort().trainingMarks.back();
@@ -214,7 +214,7 @@ TEST(CohortReport, LabelsTheIntervalsOfTheAnswer) {
   EXPECT_THAT(board.figures[0].notes.at(0).str(), ::testing::HasSubstr("not adjusted"));
 }
 
-TEST(CohortReport, NamesWhoIsLeftOutByCode) {
+TEST(CohortReport, NamesExcludedPeopleByCode) {
   const std::string whose = demonstrationCohort().trainees[3].code;
   CohortInputs in =
       losing([&](const TrainingMark& mark) { return mark.trainee == whose && mark.occasion == 2; });
@@ -232,7 +232,7 @@ TEST(CohortReport, NamesWhoIsLeftOutByCode) {
   EXPECT_EQ(figureNamed(aggregated, "figure-residuals"), nullptr);
 }
 
-TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
+TEST(CohortReport, DifferentSlopesAreAnalysedSeparately) {
   CohortInputs in = demonstrationCohort();
   EXPECT_EQ(tableNamed(cohortReport(in), "table-slopes"), nullptr);
   std::map<std::string, double> before;
@@ -241,7 +241,7 @@ TEST(CohortReport, SlopesThatDifferAreAnalysedAsWell) {
       before[score.trainee] = score.score;
     }
   }
-  for (TrainingMark& mark : in.trainingMarks) {  // the first group: whoever was bad before is good at the end
+  for (TrainingMark& mark : in.trainingMarks) {  // in the first group low scores become high and vice versa
     if (mark.group == 0 && mark.occasion == 2) {
       mark.steps = std::clamp<std::int64_t>(90 - static_cast<std::int64_t>(8.0 * before[mark.trainee]) +
                                                 static_cast<std::int64_t>(mark.rater.back() % 3),
@@ -276,7 +276,7 @@ TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
       marks[{mark.trainee, mark.occasion}] = mark.steps;
     }
   }
-  for (TrainingMark& mark : in.trainingMarks) {  // all give what the first gives, but within the same point
+  for (TrainingMark& mark : in.trainingMarks) {  // all give what the first gives, within the same point
     const std::int64_t whole = marks.at({mark.trainee, mark.occasion}) / 10 * 10;
     mark.steps = std::clamp(whole + (mark.rater == first ? 0 : 4), in.trainingScale.lo, in.trainingScale.hi);
   }
@@ -287,7 +287,7 @@ TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
   EXPECT_EQ(tableNamed(alike, "table-kappa")->rows[0][4].str(), "100 %");
 }
 
-TEST(CohortReport, TestsEquivalenceWithTheMarginOfThePlanAndWithoutOneSaysSo) {
+TEST(CohortReport, TestsEquivalenceWithThePlannedMarginOrSaysThatThereIsNone) {
   CohortInputs in = demonstrationCohort();
   EXPECT_EQ(tableNamed(cohortReport(in), "table-equivalence"), nullptr);
   EXPECT_THAT(paragraphsOf(cohortReport(in)), ::testing::HasSubstr("No margin was planned"));
@@ -324,7 +324,7 @@ TEST(CohortReport, ShowsTheResidualsOfTheComparison) {
     double sum = 0.0;
     for (const FigureSeries& series : figure->series) {
       ASSERT_EQ(series.x.size(), series.y.size());
-      if (series.faint) {  // what they are held against
+      if (series.faint) {  // the reference line
         EXPECT_EQ(series.x.front(), *series.y.front());
         continue;
       }

@@ -13,12 +13,12 @@
 namespace torsio {
 namespace {
 
-/// Simulated trainees who make so many attempts each.
+/// Number of simulated trainees for attempts of this number.
 int traineesFor(std::int64_t count) {
   return static_cast<int>(200'000 / count);
 }
 
-/// Attempts of somebody who fails at this rate.
+/// Attempts of a trainee with this failure rate.
 std::vector<bool> attempts(Random& random, double failureRate, std::int64_t count) {
   std::vector<bool> failed;
   for (std::int64_t i = 0; i < count; ++i) {
@@ -27,7 +27,7 @@ std::vector<bool> attempts(Random& random, double failureRate, std::int64_t coun
   return failed;
 }
 
-/// Share of simulated trainees who are declared able within `count` attempts.
+/// Share of simulated trainees declared competent within `count` attempts.
 double declaredAble(const CompetenceDesign& design, double failureRate, std::int64_t count) {
   Random random(20251121);
   const int trainees = traineesFor(count);
@@ -53,7 +53,7 @@ CompetenceDesign designOf(double adequate, double inadequate, std::int64_t count
   return plannedCompetence(design);
 }
 
-TEST(Competence, SimulatedErrorRatesMeetThePrintedOnes) {
+TEST(Competence, SimulatedErrorRatesMatchThePrintedOnes) {
   for (const CompetenceDesign& design :
        {shippedCompetence("m", radians(5.0)), designOf(0.1, 0.4, 30, 0.05), designOf(0.05, 0.2, 100, 0.01)}) {
     const CompetenceErrors errors = competenceErrors(design, design.attempts);
@@ -65,7 +65,7 @@ TEST(Competence, SimulatedErrorRatesMeetThePrintedOnes) {
   }
 }
 
-/// Share of simulated trainees who are held able after `count` attempts.
+/// Share of simulated trainees who count as competent after `count` attempts.
 double stillAble(const CompetenceDesign& design, double failureRate, std::int64_t count) {
   Random random(20251122);
   const int trainees = traineesFor(count);
@@ -76,36 +76,36 @@ double stillAble(const CompetenceDesign& design, double failureRate, std::int64_
   return static_cast<double>(able) / trainees;
 }
 
-TEST(Competence, AFalseAlarmOfTheWatchIsToldAsWell) {
+TEST(Competence, FalseAlarmsOfTheRelapseMonitoringAreReportedToo) {
   for (const std::int64_t count : {50, 200}) {
     const CompetenceDesign design = shippedCompetence("m", radians(5.0));
     const CompetenceErrors errors = competenceErrors(design, count);
     const double lost = errors.falseFail + errors.falseAlarm;
     EXPECT_NEAR(1.0 - stillAble(design, design.adequate, count), lost, bound(lost, count)) << count;
   }
-  // Whoever is able and goes on is always found so once, and at any time one in 27 is not held to be.
+  // Every competent trainee is eventually declared so, but at any time one in 27 is under a false alarm.
   EXPECT_LT(competenceErrors(shippedCompetence("m", 0.1), 500).falseFail, 1e-8);
   EXPECT_NEAR(competenceErrors(shippedCompetence("m", 0.1), 200).falseAlarm, 0.0367, 5e-5);
   EXPECT_NEAR(competenceErrors(shippedCompetence("m", 0.1), 5000).falseAlarm,
               competenceErrors(shippedCompetence("m", 0.1), 1000).falseAlarm, 1e-9);
 }
 
-TEST(Competence, TheRatesThatAreToldBelongToTheAttemptsThatWereMade) {
+TEST(Competence, TheReportedRatesAreThoseOfTheAttemptsMade) {
   const CompetenceDesign design = shippedCompetence("m", radians(5.0));
   const CompetenceVerdict few = judgeCompetence(design, std::vector<bool>(10, true));
   const CompetenceVerdict many = judgeCompetence(design, std::vector<bool>(200, true));
 
   EXPECT_EQ(few.errors.attempts, design.attempts);
   EXPECT_EQ(many.errors.attempts, 200);
-  EXPECT_GT(many.errors.falsePass, few.errors.falsePass);  // who tries longer passes more easily
+  EXPECT_GT(many.errors.falsePass, few.errors.falsePass);  // more attempts make passing easier
   EXPECT_NEAR(declaredAble(design, design.inadequate, 200), many.errors.falsePass,
               bound(many.errors.falsePass, 200));
 }
 
-// The limits and rates of the shipped design by an independent enumeration of all sums.
+// Limits and rates of the shipped design from an independent enumeration of all sums.
 TEST(Competence, TheShippedDesignKeepsBothOfItsRates) {
   const CompetenceDesign design = plannedCompetence(shippedCompetence("m", radians(5.0)));
-  EXPECT_EQ(design, shippedCompetence("m", radians(5.0)));  // its limit is the one that is chosen for it
+  EXPECT_EQ(design, shippedCompetence("m", radians(5.0)));  // its limit is the chosen one
   const CompetenceErrors errors = competenceErrors(design, design.attempts);
   EXPECT_NEAR(errors.falsePass, 0.0491, 5e-5);
   EXPECT_NEAR(errors.falseFail, 0.094, 5e-4);
@@ -113,7 +113,7 @@ TEST(Competence, TheShippedDesignKeepsBothOfItsRates) {
   EXPECT_EQ(fewestForAble(design), 17U);
 }
 
-TEST(Competence, DesignsThatBreakTheirPromiseAreRefused) {
+TEST(Competence, DesignsThatMissTheirRatesAreRejected) {
   const auto refused = [](auto change) {
     CompetenceDesign design = shippedCompetence("m", radians(5.0));
     change(design);
@@ -127,8 +127,8 @@ TEST(Competence, DesignsThatBreakTheirPromiseAreRefused) {
   refused([](CompetenceDesign& d) { d.attempts = kMaxCompetenceAttempts + 1; });
   refused([](CompetenceDesign& d) { d.falsePassMost = 1.0; });
   refused([](CompetenceDesign& d) { d.tolerance_rad = 0.0; });
-  refused([](CompetenceDesign& d) { d.attempts = 2; });  // two attempts can show nobody with 5 %
-  // Rates of the old report within 50 attempts: half of the able would not pass.
+  refused([](CompetenceDesign& d) { d.attempts = 2; });  // two attempts cannot suffice at 5 %
+  // Rates of an earlier report within 50 attempts: half of the competent would not pass.
   CompetenceDesign weak = shippedCompetence("m", radians(5.0));
   weak.inadequate = 0.2;
   const CompetencePreview preview = previewOfCompetence(weak);
@@ -137,7 +137,7 @@ TEST(Competence, DesignsThatBreakTheirPromiseAreRefused) {
   EXPECT_THROW(requireFalseFailKept(preview.design), Error);
 }
 
-TEST(Competence, ADesignCountsForThoseWhoBeginAfterIt) {
+TEST(Competence, ADesignAppliesToThoseWhoBeginAfterIt) {
   const CompetenceDesign shipped = shippedCompetence("m", 0.1);
   std::vector<CompetenceDesign> registered(2, shipped);
   registered[0].version = 1;
@@ -166,7 +166,7 @@ TEST(Competence, AnAttemptIsATwistWithinTheToleranceOrAWholeUntwisting) {
 
   EXPECT_EQ(failedAttempts(design, std::vector<CompetenceRun>{run, rough, undone}),
             (std::vector<bool>{false, true, true, true, false}));
-  design.tolerance_rad = radians(3.0);  // wider than the exercise's own
+  design.tolerance_rad = radians(3.0);  // wider than the exercise's
   EXPECT_EQ(failedAttempts(design, std::vector<CompetenceRun>{run}), (std::vector<bool>{false, false}));
 }
 

@@ -90,7 +90,7 @@ TEST(MixedAnova, AgreesOnUnbalancedGroupsForBothTypes) {
 }
 
 // R: car::Anova(lm(cbind(a, b, c) ~ g), idata, ~t, type = 3) with contr.sum; groups of 1, 5 and 4.
-TEST(MixedAnova, TakesAGroupOfOneTrainee) {
+TEST(MixedAnova, AcceptsAGroupOfOneTrainee) {
   const NumberTable one({{3, 5, 6}});
   const NumberTable five({{1, 3, 2}, {2, 2, 4}, {1, 4, 4}, {3, 3, 6}, {2, 5, 4}});
   const NumberTable fourth({{4, 4, 5}, {5, 6, 8}, {3, 6, 6}, {4, 7, 7}});
@@ -116,8 +116,8 @@ TEST(MixedAnova, NeedsNoMoreTraineesThanContrasts) {
       mixedAnova({NumberTable({{1, 3, 2, 5}, {2, 2, 4, 6}}), NumberTable({{3, 3, 5, 4}, {2, 5, 3, 6}})}));
 }
 
-TEST(MixedAnova, OfGainsThatDifferByRoundingOnlyIsUndefined) {
-  // Everybody of a group gains the same in decimals; as doubles the gains differ in the last bit.
+TEST(MixedAnova, OfGainsThatDifferOnlyByRoundingIsUndefined) {
+  // Within a group all decimal gains are equal; as doubles they differ in the last bit.
   const std::vector<NumberTable> groups = {NumberTable({{0.1, 10.1}, {0.2, 10.2}}),
                                            NumberTable({{0.1, 10.1}, {0.1, 10.1}}),
                                            NumberTable({{0.2, 10.1}, {0.2, 10.1}})};
@@ -128,8 +128,8 @@ TEST(MixedAnova, OfGainsThatDifferByRoundingOnlyIsUndefined) {
   EXPECT_FALSE(ancova(before, after));
 }
 
-TEST(MixedAnova, KeepsASmallErrorBesideLargeDifferencesBetweenTrainees) {
-  // Trainees lie a million apart, and what is left within them is a tenth: both are known.
+TEST(MixedAnova, PreservesASmallErrorBesideLargeDifferencesBetweenTrainees) {
+  // Trainees are a million apart, with residuals of a tenth: both are recovered.
   std::vector<std::vector<double>> rows;
   std::vector<std::vector<double>> near;
   const std::vector<std::vector<double>> left = {

@@ -25,12 +25,12 @@ DemonstrationPeople people() {
 
 const ScoreScale kOneToTen{10, 100, 10};
 
-TEST(DemonstrationTrainingMarks, ShowTheShapeOfThePaperForManySeeds) {
+TEST(DemonstrationTrainingMarks, FollowThePatternOfThePaperForManySeeds) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const std::vector<TrainingMark> marks = demonstrationTrainingMarks(kOneToTen, people(), seed);
     ASSERT_EQ(marks.size(), 900U);
     const std::vector<GroupSummary> s = groupSummaries(kOneToTen, marks);
-    // s[3 t + g]. Platform notes, row T10: alike before; 1 and 2 slightly above 3; then 2 clearly best, 1
+    // s[3 t + g]. Platform notes, row T10: equal before; 1 and 2 slightly above 3; then 2 clearly best, 1
     // above 3.
     EXPECT_NEAR(s[0].mean, s[1].mean, 0.35) << seed;
     EXPECT_NEAR(s[0].mean, s[2].mean, 0.35) << seed;
@@ -43,7 +43,7 @@ TEST(DemonstrationTrainingMarks, ShowTheShapeOfThePaperForManySeeds) {
   }
 }
 
-TEST(DemonstrationTrainingMarks, AreWholePointsOnTheScaleAndTheSameForTheSameSeed) {
+TEST(DemonstrationTrainingMarks, AreWholePointsOnTheScaleAndReproducible) {
   const std::vector<TrainingMark> one = demonstrationTrainingMarks(kOneToTen, people(), 7);
   const std::vector<TrainingMark> two = demonstrationTrainingMarks(kOneToTen, people(), 7);
   const std::vector<TrainingMark> other = demonstrationTrainingMarks(kOneToTen, people(), 8);
@@ -72,7 +72,7 @@ TEST(DemonstrationEvaluationMarks, RankTheModelsAndFillEverySheet) {
   }
 }
 
-TEST(DemonstrationRules, SayThatNoConclusionMayBeDrawn) {
+TEST(DemonstrationRules, StateThatNoConclusionMayBeDrawn) {
   EXPECT_THAT(demonstrationTrainingRule().str(), ::testing::HasSubstr("no conclusion about training"));
   EXPECT_THAT(demonstrationTrainingRule().str(), ::testing::HasSubstr("group 2: 1.7 and 4.1"));
   EXPECT_THAT(demonstrationEvaluationRule().str(), ::testing::HasSubstr("say nothing about any model"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recorded untwisting: what of its samples is read, and where it goes on from there.
+// Measurements of a recorded untwisting.
 #include <gtest/gtest.h>
 
 #include "assessment/attempt/attempt_measures.h"
@@ -10,7 +10,7 @@
 namespace torsio {
 namespace {
 
-/// Samples of an organ that came 200 degrees twisted, stage by stage, one a millisecond.
+/// Samples of an organ twisted by 200 degrees initially, built stage by stage, one per millisecond.
 class RecordedUntwisting {
  public:
   RecordedUntwisting() {
@@ -49,7 +49,7 @@ class RecordedUntwisting {
   Sample now_;
 };
 
-/// Gripped at 1 s, turned back to 0 in 2 s with a pull of 3 N, let go with the clip on, the clip taken off.
+/// Gripped at 1 s, turned to 0 in 2 s with a pull of 3 N, released with the clip on, clip removed.
 RecordedUntwisting undone() {
   RecordedUntwisting run;
   run.stage(ExercisePhase::kTracking, 1000, 200.0);
@@ -67,7 +67,7 @@ RecordedUntwisting undone() {
   return run;
 }
 
-TEST(RecordedDetorsion, IsMeasuredInPlaceOfTwists) {
+TEST(RecordedDetorsion, IsMeasuredInsteadOfTwists) {
   RecordedUntwisting run = undone();
   run.stage(ExercisePhase::kTracking, 10'000, 0.0);
 
@@ -96,8 +96,8 @@ TEST(RecordedDetorsion, IsMeasuredInPlaceOfTwists) {
   }
 }
 
-TEST(RecordedDetorsion, TheClipIsNotHandsOffUntilItIsTakenAway) {
-  // The clip goes off 10 s before the end, at 4.0 s: a millisecond less is not enough.
+TEST(RecordedDetorsion, HandsOffStartsWhenTheClipIsRemoved) {
+  // The clip is removed at 4.0 s, 10 s before the end: a millisecond less is not enough.
   RecordedUntwisting enough = undone();
   RecordedUntwisting tooFew = undone();
   enough.stage(ExercisePhase::kTracking, 10'000, 0.0);
@@ -108,7 +108,7 @@ TEST(RecordedDetorsion, TheClipIsNotHandsOffUntilItIsTakenAway) {
   EXPECT_FALSE(tooFew.measured().values.contains(Quantity::kResidual));
 }
 
-TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipEachTimeThatItIsPressedAtTheOrgan) {
+TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipOnEachPressAtTheOrgan) {
   // Pressed at the organ at 5 s, held for a second, pressed again at 17 s: clipped from 5 to 17 s.
   RecordedUntwisting run = undone();
   run.stage(ExercisePhase::kContact, 1000, 0.0);
@@ -124,7 +124,7 @@ TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipEachTimeThatItIsPressedAtTh
   EXPECT_EQ(run.measured().values.at(Quantity::kUntwisted), 1.0);
 }
 
-TEST(RecordedDetorsion, TheSecondButtonInTheAirClipsNothing) {
+TEST(RecordedDetorsion, TheSecondButtonAwayFromTheOrganDoesNothing) {
   RecordedUntwisting run = undone();
   run.stage(ExercisePhase::kTracking, 1000, 0.0);
   run.now().device.buttons = kButtonSecond;
@@ -133,7 +133,7 @@ TEST(RecordedDetorsion, TheSecondButtonInTheAirClipsNothing) {
   EXPECT_EQ(run.measured().values.at(Quantity::kUntwisted), 1.0);
 }
 
-TEST(RecordedSwitches, HeedAButtonOnlyWhenItIsPressedAnewAtTheOrgan) {
+TEST(RecordedSwitches, ReactOnlyToAPressAtTheOrgan) {
   RecordedSwitches switches;
   Sample sample;
   sample.phase = ExercisePhase::kContact;
@@ -151,7 +151,7 @@ TEST(RecordedSwitches, HeedAButtonOnlyWhenItIsPressedAnewAtTheOrgan) {
   EXPECT_TRUE(switches.clipped());
 }
 
-TEST(RecordedSwitches, ACommandWinsOverTheButtonOfItsTick) {
+TEST(RecordedSwitches, ACommandOverridesTheButtonOfItsTick) {
   RecordedSwitches switches;
   Sample sample;
   sample.phase = ExercisePhase::kTwisting;
@@ -165,7 +165,7 @@ TEST(RecordedSwitches, ACommandWinsOverTheButtonOfItsTick) {
   EXPECT_FALSE(switches.venting());
 }
 
-TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
+TEST(RecordedDetorsion, TheGripButtonClosesTheJawFully) {
   RecordedUntwisting run;
   run.now().device.buttons = kButtonGrip;
   run.stage(ExercisePhase::kTwisting, 100, 200.0);
@@ -173,7 +173,7 @@ TEST(RecordedDetorsion, TheButtonThatGripsClosesTheJawFully) {
   EXPECT_EQ(run.measured().values.at(Quantity::kPeakJaw), 400e3);
 }
 
-TEST(RecordedDetorsion, TheWayOutThatIsOpenedBeforeTheTurnCounts) {
+TEST(RecordedDetorsion, TheVentOpenedBeforeTheTurnCounts) {
   RecordedUntwisting run;
   run.stage(ExercisePhase::kTracking, 100, 200.0).command(ServoCommand::Kind::kVent, 1.0);
   run.stage(ExercisePhase::kTracking, 3001, 200.0).stage(ExercisePhase::kTwisting, 500, 100.0);
@@ -181,7 +181,7 @@ TEST(RecordedDetorsion, TheWayOutThatIsOpenedBeforeTheTurnCounts) {
   EXPECT_EQ(run.measured().values.at(Quantity::kVentedFirst), 1.0);
 }
 
-TEST(RecordedDetorsion, PassesWhenItIsUndoneUnlessARuleSaysMore) {
+TEST(RecordedDetorsion, PassesWhenUndoneUnlessARuleDemandsMore) {
   RecordedUntwisting run = undone();
   run.stage(ExercisePhase::kTracking, 10'000, 0.0);
   RecordedUntwisting notYet = undone();
@@ -203,7 +203,7 @@ TEST(RecordedDetorsion, IsCheckedForBeingUndoneAndForItsLoads) {
   run.stage(ExercisePhase::kTracking, 10'000, 0.0);
   AttemptRules rules = run.rules();
   rules.forceLimit_N = 2.0;
-  rules.hold_s = 5.0;  // of twists alone
+  rules.hold_s = 5.0;  // twists only
 
   const std::vector<TargetCheck> checks = judgeRun(run.measured().values, rules).checks;
 
@@ -231,7 +231,7 @@ TEST(RecordedDetorsion, MissingSamplesOrUnknownLimitsLeaveItUndefined) {
   EXPECT_EQ(judgeRun(gap.values, {}).outcome, RunOutcome::kNotJudged);
 }
 
-TEST(RecordedDetorsion, AnOrdinaryTwistKnowsNoneOfItsMetrics) {
+TEST(RecordedDetorsion, AnOrdinaryTwistHasNoneOfItsMetrics) {
   RecordedUntwisting run = undone();
   for (Sample& sample : run.samples) {
     sample.rules = 1;

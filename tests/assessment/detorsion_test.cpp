@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An untwisting written down tick by tick, and what it comes to, worked out by hand.
+// An untwisting built tick by tick, with metrics calculated by hand.
 #include "assessment/metrics/detorsion.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace torsio {
 namespace {
 
-/// Ticks written down stage by stage, one a millisecond; angles in degrees.
+/// Ticks built stage by stage, one per millisecond; angles in degrees.
 class Untwisting {
  public:
   explicit Untwisting(double start_deg) {
@@ -21,7 +21,7 @@ class Untwisting {
     now_.patency = 0.3;
   }
 
-  /// What holds from here on.
+  /// State from here on.
   DetorsionTick& now() { return now_; }
   Untwisting& hand(bool holds) {
     now_.held = holds;
@@ -36,7 +36,7 @@ class Untwisting {
     now_.patency = patency;
     return *this;
   }
-  /// Lets `count` ticks pass and turns evenly to an angle, reached with the last of them.
+  /// Adds `count` ticks with an even turn to an angle, reached by the last of them.
   Untwisting& turnTo(double angle_deg, int count) {
     const double from_rad = now_.angle_rad;
     for (int i = 1; i <= count; ++i) {
@@ -68,8 +68,8 @@ class Untwisting {
   DetorsionTick now_;
 };
 
-/// Comes 200 degrees to the left or right, is turned to 40 in one grip of 2 s, clipped, gripped again, turned
-/// to 10 and let go; blood comes back 1 s before the end of the first turn.
+/// Starts at 200 degrees left or right, is turned to 40 in one grip of 2 s, clipped, gripped again, turned to
+/// 10 and released; blood returns 1 s before the end of the first turn.
 Untwisting rightWay(double sign) {
   Untwisting run(sign * 200.0);
   run.pass(1000).hand(true).turnTo(sign * 120.0, 1000).blood(0.6, 0.9).turnTo(sign * 40.0, 1000);
@@ -78,7 +78,7 @@ Untwisting rightWay(double sign) {
   return run;
 }
 
-TEST(Detorsion, DoneByTheBookCountsTheSameOnBothSides) {
+TEST(Detorsion, ACorrectRunMeasuresTheSameOnBothSides) {
   for (const double sign : {1.0, -1.0}) {
     Untwisting run = rightWay(sign);
     run.pass(10'000);
@@ -100,8 +100,8 @@ TEST(Detorsion, DoneByTheBookCountsTheSameOnBothSides) {
   }
 }
 
-TEST(Detorsion, AFirstTurnTheWrongWayIsSeenAndMeasured) {
-  // 200 degrees are turned on to 260, by 20 in a first grip and 40 in a second: the first 15 decide.
+TEST(Detorsion, AnInitialTurnInTheWrongDirectionIsMeasured) {
+  // 200 degrees become 260, by 20 in a first grip and 40 in a second: the first 15 decide.
   Untwisting run(200.0);
   run.pass(10).hand(true).turnTo(220.0, 100).hand(false).pass(100).hand(true).turnTo(260.0, 100);
   run.turnTo(0.0, 500);
@@ -112,8 +112,8 @@ TEST(Detorsion, AFirstTurnTheWrongWayIsSeenAndMeasured) {
   EXPECT_NEAR(*got.at(Quantity::kWrongWay), radians(60.0), 1e-12);
 }
 
-TEST(Detorsion, SeveralSmallTurnsChooseADirectionTogetherAndWhatTurnsByItselfDoesNot) {
-  // Held turns of 10 degrees each towards 0; between them the organ slips back by 12 unheld.
+TEST(Detorsion, SmallHeldTurnsAddUpToADirectionAndFreeTurnsDoNot) {
+  // Held turns of 10 degrees each towards 0; between them the organ slips back by 12 while free.
   Untwisting run(200.0);
   run.pass(10).hand(true).pass(1).turnTo(190.0, 100).hand(false).turnTo(202.0, 100);
   const Untwisting once = run;
@@ -123,7 +123,7 @@ TEST(Detorsion, SeveralSmallTurnsChooseADirectionTogetherAndWhatTurnsByItselfDoe
   EXPECT_EQ(*run.measured().at(Quantity::kFirstDirection), 1.0);
 }
 
-TEST(Detorsion, WhatSlipsBackBetweenTwoGripsAddsUp) {
+TEST(Detorsion, SlippingBackBetweenGripsAddsUp) {
   // From 200 to 150, back to 165 before the next grip (15); to 100, 95 at the next (0); to 80, back to 100,
   // not gripped again. Releases at 150, 100 and 80, all above 30 degrees.
   Untwisting run(200.0);
@@ -137,7 +137,7 @@ TEST(Detorsion, WhatSlipsBackBetweenTwoGripsAddsUp) {
   EXPECT_EQ(*got.at(Quantity::kRegrips), 3.0);
 }
 
-TEST(Detorsion, WhatALostDeviceLetsGoOfIsNoRegrip) {
+TEST(Detorsion, AReleaseByALostDeviceIsNoRegrip) {
   Untwisting run(200.0);
   run.pass(10).hand(true).turnTo(150.0, 100);
   run.now().handGone = true;
@@ -146,7 +146,7 @@ TEST(Detorsion, WhatALostDeviceLetsGoOfIsNoRegrip) {
   EXPECT_EQ(*run.measured().at(Quantity::kRegrips), 0.0);
 }
 
-TEST(Detorsion, BloodThatNeverComesBackLeavesItsTimesUndefined) {
+TEST(Detorsion, IfBloodNeverReturnsItsTimesAreUndefined) {
   // .5 for 4.999 s is not 5 s.
   Untwisting run(200.0);
   run.pass(2000).blood(0.5, 0.5).pass(4999).blood(0.49, 0.5);
@@ -164,7 +164,7 @@ TEST(Detorsion, BloodThatNeverComesBackLeavesItsTimesUndefined) {
   EXPECT_EQ(*atLast.at(Quantity::kDoseAtFlow), 0.4);
 }
 
-TEST(Detorsion, WhatNeverLackedBloodHadItFromTheStart) {
+TEST(Detorsion, ATissueAlwaysSuppliedHasBloodFromTheStart) {
   Untwisting run(90.0);
   run.blood(0.99, 0.9).pass(6000);
 
@@ -184,7 +184,7 @@ TEST(Detorsion, ARelapseAfterSuccessIsBoth) {
   EXPECT_EQ(*less.measured().at(Quantity::kRelapse), 0.0);
 }
 
-TEST(Detorsion, AClipThatStaysIsNotHandsOff) {
+TEST(Detorsion, AnOrganWithTheClipOnIsNotHandsOff) {
   Untwisting run(200.0);
   run.pass(10).hand(true).turnTo(0.0, 1000).clip(true).hand(false).blood(1.0, 1.0).pass(20'000);
 
@@ -196,7 +196,7 @@ TEST(Detorsion, AClipThatStaysIsNotHandsOff) {
   EXPECT_FALSE(got.done_s);
 }
 
-TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndKnowsNoResidual) {
+TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndHasNoResidual) {
   Untwisting early = rightWay(1.0);
   early.pass(9'999);
 
@@ -207,12 +207,12 @@ TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndKnowsNoResidual) {
   EXPECT_EQ(*got.at(Quantity::kDose), 0.0);  // so far, all the same
 }
 
-TEST(Detorsion, WaitingAfterwardsBuysNoDose) {
+TEST(Detorsion, WaitingAfterwardsDoesNotReduceTheDose) {
   Untwisting run(200.0);
   run.pass(100);
   run.now().dose = 0.95;
   run.pass(100);
-  run.now().dose = 0.8;  // tissue that is fed recovers
+  run.now().dose = 0.8;  // supplied tissue recovers
   run.pass(100);
 
   EXPECT_EQ(*run.measured().at(Quantity::kDose), 0.95);
@@ -233,7 +233,7 @@ TEST(Detorsion, AngleLumenAndBloodMustAllBeRight) {
 }
 
 TEST(Detorsion, ATornOrganIsNotUndone) {
-  // A tick is enough: sound tissue tears at 660 kPa or 10 N, at a dose of .5 at three quarters of it.
+  // One tick is enough: sound tissue tears at 660 kPa or 10 N, at a dose of .5 at three quarters of that.
   const auto done = [](double jaw_Pa, double force_N, double dose) {
     Untwisting run(200.0);
     run.now().dose = dose;
@@ -253,11 +253,11 @@ TEST(Detorsion, ATornOrganIsNotUndone) {
   EXPECT_EQ(done(0.0, 7.6, 0.5), 0.0);
 }
 
-TEST(Detorsion, JawAndPullOverloadByTheTissueAsItFares) {
-  // Sound tissue bears 330 kPa and 10 N; at a dose of .5 three quarters of it, 247.5 kPa and 7.5 N.
+TEST(Detorsion, OverloadLimitsDependOnTheTissuesDose) {
+  // Sound tissue bears 330 kPa and 10 N; at a dose of .5 three quarters of that, 247.5 kPa and 7.5 N.
   Untwisting run(200.0);
   run.now().jaw_Pa = 400e3;
-  run.pass(100).hand(true).pass(20);  // only the second counts: 20 ms
+  run.pass(100).hand(true).pass(20);  // only the second interval counts: 20 ms
   run.now().jaw_Pa = 300e3;
   run.pass(30);  // less than 330
   run.now().dose = 0.5;
@@ -277,7 +277,7 @@ TEST(Detorsion, JawAndPullOverloadByTheTissueAsItFares) {
   EXPECT_FALSE(got.at(Quantity::kPeakShear));
 }
 
-TEST(Detorsion, TheWallsStressIsKnownWithTheSceneAlone) {
+TEST(Detorsion, TheWallsStressRequiresTheScene) {
   Untwisting run(200.0);
   run.now().shear_Pa = 4e3;
   run.pass(10);
@@ -290,7 +290,7 @@ TEST(Detorsion, TheWallsStressIsKnownWithTheSceneAlone) {
   EXPECT_FALSE(run.measured().at(Quantity::kPeakJaw));  // never held
 }
 
-TEST(Detorsion, LettingOutCountsOnlyBeforeTheTurn) {
+TEST(Detorsion, VentingCountsOnlyBeforeTheTurn) {
   Untwisting before(200.0);
   before.pass(10).hand(true).turnTo(190.0, 100);
   Untwisting after = before;
@@ -308,7 +308,7 @@ TEST(Detorsion, LettingOutCountsOnlyBeforeTheTurn) {
   EXPECT_FALSE(before.measured().at(Quantity::kVentedFirst));
 }
 
-TEST(Detorsion, AWayOutThatIsShutAtOnceLetsNothingOut) {
+TEST(Detorsion, AVentClosedAtOnceReleasesNothing) {
   const auto opened = [](int first, int second) {
     Untwisting run(200.0);
     run.pass(10).now().venting = true;
@@ -321,10 +321,11 @@ TEST(Detorsion, AWayOutThatIsShutAtOnceLetsNothingOut) {
 
   EXPECT_EQ(opened(1, 0), 0.0);
   EXPECT_EQ(opened(1500, 1499), 0.0);
-  EXPECT_EQ(opened(1500, 1500), 1.0);  // together two thirds have left
+  EXPECT_EQ(opened(1500, 1500), 1.0);  // together two thirds have escaped
 }
 
-// 720 degrees in two stages of 360, five minutes of rest between them; sixty seconds of the tissue a second.
+// 720 degrees in two stages of 360 with five minutes of rest between them; sixty seconds of tissue time per
+// second.
 constexpr TurnStages kWholeTurns{radians(360.0), 300.0};
 
 TEST(Detorsion, AnOrganThatRestsAfterAWholeTurnIsUndoneInStages) {
@@ -337,7 +338,7 @@ TEST(Detorsion, AnOrganThatRestsAfterAWholeTurnIsUndoneInStages) {
   EXPECT_EQ(*run.measured(rules).at(Quantity::kInStages), 1.0);
 }
 
-TEST(Detorsion, ARestThatIsTooShortOrInMotionBeginsNoStage) {
+TEST(Detorsion, AShortOrMovingRestStartsNoStage) {
   const DetorsionRules rules{.stages = kWholeTurns};
   Untwisting hasty(720.0);
   hasty.pass(1).hand(true).turnTo(365.0, 2000).pass(4900).turnTo(0.0, 2000);
@@ -349,7 +350,7 @@ TEST(Detorsion, ARestThatIsTooShortOrInMotionBeginsNoStage) {
   EXPECT_EQ(*slow.measured(rules).at(Quantity::kInStages), 0.0);
 }
 
-TEST(Detorsion, WhatTurnsBackMeanwhileBelongsToTheStage) {
+TEST(Detorsion, TurningBackDuringTheRestBelongsToTheStage) {
   const DetorsionRules rules{.stages = kWholeTurns};
   Untwisting run(400.0);
   run.pass(1).hand(true).turnTo(200.0, 1000).hand(false).turnTo(390.0, 1000).hand(true).turnTo(100.0, 1000);
@@ -357,7 +358,7 @@ TEST(Detorsion, WhatTurnsBackMeanwhileBelongsToTheStage) {
   EXPECT_NEAR(*run.measured(rules).at(Quantity::kLongestStage), radians(300.0), 1e-9);
 }
 
-TEST(Detorsion, StagesAreUndefinedWhereNoneAreAskedFor) {
+TEST(Detorsion, StagesAreUndefinedIfNoneAreRequired) {
   Untwisting run(720.0);
   run.hand(true).turnTo(0.0, 1000);
 
@@ -365,7 +366,7 @@ TEST(Detorsion, StagesAreUndefinedWhereNoneAreAskedFor) {
   EXPECT_FALSE(run.measured().at(Quantity::kLongestStage));
 }
 
-TEST(StagedTurn, IsDueBeforeAHandLeavesTheStageAndNoMoreOnceItHasRested) {
+TEST(StagedTurn, IsDueBeforeTheHandLeavesTheStageUntilItHasRested) {
   StagedTurn staged(kWholeTurns, 60.0);
   staged.take(0.0, radians(720.0));
   EXPECT_FALSE(staged.due());
@@ -382,10 +383,10 @@ TEST(StagedTurn, IsDueBeforeAHandLeavesTheStageAndNoMoreOnceItHasRested) {
   StagedTurn nearlyDone(kWholeTurns, 60.0);
   nearlyDone.take(0.0, radians(360.0));
   nearlyDone.take(1.0, radians(50.0));
-  EXPECT_FALSE(nearlyDone.due());  // what is left belongs to the same stage
+  EXPECT_FALSE(nearlyDone.due());  // the rest belongs to the same stage
 }
 
-TEST(Detorsion, AHandThatTurns155DegreesMustGripSoOftenAgain) {
+TEST(Detorsion, TheLeastNumberOfRegripsFollowsFromTurnsOf155Degrees) {
   EXPECT_EQ(leastRegrips(radians(90.0)), 0.0);
   EXPECT_EQ(leastRegrips(radians(155.0)), 0.0);
   EXPECT_EQ(leastRegrips(radians(180.0)), 1.0);
@@ -409,7 +410,7 @@ TEST(Detorsion, HasAValueOrAReasonForEachOfItsQuantities) {
   EXPECT_FALSE(got.at(Quantity::kFirstDirection));  // it did not come twisted
 }
 
-TEST(Detorsion, GapsAndStandingTimesAreRefused) {
+TEST(Detorsion, GapsAndRepeatedTimesAreRejected) {
   Untwisting run(200.0);
   run.pass(100);
   std::vector<DetorsionTick> gap = run.ticks;

@@ -57,7 +57,7 @@ double valueOf(const std::string& f, const std::vector<double>& a) {
   throw std::runtime_error("unknown function " + f);
 }
 
-TEST(Distributions, AgreeWithTheReferenceProgramsAndHighPrecisionValues) {
+TEST(Distributions, AgreeWithReferenceProgramsAndHighPrecisionValues) {
   const ReferenceCase c = referenceCase("distributions", "distributions");
   for (const nlohmann::json& row : c.expected) {
     const auto f = row.at("f").get<std::string>();
@@ -82,7 +82,7 @@ TEST(StudentizedRange, OfTwoMeansIsStudentsTForEveryDegreeOfFreedom) {
 }
 
 TEST(StudentizedRange, OfManyMeansWithFewDegreesOfFreedomKeepsItsDigits) {
-  // Both integrals over 0.05 wide panels of 20 points, without interpolation.
+  // Both integrals over panels of width 0.05 with 20 points, without interpolation.
   EXPECT_NEAR(StudentizedRange(60).upper(20.0, 1.7), 0.07592678434341313, 1e-12);
   EXPECT_NEAR(StudentizedRange(5).upper(10.0, 1.3), 0.12679881359947826, 1e-12);
   EXPECT_NEAR(StudentizedRange(3).upper(3.5, 1.0), 0.35987526963605143, 1e-12);
@@ -138,7 +138,7 @@ TEST(Bootstrap, AgreesWithTheEnumerationOfAllResamples) {
   expectInterval("bca", got->bca);
 }
 
-TEST(Bootstrap, RepeatsForTheSameSeedAndIsUndefinedForAConstant) {
+TEST(Bootstrap, IsReproducibleAndUndefinedForAConstant) {
   const std::vector<double> data = {1, 4, 2, 8, 5, 7};
   const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
     double sum = 0.0;
@@ -163,7 +163,7 @@ double medianOfRows(const std::vector<double>& data, std::span<const std::size_t
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-TEST(Bootstrap, OfValuesThatOnlyAResampleBringsUpIsUndefined) {
+TEST(Bootstrap, OfValuesThatOverflowOnlyInAResampleIsUndefined) {
   const std::vector<double> data = {9, 4, -1e308,
                                     8};  // the median of all four, and of any three, is not huge
   const auto median = [&](std::span<const std::size_t> rows) { return medianOfRows(data, rows); };
@@ -205,7 +205,7 @@ TEST(Jackknife, AgreesOnTheLawSchoolData) {
   EXPECT_TRUE(matches(got->acceleration, c.expected.at("a").get<double>(), c.tolerance));
 }
 
-TEST(NoncentralityOfT, IsOneCurveAcrossItsTwoFormulas) {
+TEST(NoncentralityOfT, IsContinuousAcrossItsTwoFormulas) {
   for (const double df : {3.0, 18.0, 200.0}) {
     for (const double p : {0.025, 0.975}) {
       const double below = noncentralityOfT(4'999.0, df, p);
@@ -214,7 +214,7 @@ TEST(NoncentralityOfT, IsOneCurveAcrossItsTwoFormulas) {
       EXPECT_NEAR(noncentralityOfT(-5'001.0, df, 1.0 - p), -above, 1e-9 * above);
     }
   }
-  EXPECT_GT(noncentralityOfT(1e16, 10.0, 0.025), 1e15);  // groups that hardly vary and lie far apart
+  EXPECT_GT(noncentralityOfT(1e16, 10.0, 0.025), 1e15);  // groups that hardly vary and are far apart
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ ModelRatings randomRatings(Random& random, const EvaluationInstrument& instrumen
   return ratings;
 }
 
-TEST(EvaluateModel, IsUnchangedByTheOrderOfRaters) {
+TEST(EvaluateModel, IsIndependentOfTheOrderOfRaters) {
   Random random(11);
   const EvaluationInstrument instrument = paperInstrument();
   ModelRatings ratings = randomRatings(random, instrument, {20, 10, 10});
@@ -49,7 +49,7 @@ TEST(EvaluateModel, IsUnchangedByTheOrderOfRaters) {
   }
 }
 
-TEST(EvaluateModel, ShiftsAndScalesAsItsFormulasDo) {
+TEST(EvaluateModel, ShiftsAndScalesLikeItsFormulas) {
   Random random(12);
   const EvaluationInstrument instrument = paperInstrument();
   const ModelRatings ratings = randomRatings(random, instrument, {7, 5, 3});
@@ -78,7 +78,7 @@ TEST(EvaluateModel, ShiftsAndScalesAsItsFormulasDo) {
   }
 }
 
-TEST(EvaluateModel, GivesPlainMeanAndVarianceWhenWeightsFollowTheClassSizes) {
+TEST(EvaluateModel, GivesPlainMeanAndVarianceIfWeightsFollowTheClassSizes) {
   Random random(13);
   EvaluationInstrument instrument = paperInstrument();
   instrument.classes[0].weight_milli = 500;
@@ -114,8 +114,8 @@ TEST(EvaluateModel, KeepsTheComprehensiveScoreBetweenTheIndicesAndEqualToTheComp
   }
 }
 
-TEST(EvaluateModel, StaysExactWhenTheClassSizesShareNoDivisor) {
-  // Class sizes 97, 89, 83: numerators pass 2^53 and the arbitrary-precision path takes over.
+TEST(EvaluateModel, StaysExactIfTheClassSizesShareNoDivisor) {
+  // Class sizes 97, 89, 83: numerators exceed 2^53, which takes the arbitrary-precision path.
   Random random(15);
   const EvaluationInstrument instrument = paperInstrument();
   const ModelRatings ratings = randomRatings(random, instrument, {97, 89, 83});
@@ -158,7 +158,7 @@ TEST(EvaluateModel, LeavesTheStandardErrorUndefinedForASingleRaterInAClass) {
   EXPECT_FALSE(same.indices[0].standardErrorDf.has_value());
 }
 
-TEST(EvaluateModel, IgnoresAClassOfWeightZeroUnlessAsked) {
+TEST(EvaluateModel, IgnoresAClassOfWeightZeroByDefault) {
   Random random(17);
   EvaluationInstrument instrument = paperInstrument();
   instrument.classes[0].weight_milli = 0;

@@ -40,15 +40,15 @@ EvaluationInstrument onlyIndex() {
   return instrument;
 }
 
-TEST(ResampledScore, IsTheMiddleOfWhatPanelsDrawnAnewGive) {
-  // Two raters who give 6 and 8: a panel drawn anew gives 6, 7 or 8 with chances 1/4, 1/2, 1/4, so the middle
-  // 95 % reach from 6 to 8, whatever a class of weight 0 says.
+TEST(ResampledScore, IsTheMiddleOfTheResampledPanels) {
+  // Two raters with 6 and 8: a resampled panel gives 6, 7 or 8 with probabilities 1/4, 1/2, 1/4, so the
+  // middle 95 % are 6 to 8, whatever a class of weight 0 says.
   const ScoreRange two = resampledScore(onlyIndex(), twoClasses({6, 8}, {1}), {.resamples = 2000, .seed = 3});
   EXPECT_EQ(two.lower, 6.0);
   EXPECT_EQ(two.upper, 8.0);
 
-  // Forty who give 4 and forty who give 6: the mean of 80 has the standard error 1 / sqrt(80) = 0.1118, so
-  // 5 -+ 1.96 x 0.1118 = 4.78 and 5.22, to a mark of 0.025 and the error of 20,000 draws.
+  // Forty with 4 and forty with 6: the mean of 80 has standard error 1 / sqrt(80) = 0.1118, so 5 -+ 1.96 x
+  // 0.1118 = 4.78 and 5.22, up to a mark of 0.025 and the error of 20,000 draws.
   std::vector<double> many(40, 4.0);
   many.resize(80, 6.0);
   const ScoreRange wide = resampledScore(onlyIndex(), twoClasses(many, {}), {.resamples = 20'000});
@@ -56,9 +56,9 @@ TEST(ResampledScore, IsTheMiddleOfWhatPanelsDrawnAnewGive) {
   EXPECT_NEAR(wide.upper, 5.22, 0.03);
 }
 
-TEST(ResampledScore, TakesClassSizesWithoutACommonMultiple) {
-  // 97 x 101 x 103 panels share no denominator below a million; 31, 29 and 23 none whose squares fit a
-  // double.
+TEST(ResampledScore, SupportsClassSizesWithoutACommonMultiple) {
+  // 97 x 101 x 103 panels have no common denominator below a million; for 31, 29 and 23 its squares do not
+  // fit a double.
   for (const std::vector<int>& sizes : {std::vector<int>{97, 101, 103}, std::vector<int>{31, 29, 23}}) {
     EvaluationInstrument instrument = paperInstrument();
     instrument.indices.resize(1);
@@ -74,7 +74,7 @@ TEST(ResampledScore, TakesClassSizesWithoutACommonMultiple) {
     const double n = evaluateModel(instrument, ratings).n27;
     EXPECT_LT(range.lower, n);
     EXPECT_GT(range.upper, n);
-    // Marks of 4 and 6 in equal parts: the standard error of N is the root of the sum of w^2 / n.
+    // Equal numbers of 4 and 6: the standard error of N is the root of the sum of w^2 / n.
     double variance = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double weight = static_cast<double>(instrument.classes[c].weight_milli) / 1000.0;
@@ -84,7 +84,7 @@ TEST(ResampledScore, TakesClassSizesWithoutACommonMultiple) {
   }
 }
 
-TEST(ResampledScore, RefusesHolesAndEmptyClasses) {
+TEST(ResampledScore, RejectsMissingMarksAndEmptyClasses) {
   ModelRatings hole = twoClasses({6, 8}, {});
   hole.sheets[0].steps[0].reset();
   EXPECT_THROW((void)resampledScore(onlyIndex(), hole), Error);

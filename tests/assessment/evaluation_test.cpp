@@ -89,7 +89,7 @@ void expectStatistics(const ScoreStatistics& got, const nlohmann::json& expected
   EXPECT_NEAR(got.s2, got.populationVariance + shift * shift, 1e-12);
 }
 
-TEST(EvaluateModel, GivesExampleOneToTheLastDigit) {
+TEST(EvaluateModel, ReproducesExampleOneToTheLastDigit) {
   const ReferenceCase example = referenceCase("evaluation", "eq25_ex1");
   const EvaluationInstrument instrument = instrumentWith({1.0});
 
@@ -102,7 +102,7 @@ TEST(EvaluateModel, GivesExampleOneToTheLastDigit) {
   EXPECT_EQ(result.indices[0].classMeans[1].value(), 8.0);
 }
 
-TEST(EvaluateModel, GivesExampleTwoWithMissingMarksToTheLastDigit) {
+TEST(EvaluateModel, ReproducesExampleTwoWithMissingMarksToTheLastDigit) {
   const ReferenceCase example = referenceCase("evaluation", "eq25_ex2_missing");
   const EvaluationInstrument instrument = instrumentWith(test::numbers(example.input.at("index_weights")));
   nlohmann::json byClass;
@@ -140,7 +140,7 @@ TEST(EvaluateModel, GivesExampleTwoWithMissingMarksToTheLastDigit) {
   }
 }
 
-TEST(EvaluateModel, GivesAnotherCompositeForListWiseDeletionAndSaysSo) {
+TEST(EvaluateModel, ReportsAnotherCompositeForListWiseDeletion) {
   const ReferenceCase example = referenceCase("evaluation", "eq25_ex2_missing");
   const EvaluationInstrument instrument = instrumentWith({0.5, 0.3, 0.2});
   ModelRatings ratings{"PM", {}};
@@ -167,7 +167,7 @@ TEST(EvaluateModel, GivesAnotherCompositeForListWiseDeletionAndSaysSo) {
   EXPECT_THROW((void)evaluateModel(instrument, ratings, {.missing = MissingPolicy::kRefuse}), Error);
 }
 
-TEST(EvaluateModel, GivesExampleThreeToTheLastDigit) {
+TEST(EvaluateModel, ReproducesExampleThreeToTheLastDigit) {
   const ReferenceCase example = referenceCase("evaluation", "eq25_ex3_20_10_10");
   const EvaluationInstrument instrument = paperInstrument();
   const auto shifted = [&](int model) {
@@ -175,7 +175,7 @@ TEST(EvaluateModel, GivesExampleThreeToTheLastDigit) {
     for (const char* id : {"A", "B", "C"}) {
       for (std::size_t i = 0; i < byClass[id].size(); ++i) {
         for (std::size_t j = 0; j < 9; ++j) {
-          // The rule that the case states: FEM = b - 1 - (i + j) mod 2, MSM = b - 2 - (i + 2 j) mod 3.
+          // The rule stated by the case: FEM = b - 1 - (i + j) mod 2, MSM = b - 2 - (i + 2 j) mod 3.
           const int b = byClass[id][i][j].get<int>();
           const int rater = static_cast<int>(i) + 1;
           const int index = static_cast<int>(j) + 1;
@@ -212,7 +212,7 @@ TEST(EvaluateModel, GivesExampleThreeToTheLastDigit) {
   }
 }
 
-TEST(EvaluateModel, RefusesAnEmptyWeightedClassOrRenormalisesOnRequest) {
+TEST(EvaluateModel, RejectsAnEmptyWeightedClassOrRenormalisesOnRequest) {
   const ReferenceCase example = referenceCase("evaluation", "eq25_edge_empty_class");
   const EvaluationInstrument instrument = instrumentWith({1.0});
   const ModelRatings ratings = ratingsFrom(instrument, oneIndex(example.input));
@@ -231,7 +231,7 @@ TEST(EvaluateModel, RefusesAnEmptyWeightedClassOrRenormalisesOnRequest) {
   EXPECT_THAT(result.indices[0].flags, ::testing::Contains("renormalised"));
 }
 
-TEST(StepsFromText, AcceptsStepsOfTheScaleAndRefusesTheRest) {
+TEST(StepsFromText, AcceptsOnlyStepsOfTheScale) {
   const ScoreScale zeroToTen{0, 100, 10};
   const ScoreScale oneToTen{10, 100, 10};
 
@@ -271,7 +271,7 @@ TEST(StepsFromPoints, FollowsTheValidationTable) {
   }
 }
 
-TEST(GroupRatings, RefusesDuplicatesForeignClassesAndMarksOutsideTheScale) {
+TEST(GroupRatings, RejectsDuplicatesForeignClassesAndMarksOffTheScale) {
   const EvaluationInstrument instrument = paperInstrument();
   const EvaluationRating good{"PM", "r1", 0, 0, 70};
 

@@ -16,9 +16,9 @@
 
 namespace torsio::test {
 
-// What comparisons of groups are held against: data of the reference cases, and how their values are named.
+// Reference data of group comparisons, and the names of their values.
 
-/// Holds numbers against the values of a case by their names.
+/// Compares numbers with the named values of a case.
 struct Expect {
   const nlohmann::json& expected;
   double tolerance;
@@ -32,7 +32,7 @@ struct Expect {
   }
 };
 
-/// Holds a t test against a case of one.
+/// Compares a t test with a case.
 inline void expectTTest(const TTest& got, const Expect& expect) {
   expect.value("diff", got.difference);
   expect.value("se", got.error);
@@ -42,7 +42,7 @@ inline void expectTTest(const TTest& got, const Expect& expect) {
   expect.interval("ci", got.interval);
 }
 
-/// Holds an effect size with its intervals against a case.
+/// Compares an effect size and its intervals with a case.
 inline void expectHedges(const HedgesG& got, const Expect& expect) {
   expect.value("d", got.d);
   expect.value("J_exact", got.correction);
@@ -54,7 +54,7 @@ inline void expectHedges(const HedgesG& got, const Expect& expect) {
   expect.interval("g_ci_normal", got.normalInterval);
 }
 
-/// Holds a Mann-Whitney test against a case; scores are whole multiples of `unit`.
+/// Compares a Mann-Whitney test with a case; scores are multiples of `unit`.
 inline void expectMannWhitney(const MannWhitney& got, const Expect& expect, double unit = 1.0) {
   expect.value("U", got.u);
   expect.value("A12", got.superiority);
@@ -72,7 +72,7 @@ inline void expectMannWhitney(const MannWhitney& got, const Expect& expect, doub
   expect.value("hodges_lehmann", got.hodgesLehmann * unit);
 }
 
-/// Holds a Kruskal-Wallis test and the pairs after Dunn against a case.
+/// Compares a Kruskal-Wallis test and Dunn's pairs with a case.
 inline void expectKruskal(const KruskalWallis& got, const nlohmann::json& kw, const nlohmann::json& dunn,
                           double tolerance) {
   const Expect expect{kw, tolerance};

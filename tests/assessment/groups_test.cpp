@@ -30,7 +30,7 @@ using test::ReferenceCase;
 using test::referenceCase;
 using test::Sleep;
 
-TEST(MeanTests, OfNumbersWhoseSquaresAreNoneAreUndefinedAndSayWhy) {
+TEST(MeanTests, OfNumbersWhoseSquaresOverflowAreUndefinedWithAReason) {
   const std::vector<double> usual{1.0, 2.0, 4.0};
   const std::vector<double> huge{1e200, -1e200, 3e199};
   const std::vector<double> close{0.0, 5e-324, 1e-300};
@@ -46,7 +46,7 @@ TEST(MeanTests, OfNumbersWhoseSquaresAreNoneAreUndefinedAndSayWhy) {
 TEST(WelchT, AgreesOnTheSleepData) {
   const Sleep sleep;
   expectTTest(*welchT(sleep.x, sleep.y), {sleep.welch.expected, sleep.welch.tolerance});
-  // Student's test of the same data, R sleep.
+  // Student's test of the same data, R's sleep.
   EXPECT_NEAR(studentT(sleep.x, sleep.y)->p, 0.0791867142, 1e-10);
 }
 
@@ -67,7 +67,7 @@ TEST(HedgesG, AgreesOnTheSleepDataWithNoncentralIntervals) {
   const ReferenceCase c = referenceCase("groups", "hedges_sleep");
   const Outcome<HedgesG> got = hedgesG(sleep.x, sleep.y);
   expectHedges(*got, {c.expected, c.tolerance});
-  // Swapping the groups mirrors everything.
+  // Swapping the groups mirrors all values.
   const Outcome<HedgesG> mirrored = hedgesG(sleep.y, sleep.x);
   EXPECT_NEAR(mirrored->interval.lower, -got->interval.upper, 1e-10);
 }
@@ -86,10 +86,10 @@ TEST(TTests, AreUndefinedWithoutVariationOrValues) {
 }
 
 // R: t.test(x, y) stops with "data are essentially constant".
-TEST(MeanTests, OfGroupsThatVaryByRoundingOnlyAreUndefinedHoweverFarApartTheyAre) {
+TEST(MeanTests, OfGroupsThatVaryOnlyByRoundingAreUndefined) {
   const std::vector<double> ones = {1.0, 1.0, 1.0, 1.0000000000000002};
   const std::vector<double> millions = {1e6, 1e6, 1e6, 1e6 + 1e-10};
-  const std::vector<double> real = {1.0, 1.0, 1.0, 1.000000000001};  // a decimal beyond rounding
+  const std::vector<double> real = {1.0, 1.0, 1.0, 1.000000000001};  // one decimal beyond rounding
   EXPECT_EQ(welchT(ones, millions).reason(), Text::tr("the values do not vary"));
   EXPECT_EQ(studentT(ones, millions).reason(), Text::tr("the values do not vary"));
   EXPECT_FALSE(hedgesG(ones, millions));
@@ -101,7 +101,7 @@ TEST(MeanTests, OfGroupsThatVaryByRoundingOnlyAreUndefinedHoweverFarApartTheyAre
   EXPECT_EQ(welchAnova({real, ones}).reason(), Text::tr("a group does not vary"));
   EXPECT_EQ(bartlett({real, ones}).reason(), Text::tr("a group does not vary"));
   EXPECT_TRUE(welchT(real, ones));
-  EXPECT_GT(*sampleDeviation(ones), 0.0);  // a description keeps it
+  EXPECT_GT(*sampleDeviation(ones), 0.0);  // the description keeps it
 }
 
 TEST(OneWayAnova, AgreesOnThePlantData) {
@@ -162,7 +162,7 @@ TEST(PairComparisons, AgreeOnThePlantDataForEveryTest) {
     expect.value("tukey_p", (*tukey)[i].p);
     expect.value("games_howell_p", (*howell)[i].p);
     EXPECT_TRUE(matches((*tukey)[i].difference, hsd[i][0].get<double>(), tolerance));
-    // The printed bounds come from a quantile that R finds to about 1e-4 of its last step.
+    // The printed bounds use a quantile that R computes to about 1e-4 of its last step.
     EXPECT_NEAR((*tukey)[i].interval.lower, hsd[i][1].get<double>(), 2e-6);
     EXPECT_NEAR((*tukey)[i].interval.upper, hsd[i][2].get<double>(), 2e-6);
     const Outcome<PermutationTest> permutation = permutationTest(*asWholeNumbers(x), *asWholeNumbers(y));
@@ -185,7 +185,7 @@ TEST(AdjustedP, AgreesForAllMethods) {
   expectAll(adjustHochberg(p), "hochberg");
 }
 
-TEST(GroupTests, LeaveEmptyGroupsOutAndNameTheOthersByTheirNumber) {
+TEST(GroupTests, LeaveEmptyGroupsOutAndKeepTheNumbersOfTheOthers) {
   const Groups two = {{4.1, 5.2, 6.3, 5.5}, {6.0, 7.1, 7.9, 6.4}};
   const Groups four = {{}, two[0], {}, two[1]};
   EXPECT_EQ(oneWayAnova(four)->f, oneWayAnova(two)->f);
@@ -228,7 +228,7 @@ TEST(OneWayAnova, AgreesWithTheCertifiedValuesOfSiRstv) {
   expect.value("p", got->p);
 }
 
-TEST(SampleDeviation, SurvivesALargeOffset) {
+TEST(SampleDeviation, IsRobustToALargeOffset) {
   const ReferenceCase c = referenceCase("groups", "nist_numacc4");
   std::vector<double> values = {10000000.2};
   for (int i = 0; i < 500; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cohorts that a statistician would try a report with: every sentence true, every number one, every interval
-// with its level, and nothing lost that the data still give.
+// Cohorts with which a statistician would test a report: every sentence true, every number valid, every
+// interval with its level, and nothing omitted that the data still support.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -49,7 +49,7 @@ CohortInputs twoInAnArm() {
   return in;
 }
 
-/// The first class of raters counts nothing, the last one for it.
+/// The first class of raters has weight zero, transferred to the last one.
 CohortInputs aWeightOfZero() {
   CohortInputs in = testing::demonstrationCohort();
   in.instrument.classes[2].weight_milli += in.instrument.classes[0].weight_milli;
@@ -97,14 +97,14 @@ std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& s
   return found;
 }
 
-TEST(HostileCohort, NoNumberIsNoneNoPIsZeroAndEveryIntervalHasItsLevel) {
+TEST(HostileCohort, NumbersAreValidNoPIsZeroAndIntervalsHaveTheirLevel) {
   for (const auto& [name, in] : hostileCohorts()) {
     SCOPED_TRACE(name);
     testing::expectWellSaid(in);
   }
 }
 
-TEST(HostileCohort, AnArmThatDroppedOutIsNamedWithItsNumberAndTheOthersAreCompared) {
+TEST(HostileCohort, ADroppedArmIsNamedWithItsNumberAndTheOthersAreCompared) {
   const CohortInputs in = thirdArmDropsOut();
   const ReportModel report = cohortReport(in);
   for (const char* id : {"table-ancova", "table-mixed-model", "table-gains"}) {
@@ -126,11 +126,11 @@ TEST(HostileCohort, AnArmThatDroppedOutIsNamedWithItsNumberAndTheOthersAreCompar
   ASSERT_EQ(rowsNamed(in, "adjusted_difference").size(), 1U);
   EXPECT_EQ(rowsNamed(in, "adjusted_difference")[0].group, "Group 1 - Group 2");
   EXPECT_EQ(rowsNamed(in, "mixed_model_difference").size(), 1U);
-  // What the whole arm could have given is bounded: its trainees were there at the start.
+  // The whole arm's missing marks are bounded: its trainees were there at the start.
   EXPECT_EQ(rowsNamed(in, "bound_worst").size(), 3U);
 }
 
-TEST(HostileCohort, TwoGroupsAreComparedAsIfTheEmptyOneHadNeverBeen) {
+TEST(HostileCohort, TwoGroupsAreComparedAsIfTheEmptyOneDidNotExist) {
   const StudyAnalysis three = analyseStudy(thirdArmDropsOut());
   CohortInputs in = thirdArmDropsOut();
   std::erase_if(in.trainingMarks, [](const TrainingMark& mark) { return mark.group == 2; });
@@ -147,7 +147,7 @@ TEST(HostileCohort, TwoGroupsAreComparedAsIfTheEmptyOneHadNeverBeen) {
   EXPECT_NEAR(three.mixed->pairs.at(0).difference.value, two.ancova->pairs.at(0).difference, 1e-9);
 }
 
-TEST(HostileCohort, AMissingMarkIsCountedWhereGroupsAreSummed) {
+TEST(HostileCohort, AMissingMarkIsReportedInGroupSummaries) {
   const CohortInputs in = losing([](const TrainingMark& mark) {
     return mark.rater == "R104" && mark.occasion == 1 && (mark.trainee == "x101" || mark.trainee == "z103");
   });
@@ -160,14 +160,14 @@ TEST(HostileCohort, AMissingMarkIsCountedWhereGroupsAreSummed) {
   const std::vector<CohortCsvRow> rows = rowsNamed(in, "marks_missing_at_occasion");
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.value == "1"; }), 2);
-  // A trainee without any mark lacks as many as the others have.
+  // A trainee without marks lacks as many as the others have.
   const CohortInputs absent = losing([](const TrainingMark& mark) { return mark.trainee == "y105"; });
   const ReportModel withoutOne = cohortReport(absent);
   EXPECT_EQ(tableNamed(withoutOne, "table-training-summary")->provenance.missing, 30);
   EXPECT_THAT(textOfAll(absent), Not(HasSubstr("physicians scored every trainee")));
 }
 
-TEST(HostileCohort, ARaterOfOneArmIsNamedAsPartOfItsDifference) {
+TEST(HostileCohort, ARaterOfASingleArmIsNamedAsPartOfItsDifference) {
   const std::string said = textOfAll(oneRaterScoresOneArm());
   EXPECT_THAT(said, HasSubstr("R110"));
   EXPECT_THAT(said, HasSubstr("scored trainees of some groups only"));
@@ -182,26 +182,26 @@ TEST(HostileCohort, ScoresAtTheCeilingAreNotCalledAnExactCourse) {
   EXPECT_THAT(said, Not(HasSubstr("Groups are compared by")));
 }
 
-TEST(HostileCohort, OneGroupIsNotSaidToBeCompared) {
+TEST(HostileCohort, ASingleGroupIsNotSaidToBeCompared) {
   CohortInputs in = testing::demonstrationCohort();
   std::erase_if(in.trainingMarks, [](const TrainingMark& mark) { return mark.group > 0; });
   EXPECT_THAT(textOfAll(scored(std::move(in))), Not(HasSubstr("Groups are compared by")));
 }
 
-TEST(HostileCohort, WhatCanBeDetectedIsComputedFromTheGroups) {
+TEST(HostileCohort, TheDetectableDifferenceFollowsFromTheGroups) {
   const ReportModel report = cohortReport(testing::demonstrationCohort());
   const std::string said = report.sections.front().paragraphs.back().str();
   EXPECT_THAT(said, HasSubstr("1.32 standard deviations"));  // pwr.t.test(n = 10, power = 0.8)
   EXPECT_THAT(said, Not(HasSubstr("only large differences")));
 }
 
-TEST(HostileCohort, AClassOfWeightZeroIsSaidToCountNothing) {
+TEST(HostileCohort, AClassOfWeightZeroIsReportedAsNotCounting) {
   const std::string said = textOfAll(aWeightOfZero());
   EXPECT_THAT(said, HasSubstr("A class of weight 0 enters neither M nor s2"));
   EXPECT_THAT(textOfAll(testing::demonstrationCohort()), Not(HasSubstr("of weight 0 enters")));
 }
 
-TEST(HostileCohort, MarksAmendedAfterTheFreezeAreSaidOnTheFirstPage) {
+TEST(HostileCohort, MarksAmendedAfterTheFreezeAreReportedOnTheFirstPage) {
   std::string first;
   const ReportModel report = cohortReport(amendedAfterTheFreeze());
   for (const Text& paragraph : report.sections.front().paragraphs) {
@@ -213,7 +213,7 @@ TEST(HostileCohort, MarksAmendedAfterTheFreezeAreSaidOnTheFirstPage) {
   EXPECT_THAT(textOfAll(same), Not(HasSubstr("has changed since")));
 }
 
-TEST(HostileCohort, ARaterWithoutASheetForAModelIsNoRaterOfEveryModel) {
+TEST(HostileCohort, ARaterWithoutASheetForAModelIsNotARaterOfEveryModel) {
   CohortInputs in = testing::demonstrationCohort();
   EXPECT_THAT(textOfAll(in), HasSubstr("Each rater scored every model"));
   in.ratings[1].sheets.pop_back();
@@ -223,7 +223,7 @@ TEST(HostileCohort, ARaterWithoutASheetForAModelIsNoRaterOfEveryModel) {
   EXPECT_THAT(said, HasSubstr("9 marks are missing"));
 }
 
-TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIsLost) {
+TEST(HostileCohort, AMissingClassOfRatersIsNamedLineByLineAndNothingElseIsLost) {
   const CohortInputs in = aClassOfRatersIsMissing();
   const ReportModel report = cohortReport(in);
   const ReportTable* unscored = tableNamed(report, "table-evaluation-unscored");
@@ -234,7 +234,7 @@ TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIs
   const ReportTable* classes = tableNamed(report, "table-evaluation-classes");
   ASSERT_NE(classes, nullptr);
   EXPECT_EQ(classes->rows.size(), 9U);
-  // With all three classes M is the weighted sum of what each gives alone.
+  // With all three classes, M is the weighted sum of the single classes' values.
   const CohortInputs whole = testing::demonstrationCohort();
   EvaluationInstrument interns = whole.instrument;
   interns.classes[0].weight_milli = 1000;
@@ -251,7 +251,7 @@ TEST(HostileCohort, AClassOfRatersThatIsMissingIsNamedLineByLineAndNothingElseIs
   }
 }
 
-TEST(HostileCohort, AFourthOccasionTakesNoFigureOfThePaper) {
+TEST(HostileCohort, AFourthOccasionDoesNotReplaceAFigureOfThePaper) {
   CohortInputs in = testing::demonstrationCohort();
   in.occasions.push_back(Text::verbatim("after a month"));
   const std::vector<TrainingMark> before = in.trainingMarks;
@@ -275,7 +275,7 @@ TEST(HostileCohort, AFourthOccasionTakesNoFigureOfThePaper) {
   EXPECT_TRUE(ids.contains("figure-scores-4"));
 }
 
-TEST(HostileCohort, ACriterionThatNobodyCouldAssessIsNotSaidToHaveAMark) {
+TEST(HostileCohort, ACriterionThatNobodyCouldAssessHasNoMark) {
   CohortInputs in = testing::demonstrationCohort();
   in.criterionMarks.front().points.reset();
   EXPECT_THAT(textOfAll(in), HasSubstr("for each criterion that they could assess"));
@@ -283,7 +283,7 @@ TEST(HostileCohort, ACriterionThatNobodyCouldAssessIsNotSaidToHaveAMark) {
               HasSubstr("a mark for each criterion and an overall"));
 }
 
-TEST(HostileCohort, ADrawThatCannotBeRepeatedIsNotCalledChance) {
+TEST(HostileCohort, AnUnrepeatableDrawIsNotCalledRandom) {
   CohortInputs in = testing::demonstrationCohort();
   in.allocation.method = Text::verbatim("complete permutation");
   EXPECT_THAT(textOfAll(in), HasSubstr("any difference is due to chance"));
@@ -293,7 +293,7 @@ TEST(HostileCohort, ADrawThatCannotBeRepeatedIsNotCalledChance) {
   EXPECT_THAT(textOfAll(in), Not(HasSubstr("seed 0")));
 }
 
-TEST(HostileCohort, TheTableOfNumbersHoldsKappaDependabilityRaschAndGains) {
+TEST(HostileCohort, TheTableOfNumbersContainsKappaDependabilityRaschAndGains) {
   const CohortInputs in = testing::demonstrationCohort();
   EXPECT_EQ(rowsNamed(in, "kappa_quadratic_median").size(), 3U);
   EXPECT_EQ(rowsNamed(in, "share_same_point").size(), 3U);

@@ -126,7 +126,7 @@ TEST(AverageRunLength, AgreesInAndOutOfControl) {
                       c.expected.at("one_sided_h5").get<double>(), c.tolerance));
 }
 
-TEST(AverageRunLength, GrowsWithTheLimitUntilDoublePrecisionHasNoDigitsLeft) {
+TEST(AverageRunLength, GrowsWithTheLimitUpToDoublePrecision) {
   for (const double h : {8.0, 14.0, 20.0}) {
     const double away = h + 1.166;  // Siegmund (1985): (exp(2 k b) - 1 - 2 k b) / (2 k^2) for k = 1/2
     const double siegmund = 2.0 * (std::exp(away) - 1.0 - away);
@@ -134,7 +134,7 @@ TEST(AverageRunLength, GrowsWithTheLimitUntilDoublePrecisionHasNoDigitsLeft) {
   }
   EXPECT_FALSE(averageRunLengthOneSided(0.5, 40.0, 0.0));
   EXPECT_FALSE(averageRunLengthTwoSided(0.5, 100.0, 0.0));
-  EXPECT_NEAR(averageRunLengthOneSided(0.5, 100.0, 1.5).value(), 100.0, 3.0);  // drifts by 1 each value
+  EXPECT_NEAR(averageRunLengthOneSided(0.5, 100.0, 1.5).value(), 100.0, 3.0);  // drifts by 1 per value
 }
 
 std::vector<bool> outcomes(const nlohmann::json& list) {
@@ -157,7 +157,7 @@ TEST(BinaryCusum, AgreesWithTheSeries) {
   }
 }
 
-TEST(LcCusum, SignalsWhereTheSeriesSays) {
+TEST(LcCusum, SignalsWhereTheSeriesDoes) {
   const ReferenceCase c = referenceCase("learning", "cusum_binary_and_lc");
   const nlohmann::json& e = c.expected.at("lc_cusum");
   const LcCusum got = lcCusum(outcomes(c.input.at("outcomes_failure1")), {0.1, 0.2, 1.25});
@@ -177,7 +177,7 @@ TEST(LcCusumProbability, OfManyAttemptsIsThatOfARenewalProcess) {
   const double most = 1.0 - lcCusumProbability(design, 0.2, 2000);
 
   EXPECT_GT(some, more);
-  EXPECT_NEAR(most / more, more / some, 1e-9);  // who has not passed by then has forgotten the start
+  EXPECT_NEAR(most / more, more / some, 1e-9);  // by then the start no longer matters
   const double endless = 1.0 - lcCusumProbability({0.1, 0.2, 6.0}, 0.2, 20'000);
   EXPECT_NEAR(endless, std::pow(1.0 - lcCusumProbability({0.1, 0.2, 6.0}, 0.2, 10'000), 2), 0.01 * endless);
 }
@@ -253,12 +253,12 @@ TEST(ContrastingGroups, AgreesForTheNormalAndTheLogisticCut) {
   EXPECT_TRUE(matches(got->otherRoot.value(), c.expected.at("roots")[0].get<double>(), c.tolerance));
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(matches(got->logistic[i], c.expected.at("logit_coef")[i].get<double>(), c.tolerance));
-    // R stops its iteration at a relative change of 1e-8, which its standard errors show.
+    // R stops iterating at a relative change of 1e-8, which affects its standard errors.
     EXPECT_TRUE(matches(got->logisticErrors[i], c.expected.at("logit_se")[i].get<double>(), 1e-5));
   }
 }
 
-TEST(ContrastingGroups, HasNoLogisticCutWhenTheGroupsDoNotOverlap) {
+TEST(ContrastingGroups, HasNoLogisticCutIfTheGroupsDoNotOverlap) {
   const std::vector<double> novices = {1, 2, 3};
   const std::vector<double> masters = {11, 12, 14};
   EXPECT_FALSE(contrastingGroups(novices, masters)->cutLogistic.has_value());
@@ -275,8 +275,8 @@ TEST(Angoff, AgreesWithTheJudges) {
   EXPECT_TRUE(matches(*got->error, c.expected.at("se_judges").get<double>(), c.tolerance));
 }
 
-TEST(BorderlineRegression, ReadsTheScoreAtTheBorderlineRating) {
-  // Exact line: score = 10 + 12 x rating, with +-1 that is uncorrelated with the rating.
+TEST(BorderlineRegression, PredictsTheScoreAtTheBorderlineRating) {
+  // Exact line: score = 10 + 12 x rating, with +-1 uncorrelated with the rating.
   const std::vector<double> rating = {1, 1, 2, 2, 3, 3};
   const std::vector<double> score = {21, 23, 33, 35, 45, 47};
   const Outcome<BorderlineRegression> got = borderlineRegression(rating, score, 2.0);
@@ -299,7 +299,7 @@ TEST(ProficiencyThreshold, AgreesWithTheToleranceTables) {
   expectValue("upper_tol", got->toleranceBound);
 }
 
-TEST(ProficientAt, NeedsConsecutivePassesAndFurtherOnes) {
+TEST(ProficientAt, RequiresConsecutiveAndFurtherPasses) {
   const std::vector<double> times = {60, 40, 50, 39, 38, 50, 41};
   EXPECT_EQ(proficientAt(times, 42.0, Better::kLower), 5U);
   EXPECT_EQ(proficientAt(times, 42.0, Better::kLower, 2, 1), 7U);

@@ -79,7 +79,7 @@ TEST_F(TraceCase, SpectralArcLengthAgreesWithTheAuthorsExampleAndTheTurns) {
   EXPECT_FALSE(spectralArcLength(std::vector<double>(100, 0.0), kRate));
 }
 
-TEST_F(TraceCase, SpectralArcLengthIsThatOfAPlainTransformForAnyLengthAndPadding) {
+TEST_F(TraceCase, SpectralArcLengthMatchesAPlainTransformForAnyLengthAndPadding) {
   for (const std::size_t n :
        {std::size_t{2}, std::size_t{3}, std::size_t{31}, std::size_t{64}, std::size_t{65}}) {
     std::vector<double> speed;
@@ -115,7 +115,7 @@ TEST_F(TraceCase, LogDimensionlessJerkFollowsTheRecommendedRule) {
   expectValue("ldlj_full_trapezoid", "T1_A1", *logDimensionlessJerk(turnSpeed(1.0, 1.0), kRate));
   expectValue("ldlj_full_trapezoid", "T4_A30", *logDimensionlessJerk(turnSpeed(30.0, 4.0), kRate));
   expectValue("ldlj_full_trapezoid", "two_sub", *logDimensionlessJerk(twoSubMovements(), kRate));
-  // The analytic value of one minimum-jerk turn, which the rule approaches with the sample rate.
+  // The analytic value of one minimum-jerk turn, which the rule approaches as the sample rate grows.
   EXPECT_NEAR(*logDimensionlessJerk(turnSpeed(90.0, 2.0), kRate),
               reference.expected.at("minjerk").at("ldlj_exact").get<double>(), 1e-5);
   EXPECT_FALSE(logDimensionlessJerk(std::vector<double>(100, 0.0), kRate));
@@ -125,7 +125,7 @@ TEST_F(TraceCase, PeaksIdleTimeAndPathsAgree) {
   EXPECT_EQ(speedPeaks(turnSpeed(90.0, 2.0), kRate).size(), 1U);
   EXPECT_EQ(speedPeaks(twoSubMovements(), kRate),
             reference.expected.at("two_sub").at("peak_idx").get<std::vector<std::size_t>>());
-  // The case counts all samples below the threshold, also the short stretches at both ends.
+  // The case counts all samples below the threshold, including the short intervals at both ends.
   expectValue("two_sub", "idle_time_s_lt1", idleTime(twoSubMovements(), 1.0, kRate, 0.0));
   std::vector<Vec3> helix;
   for (int i = 0; i <= 4000; ++i) {
@@ -152,7 +152,7 @@ TEST_F(TraceCase, StepResponseGivesOvershootAndSettling) {
   expectValue("step2", "overshoot_sampled", got.overshoot);
   expectValue("step2", "settle_2deg_sample", *got.settling);
   EXPECT_EQ(got.excursions, reference.expected.at("step2").at("n_overshoots_gt2").get<int>());
-  // First inside 88..92 comes before the first sample at or above 90.
+  // Entering 88..92 precedes the first sample at or above 90.
   EXPECT_LE(*got.timeToTarget, reference.expected.at("step2").at("first_sample_ge_90").get<double>());
   std::vector<double> mirrored;
   for (const double a : angle) {
@@ -233,7 +233,7 @@ TEST(TrackingError, FindsTheLagOfALongSignalToOneSample) {
   EXPECT_DOUBLE_EQ(*trackingError(actual, target, kRate)->lag_s, 0.137);
 }
 
-/// Returns the gain of one pass of a filter at a frequency.
+/// Returns the gain of a single pass of a filter at a frequency.
 double gainAt(const Biquad& f, double frequency_Hz, double rate_Hz) {
   const std::complex<double> z = std::polar(1.0, -2.0 * std::numbers::pi * frequency_Hz / rate_Hz);
   return std::abs((f.b0 + f.b1 * z + f.b2 * z * z) / (1.0 + f.a1 * z + f.a2 * z * z));
@@ -262,7 +262,7 @@ TEST_F(TraceCase, FiltersHaveTheStatedCoefficientsAndGain) {
   }
 }
 
-TEST(Smoothness, SuffersFromNoiseAsThePreparationSays) {
+TEST(Smoothness, DecreasesWithNoiseAsStatedForThePreparation) {
   const ReferenceCase c = referenceCase("metrics", "trace_noise_sensitivity");
   std::vector<double> clean;
   std::vector<double> noisy;
@@ -289,7 +289,7 @@ TEST(Smoothness, SuffersFromNoiseAsThePreparationSays) {
   expectBoth("fc20", lowPass(noisy, 20.0, kRate));
 }
 
-TEST(ResampleUniform, InterpolatesShortGapsAndRefusesLongOnes) {
+TEST(ResampleUniform, InterpolatesShortGapsAndRejectsLongOnes) {
   const UniformSignal got =
       resampleUniform(std::vector<std::int64_t>{0, 1000, 5000, 6000}, {{0.0, 1.0, 5.0, 6.0}});
   ASSERT_EQ(got.channels[0].size(), 7U);
@@ -303,7 +303,7 @@ TEST(ResampleUniform, InterpolatesShortGapsAndRefusesLongOnes) {
   EXPECT_THROW((void)resampleUniform(std::vector<std::int64_t>{0, 0}, {{0, 1}}), Error);
 }
 
-TEST(TwistWork, GivesBackWhatAnElasticTissueStored) {
+TEST(TwistWork, ReturnsTheEnergyStoredByElasticTissue) {
   std::vector<double> torque;
   std::vector<double> angle;
   std::vector<double> lossy;
@@ -337,7 +337,7 @@ TrialTrace twistTrial() {
   return trace;
 }
 
-TEST(MeasureTrial, TurningBackHasAKinkInTheUnsignedSpeedOnly) {
+TEST(MeasureTrial, AReversalHasAKinkOnlyInTheUnsignedSpeed) {
   TrialTrace trace = twistTrial();
   for (std::size_t i = 500; i < 2500; ++i) {
     trace.angle_rad[i] = 0.5 * std::sin(kPi_ * static_cast<double>(i - 500) / 2000.0);
@@ -346,7 +346,7 @@ TEST(MeasureTrial, TurningBackHasAKinkInTheUnsignedSpeedOnly) {
   EXPECT_LT(*got.at(Quantity::kLdljUnsigned), *got.at(Quantity::kLdlj) - 0.1);
 }
 
-TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
+TEST(MeasureTrial, ReturnsEveryApplicableMetricAndLeavesTheOthersUndefined) {
   TrialTargets targets;
   targets.target_rad = 0.5 * kPi_;
   targets.forceLimit_N = 1.5;
@@ -374,7 +374,7 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
 TEST(MeasureTrial, AQuickReleaseChangesNeitherTheSteadinessOfTheHoldNorItsWork) {
   TrialTrace trace = twistTrial();
   for (std::size_t i = 0; i < trace.phase.size(); ++i) {
-    if (trace.phase[i] == TracePhase::kHolding) {  // a tremor of 0.01 rad at 3 Hz, three periods of it
+    if (trace.phase[i] == TracePhase::kHolding) {  // a tremor of 0.01 rad at 3 Hz, three periods
       trace.angle_rad[i] =
           0.5 * kPi_ + 0.01 * std::sin(6.0 * kPi_ * (static_cast<double>(i) - 2500.0) / kRate);
     } else if (trace.phase[i] == TracePhase::kReleasing) {
@@ -392,8 +392,8 @@ TEST(MeasureTrial, AQuickReleaseChangesNeitherTheSteadinessOfTheHoldNorItsWork) 
   EXPECT_NEAR(*got.at(Quantity::kWorkLoop), 0.1 * 0.25 * kPi_ * kPi_, 1e-3);
 }
 
-/// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting
-/// until 999 ms, releasing from 1015 ms on. Nobody held anything.
+/// A twist released during a gap of 15 samples, with timestamps that jitter by up to 0.3 ms: twisting until
+/// 999 ms, releasing from 1015 ms on, no hold.
 TrialTrace letGoInAGap() {
   TrialTrace trace;
   for (int i = 0; i < 1500; ++i) {
@@ -407,7 +407,7 @@ TrialTrace letGoInAGap() {
   return trace;
 }
 
-TEST(MeasureTrial, APhaseIsHeldFromTheSampleBeforeAndNeverInterpolated) {
+TEST(MeasureTrial, APhaseIsTakenFromTheSampleBeforeAndNeverInterpolated) {
   TrialTargets targets;
   targets.target_rad = 1.0;
 
@@ -431,14 +431,14 @@ TEST(MeasureTrial, NoTwistingComesBetweenFreeAndHolding) {
   EXPECT_NEAR(*got.at(Quantity::kForceImpulse), 0.483, 1e-9);
 }
 
-TEST(SamplesInForce, AreTheLastOnesAtOrBeforeEachPointOfTheGrid) {
+TEST(SamplesInForce, AreTheLatestAtOrBeforeEachGridPoint) {
   // Grid at 0, 1, 2, 3, 4 ms; samples at 0, 0.7, 1.0, 3.4 and 4.0 ms.
   const std::vector<std::size_t> got = samplesInForce(std::vector<std::int64_t>{0, 700, 1000, 3400, 4000});
 
   EXPECT_EQ(got, (std::vector<std::size_t>{0, 2, 2, 2, 4}));
 }
 
-TEST(MeasureTrial, RefusesListsThatDifferAndValuesThatAreNoNumbers) {
+TEST(MeasureTrial, RejectsListsOfDifferentLengthAndInvalidValues) {
   TrialTrace trace = twistTrial();
   trace.force_N.pop_back();
   EXPECT_THROW((void)measureTrial(trace, {}), Error);

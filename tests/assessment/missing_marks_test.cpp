@@ -15,7 +15,7 @@
 namespace torsio {
 namespace {
 
-/// Three groups of eight, five raters; every mark is given.
+/// Three groups of eight, five raters, complete marks.
 std::vector<MarkedTrainee> study() {
   Random random(11);
   std::vector<double> severity;
@@ -37,7 +37,7 @@ std::vector<MarkedTrainee> study() {
   return out;
 }
 
-TEST(MixedComparison, OfCompleteMarksIsTheAnalysisOfCovarianceOfTheirMeans) {
+TEST(MixedComparison, OfCompleteMarksEqualsTheAnalysisOfCovarianceOfTheirMeans) {
   const std::vector<MarkedTrainee> trainees = study();
   const CompleteCases cases = completeCases(trainees, 3);
   const Outcome<Ancova> planned = ancova(cases.before, cases.after);
@@ -58,7 +58,7 @@ TEST(MixedComparison, OfCompleteMarksIsTheAnalysisOfCovarianceOfTheirMeans) {
   EXPECT_NEAR(mixed->group->df2, planned->group.df2, 1e-6);
 }
 
-TEST(MixedComparison, AMissingMarkTakesNobodyOut) {
+TEST(MixedComparison, AMissingMarkExcludesNobody) {
   std::vector<MarkedTrainee> trainees = study();
   trainees[4].after[1].reset();
   trainees[9].before[0].reset();
@@ -76,7 +76,7 @@ TEST(MixedComparison, AMissingMarkTakesNobodyOut) {
   EXPECT_EQ(missing[0].before + missing[0].after, 0U);
 }
 
-TEST(MixedComparison, SaysWhyItIsNotDefined) {
+TEST(MixedComparison, IsUndefinedWithAReason) {
   std::vector<MarkedTrainee> trainees = study();
   EXPECT_FALSE(mixedComparison({}, 3));
   EXPECT_FALSE(mixedComparison(trainees, 1));
@@ -105,7 +105,7 @@ TEST(MixedComparison, SaysWhyItIsNotDefined) {
   EXPECT_FALSE(mixedComparison(trainees, 3));  // no residual
 }
 
-/// Three groups of ten, five raters, every seventh mark missing, everything strongly skewed.
+/// Three groups of ten, five raters, every seventh mark missing, strongly skewed.
 std::vector<MarkedTrainee> skewedStudy(std::uint64_t seed) {
   Random random(seed);
   const auto draw = [&] { return -std::log(1.0 - random.uniform()) - 1.0; };
@@ -129,8 +129,8 @@ std::vector<MarkedTrainee> skewedStudy(std::uint64_t seed) {
   return out;
 }
 
-// On the way down a variance came near 0 where it would have to grow again, and stopped the others.
-TEST(MixedComparison, SettlesWhereAVarianceComesNearZeroOnTheWay) {
+// Regression: a variance near 0 that had to grow again stopped the others.
+TEST(MixedComparison, ConvergesIfAVarianceComesNearZeroOnTheWay) {
   for (const auto& [seed, trainees, residual, criterion] :
        {std::tuple{195U, 0.2723512733, 0.6469552655, 338.6851},
         std::tuple{700U, 0.1084420976, 0.6572546387, 325.0764}}) {
@@ -148,7 +148,7 @@ TEST(MixedComparison, LeavesAnEmptyGroupOut) {
   trainees[0].after[0].reset();
   const Outcome<MixedComparison> three = mixedComparison(trainees, 3);
   for (MarkedTrainee& trainee : trainees) {
-    trainee.group += trainee.group > 0 ? 1 : 0;  // nobody is in the second of four
+    trainee.group += trainee.group > 0 ? 1 : 0;  // the second of four is empty
   }
   const Outcome<MixedComparison> four = mixedComparison(trainees, 4);
   ASSERT_TRUE(three && four);
@@ -160,7 +160,7 @@ TEST(MixedComparison, LeavesAnEmptyGroupOut) {
   EXPECT_EQ(four->group->f, three->group->f);
 }
 
-TEST(MixedComparison, IsTheSameFarFromZeroAndInAnotherUnit) {
+TEST(MixedComparison, IsInvariantToOffsetAndUnit) {
   std::vector<MarkedTrainee> trainees = study();
   trainees[4].after[1].reset();
   std::vector<MarkedTrainee> moved = trainees;
@@ -180,7 +180,7 @@ TEST(MixedComparison, IsTheSameFarFromZeroAndInAnotherUnit) {
   }
 }
 
-TEST(MissingBounds, HoldWhatTheMarksWouldHaveGiven) {
+TEST(MissingBounds, ContainTheResultOfTheCompleteMarks) {
   const std::vector<MarkedTrainee> whole = study();
   std::vector<MarkedTrainee> holed = whole;
   holed[3].after.assign(5, std::nullopt);
@@ -207,12 +207,12 @@ IncompleteRatings byRater(const NumberTable& table) {
   return out;
 }
 
-TEST(HoledReliability, OfCompleteMarksIsTheIntraclassCorrelation) {
+TEST(IncompleteReliability, OfCompleteMarksEqualsTheIntraclassCorrelation) {
   // Shrout and Fleiss 1979.
   const NumberTable table(
       {{9, 2, 5, 8}, {6, 1, 3, 2}, {8, 4, 6, 8}, {7, 1, 2, 6}, {10, 5, 6, 9}, {6, 2, 4, 7}});
   const Outcome<IccResult> icc = intraclassCorrelation(table);
-  const Outcome<HoledReliability> reml = holedReliability(byRater(table));
+  const Outcome<IncompleteReliability> reml = incompleteReliability(byRater(table));
   ASSERT_TRUE(icc && reml);
   EXPECT_NEAR(reml->single, icc->agreementSingle.estimate, 1e-11);
   EXPECT_NEAR(reml->mean, icc->agreementMean.estimate, 1e-11);
@@ -221,10 +221,10 @@ TEST(HoledReliability, OfCompleteMarksIsTheIntraclassCorrelation) {
   EXPECT_NEAR(icc->semMean, icc->semAgreement / 2.0, 1e-15);
 }
 
-TEST(HoledReliability, HoldsANegativeComponentAtZero) {
+TEST(IncompleteReliability, HoldsANegativeComponentAtZero) {
   const NumberTable table(
       {{1, 2, 3}, {2, 3, 1}, {3, 1, 2}, {7, 8, 9}, {8, 9, 7}, {9, 7, 8}});  // raters alike
-  const Outcome<HoledReliability> reml = holedReliability(byRater(table));
+  const Outcome<IncompleteReliability> reml = incompleteReliability(byRater(table));
   ASSERT_TRUE(reml);
   EXPECT_EQ(reml->varianceRaters, 0.0);
   EXPECT_GT(reml->varianceTargets, 1.0);
@@ -234,7 +234,7 @@ TEST(SeparateSlopes, TheRegionEndsWhereTheTestDoes) {
   const Groups before{{2, 3, 4, 5, 6, 7, 8}, {2, 3, 4, 5, 6, 7, 8}};
   const Groups after{{3.1, 3.8, 5.2, 5.9, 7.1, 8.2, 8.8}, {6.2, 6.1, 6.4, 6.2, 6.6, 6.5, 6.4}};
   ASSERT_LT(ancova(before, after)->equalSlopes->p, kSlopesDiffer);
-  const Outcome<SeparateSlopes> first = separateSlopes(before, after, usualBaselines(before));
+  const Outcome<SeparateSlopes> first = separateSlopes(before, after, defaultBaselines(before));
   ASSERT_TRUE(first && first->pairs[0].region.outside);
   const Interval ends = *first->pairs[0].region.outside;
   const Outcome<SeparateSlopes> there = separateSlopes(before, after, std::vector{ends.lower, ends.upper});
@@ -245,7 +245,7 @@ TEST(SeparateSlopes, TheRegionEndsWhereTheTestDoes) {
   EXPECT_GT(first->pairs[0].at[1].simultaneous.upper, first->pairs[0].at[1].interval.upper);
 }
 
-TEST(Equivalence, SaysItExactlyWhereTheIntervalLiesWithinTheMargin) {
+TEST(Equivalence, HoldsExactlyIfTheIntervalIsWithinTheMargin) {
   const double edge = 0.4 + tQuantile(0.95, 20.0) * 0.2;  // upper end of the 90 % interval
   EXPECT_NEAR(equivalence(0.4, 0.2, 20.0, edge).p, 0.05, 1e-12);
   EXPECT_LT(equivalence(0.4, 0.2, 20.0, edge + 0.01).p, 0.05);
@@ -286,8 +286,8 @@ TEST(Permutation, BeyondCountingIsRandomWithAStatedError) {
     squares += d * d;
     sum += d;
   }
-  EXPECT_NEAR(paired->p, normalTwoSided(sum / std::sqrt(squares)), 0.01);  // the limit of many signs
-  EXPECT_EQ(pairedPermutationTest(many)->p, paired->p);                    // the seed decides
+  EXPECT_NEAR(paired->p, normalTwoSided(sum / std::sqrt(squares)), 0.01);  // the limit for many signs
+  EXPECT_EQ(pairedPermutationTest(many)->p, paired->p);                    // determined by the seed
 }
 
 TEST(SignedRank, OfManyPairsHasItsMedianAndARandomP) {

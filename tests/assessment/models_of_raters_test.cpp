@@ -109,8 +109,8 @@ TEST(GStudy, AgreesOnTheSyntheticTrainingStudy) {
       matches(d->dependability, c.expected.at("g_study_p_r_o").at("D_r10_o3").at("Phi").get<double>(), 1e-9));
 }
 
-TEST(GStudy, ShowsNegativeComponentsAndUsesZeroOnlyForTheDStudy) {
-  // Persons differ less than chance would have it: the interaction exceeds the person effect.
+TEST(GStudy, ReportsNegativeComponentsAndUsesZeroOnlyForTheDStudy) {
+  // Persons differ less than expected by chance: the interaction exceeds the person effect.
   const Outcome<GStudy> got = gStudyPR(NumberTable({{1, 5}, {5, 1}, {3, 3}}));
   EXPECT_LT(got->at("p").variance, 0.0);
   EXPECT_TRUE(got->negativeComponent);
@@ -152,15 +152,15 @@ TEST(ManyFacetRasch, AgreesWithNewtonAndThePoissonModel) {
   EXPECT_TRUE(matches(got->logLikelihood, c.expected.at("loglik").get<double>(), c.tolerance));
 }
 
-TEST(RatingScale, KeepsItsDigitsWhereNeighboursAreFarApart) {
+TEST(RatingScale, KeepsItsDigitsIfNeighboursAreFarApart) {
   CategoryOdds at;
-  RatingScale({0.4, -1.1, 0.7}).at(0.3, at);  // near: by quotients
+  RatingScale({0.4, -1.1, 0.7}).at(0.3, at);  // near: by ratios
   const std::vector<double> weights = {1.0, std::exp(-0.1), std::exp(1.3), std::exp(0.9)};
   const double sum = weights[0] + weights[1] + weights[2] + weights[3];
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(at.p[k], weights[k] / sum, 1e-15);
   }
-  // Between the ends everything is less likely by up to e^800 or e^580: half and half, mean 2, variance 4.
+  // Everything between the ends is less likely by up to e^800 or e^580: half and half, mean 2, variance 4.
   for (const double far : {400.0, 290.0}) {
     RatingScale({far, far, -far, -far}).at(0.0, at);
     EXPECT_DOUBLE_EQ(at.p[0], 0.5);
@@ -173,7 +173,7 @@ TEST(RatingScale, KeepsItsDigitsWhereNeighboursAreFarApart) {
   EXPECT_EQ(at.mean, 0.0);
 }
 
-TEST(ManyFacetRasch, SetsExtremePersonsAsideAndReportsThem) {
+TEST(ManyFacetRasch, RemovesAndReportsExtremePersons) {
   std::vector<std::vector<std::optional<int>>> ratings =
       ratingsOf(referenceCase("rasch", "mfrm_jml_12x4").input.at("ratings_0_4"));
   const Outcome<RaschResult> without = manyFacetRasch(ratings, 4);
@@ -188,7 +188,7 @@ TEST(ManyFacetRasch, SetsExtremePersonsAsideAndReportsThem) {
   EXPECT_NEAR(*with->raters[0].severity, *without->raters[0].severity, 1e-10);
 }
 
-TEST(ManyFacetRasch, RefusesDisconnectedPlansUnusedCategoriesAndOrderlyData) {
+TEST(ManyFacetRasch, RejectsDisconnectedPlansUnusedCategoriesAndOrderlyData) {
   const std::optional<int> hole;
   const Outcome<RaschResult> apart =
       manyFacetRasch({{0, 1, hole, hole}, {1, 0, hole, hole}, {hole, hole, 0, 1}, {hole, hole, 1, 0}}, 1);
@@ -211,14 +211,14 @@ TEST(ManyFacetRasch, EstimatesAnIncompletePlan) {
     sum += *rater.severity;
   }
   EXPECT_NEAR(sum, 0.0, 1e-12);
-  // A fair average undoes the luck of the draw of raters: higher ability, higher fair average.
+  // A fair average is independent of which raters were drawn: higher ability, higher fair average.
   EXPECT_GT(*got->persons[10].fairAverage, *got->persons[3].fairAverage);
 }
 
 using Marks = std::vector<std::vector<std::optional<int>>>;
 
-/// Neither a person nor a rater with the lowest or the highest category only, and every category used: what
-/// the model sets aside or refuses before it asks for a maximum.
+/// True if no person or rater is extreme and every category is used: conditions that the model checks before
+/// it searches for a maximum.
 bool plain(const Marks& marks, int highest) {
   std::vector<int> used(static_cast<std::size_t>(highest) + 1, 0);
   const auto extreme = [&](const std::vector<std::optional<int>>& line) {
@@ -268,9 +268,9 @@ Marks randomMarks(Random& random) {
   }
 }
 
-/// Whether abilities, severities 0, b1, b2 and thresholds 0, t2, t3 can all grow in this proportion without
-/// making one mark less likely. Far out the most likely category is the one between whose thresholds
-/// ability - severity lies.
+/// True if abilities, severities 0, b1, b2 and thresholds 0, t2, t3 can all grow in this proportion without
+/// making any mark less likely. Far out the most likely category is the one whose thresholds enclose ability
+/// - severity.
 bool mayGrow(const Marks& marks, const std::array<int, 3>& severity, const std::array<int, 3>& threshold) {
   constexpr int kFar = 1000;
   for (const auto& person : marks) {
@@ -289,8 +289,8 @@ bool mayGrow(const Marks& marks, const std::array<int, 3>& severity, const std::
   return true;
 }
 
-/// Tries all directions of small whole numbers: the corners of a cone bounded by differences of four unknowns
-/// have no larger ones.
+/// Tries all directions of small integers: the edges of a cone bounded by differences of four unknowns have
+/// no larger ones.
 bool growsForEver(const Marks& marks) {
   constexpr int kReach = 4;
   for (int b1 = -kReach; b1 <= kReach; ++b1) {
@@ -308,7 +308,7 @@ bool growsForEver(const Marks& marks) {
   return false;
 }
 
-TEST(ManyFacetRasch, IsEstimatedExactlyWhereTheLikelihoodHasAFiniteMaximum) {
+TEST(ManyFacetRasch, IsEstimatedExactlyIfTheLikelihoodHasAFiniteMaximum) {
   Random random(400);
   int refused = 0;
   int wrong = 0;
@@ -327,9 +327,9 @@ TEST(ManyFacetRasch, IsEstimatedExactlyWhereTheLikelihoodHasAFiniteMaximum) {
   EXPECT_EQ(wrong, 0) << "of 400, " << refused << " without a finite maximum";
 }
 
-TEST(ManyFacetRasch, NamesTheRatersWhomNothingBounds) {
-  // Raters 1 and 2 bound each other, so do 3 and 4. The only person whom both pairs rate has 0 from 1 and 1
-  // from 3: a plan of one piece, but 3 and 4 may be more lenient than 1 and 2 by any amount.
+TEST(ManyFacetRasch, NamesUnboundedRaters) {
+  // Raters 1 and 2 bound each other, and so do 3 and 4. The only person rated by both pairs has 0 from 1 and
+  // 1 from 3: a connected plan, but 3 and 4 may be more lenient than 1 and 2 by any amount.
   const std::optional<int> hole;
   const Marks marks = {
       {0, 1, hole, hole}, {1, 0, hole, hole}, {hole, hole, 0, 1}, {hole, hole, 1, 0}, {0, hole, 1, hole}};

@@ -8,7 +8,7 @@
 namespace torsio {
 namespace {
 
-TEST(OccasionNames, FollowTheTimeOfTrainingOrElseTheLabel) {
+TEST(OccasionNames, ComeFromTheTrainingTimeOrElseTheLabel) {
   const Occasions occasions({{"pre", "before training", 0},
                              {"late", "later", 750'000'000},      // 12.5 x 60e6 us
                              {"mid", "half-way", 1'200'000'000},  // 20 x 60e6 us
@@ -20,7 +20,7 @@ TEST(OccasionNames, FollowTheTimeOfTrainingOrElseTheLabel) {
                                       Text::verbatim("after 20 min"), Text::verbatim("six months later")}));
 }
 
-TEST(OccasionNames, AreNotTheSameAfterAsMuchTraining) {
+TEST(OccasionNames, AreUniqueAfterEqualTraining) {
   const Occasions occasions({{"post", "after training", 2'400'000'000},
                              {"weeks", "six weeks later", 2'400'000'000},
                              {"months", "six months later", 2'400'000'000}});
@@ -39,10 +39,10 @@ TEST(OccasionLists, FindByCodeAndKeepTheirOrder) {
   EXPECT_EQ(two.positionOf("post"), 1U);
   EXPECT_FALSE(two.positionOf("mid").has_value());
   EXPECT_EQ(two.named("post").label, "after");
-  EXPECT_EQ(two.named("mid").label, "mid");  // unknown: called by its code
+  EXPECT_EQ(two.named("mid").label, "mid");  // unknown: labelled with its code
 }
 
-TEST(OccasionLists, RefuseACodeThatIsEmptyOrStandsTwice) {
+TEST(OccasionLists, RejectAnEmptyOrDuplicateCode) {
   EXPECT_THROW(Occasions(std::vector<Occasion>{{"pre", "a", {}}, {"pre", "b", {}}}), Error);
   EXPECT_THROW(Occasions(std::vector<Occasion>{{"", "a", {}}}), Error);
 }

@@ -17,7 +17,7 @@ using Terms = ::testing::Types<AttemptMode, PhaseKind, ExposureKind, PersonState
                                CurriculumState, DiscrepancyChoice, ToleranceSource>;
 TYPED_TEST_SUITE(ProtocolTerms, Terms);
 
-TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {
+TYPED_TEST(ProtocolTerms, ConvertToTheirTextAndBack) {
   std::set<std::string> texts;
   for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
     EXPECT_EQ(storedText(term.value), term.stored);
@@ -29,13 +29,13 @@ TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {
   EXPECT_EQ(texts.size(), termsOf(TypeParam{}).size());
 }
 
-TYPED_TEST(ProtocolTerms, AreNotGuessed) {
+TYPED_TEST(ProtocolTerms, RejectUnknownTexts) {
   for (const char* text : {"", "Practice", "virtual ", "enroled"}) {
     EXPECT_EQ(fromStoredText<TypeParam>(text), std::nullopt) << text;
   }
 }
 
-TEST(ProtocolTermsTexts, OfTheFirstReleaseStay) {
+TEST(ProtocolTermsTexts, OfTheFirstReleaseAreFrozen) {
   EXPECT_EQ(storedText(AttemptMode::kPractice), "practice");
   EXPECT_EQ(storedText(AttemptMode::kGraded), "graded");
   EXPECT_EQ(storedText(PhaseKind::kVirtual), "virtual");

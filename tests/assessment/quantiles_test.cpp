@@ -28,7 +28,7 @@ TEST(Quantile, FollowsAllNineRules) {
   }
 }
 
-TEST(BoxNumbers, GivesTheBoxesOfExampleThree) {
+TEST(BoxNumbers, ReproducesTheBoxesOfExampleThree) {
   const nlohmann::json example = test::referenceCase("evaluation", "eq25_ex3_20_10_10").expected;
   constexpr double kTolerance = 1e-13;  // composites are rounded once, interpolation rounds again
   for (const char* model : {"PM", "FEM", "MSM"}) {
@@ -56,7 +56,7 @@ TEST(BoxNumbers, GivesTheBoxesOfExampleThree) {
   }
 }
 
-TEST(BoxNumbers, DrawsValuesBeyondTheWhiskersSingly) {
+TEST(BoxNumbers, ListsValuesBeyondTheWhiskersAsOutliers) {
   // Quartiles of type 7: 2.375 and 5.75, so the upper fence is 10.8125.
   const std::vector<double> values = {1.5, 2, 2, 3.5, 4, 4.5, 5, 6, 9.5, 20};
 

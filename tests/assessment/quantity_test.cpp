@@ -24,7 +24,7 @@ TEST(QuantityCatalogue, IdsAndNamesAreUniqueAndFound) {
   EXPECT_FALSE(quantityOf("").has_value());
 }
 
-TEST(QuantityCatalogue, ScalesTurnTheStoredUnitIntoTheShownOne) {
+TEST(QuantityCatalogue, ScalesConvertTheStoredUnitToTheShownOne) {
   for (const QuantityRow& row : quantityRows()) {
     const bool angle = row.unit == "rad";
     EXPECT_EQ(angle, row.shown.unit == "\u00b0") << row.id;

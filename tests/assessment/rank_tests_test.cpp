@@ -44,7 +44,7 @@ TEST(SignedRank, AgreesWithHollanderAndWolfe) {
   const std::vector<double> x = numbers(c.input.at("x"));
   const std::vector<double> y = numbers(c.input.at("y"));
   std::vector<double> differences;
-  // Whole thousandths, so that ties are ties.
+  // Integer thousandths, so that ties are exact.
   for (std::size_t i = 0; i < x.size(); ++i) {
     differences.push_back(std::round(1000.0 * x[i]) - std::round(1000.0 * y[i]));
   }
@@ -142,7 +142,7 @@ TEST(GainScores, AreRankedOnExactDecimals) {
     expectMannWhitney(*mannWhitney(gains[first[i]], gains[second[i]]),
                       {pair.at("mw"), study.reference.tolerance});
   }
-  // The trap itself: differences of doubles split ties and give another H.
+  // The pitfall itself: differences of doubles split ties and change H.
   Groups noisy;
   for (std::size_t g = 0; g < 3; ++g) {
     noisy.emplace_back();

@@ -20,7 +20,7 @@ std::vector<SheetLine> linesOf(std::int64_t a, std::int64_t b, std::int64_t c, s
           {kOverallRow, kOneToTen, {overall, {}}}};
 }
 
-TEST(SheetStates, ComeFromThreeFactsOfWhichWithdrawalCountsFirst) {
+TEST(SheetStates, FollowFromThreeFactsAndWithdrawalTakesPrecedence) {
   EXPECT_EQ(sheetStateOf(false, false, false), SheetState::kOpen);
   EXPECT_EQ(sheetStateOf(false, false, true), SheetState::kDraft);
   EXPECT_EQ(sheetStateOf(false, true, false), SheetState::kSubmitted);
@@ -37,12 +37,12 @@ TEST(SheetAnswers, NeedEitherAScoreOnTheScaleOrAReason) {
   EXPECT_EQ(faultOf({std::nullopt, "hidden by the hand"}, kOneToTen), AnswerFault::kNone);
   EXPECT_EQ(faultOf({70, "hidden by the hand"}, kOneToTen), AnswerFault::kContradicts);
   EXPECT_EQ(faultOf({9, {}}, kOneToTen), AnswerFault::kOutsideScale);  // 0.9 points
-  EXPECT_EQ(faultOf({10, {}}, kOneToTen), AnswerFault::kNone);         // the ends belong to it
+  EXPECT_EQ(faultOf({10, {}}, kOneToTen), AnswerFault::kNone);         // the ends are included
   EXPECT_EQ(faultOf({100, {}}, kOneToTen), AnswerFault::kNone);
   EXPECT_EQ(faultOf({101, {}}, kOneToTen), AnswerFault::kOutsideScale);  // 10.1 points
 }
 
-TEST(SheetChecks, NameWhatIsUnansweredInTheOrderOfTheSheet) {
+TEST(SheetChecks, ListUnansweredRowsInTheOrderOfTheSheet) {
   std::vector<SheetLine> lines = linesOf(50, 60, 70, 60);
   lines[2].answer = {};
   lines[3].answer = {};
@@ -51,10 +51,10 @@ TEST(SheetChecks, NameWhatIsUnansweredInTheOrderOfTheSheet) {
 
   EXPECT_EQ(check.unanswered, (std::vector<std::string>{"c", kOverallRow}));
   EXPECT_FALSE(check.mayBeSubmitted());
-  EXPECT_FALSE(check.allTheSame);  // two scores tell no pattern
+  EXPECT_FALSE(check.allTheSame);  // two scores form no pattern
 }
 
-TEST(SheetChecks, PointAtTheSameScoreEverywhereEvenOnTwoScales) {
+TEST(SheetChecks, FlagTheSameScoreEverywhereEvenOnTwoScales) {
   std::vector<SheetLine> lines = linesOf(55, 55, 55, 55);
   lines[1] = {"b", kNoneToFour, {2, {}}};  // 2 of 0..4 is a half; so is (55 - 10) / (100 - 10)
 
@@ -63,23 +63,23 @@ TEST(SheetChecks, PointAtTheSameScoreEverywhereEvenOnTwoScales) {
   const SheetCheck different = checkSheetLines(lines, std::nullopt, {});
 
   EXPECT_TRUE(same.allTheSame);
-  EXPECT_TRUE(same.mayBeSubmitted());  // a second look is advice, not a bar
+  EXPECT_TRUE(same.mayBeSubmitted());  // slips are only advice
   EXPECT_FALSE(different.allTheSame);
 }
 
-TEST(SheetChecks, CallRowsFarApartFromSevenTenthsOfTheScaleOn) {
+TEST(SheetChecks, FlagRowsThatSpanSevenTenthsOfTheScale) {
   // 70 % of a scale of 90 steps is 63: 10 and 73 are far apart, 10 and 72 are not.
   EXPECT_TRUE(checkSheetLines(linesOf(10, 40, 73, 40), std::nullopt, {}).farApart);
   EXPECT_FALSE(checkSheetLines(linesOf(10, 40, 72, 40), std::nullopt, {}).farApart);
 }
 
-TEST(SheetChecks, SeeAnOverallMarkOutsideTheRows) {
+TEST(SheetChecks, FlagAnOverallMarkOutsideTheRows) {
   EXPECT_TRUE(checkSheetLines(linesOf(50, 60, 70, 71), std::nullopt, {}).overallOutside);
   EXPECT_TRUE(checkSheetLines(linesOf(50, 60, 70, 49), std::nullopt, {}).overallOutside);
   EXPECT_FALSE(checkSheetLines(linesOf(50, 60, 70, 70), std::nullopt, {}).overallOutside);
 }
 
-TEST(SheetChecks, WantTheRecordingWatchedAtAnAllowedSpeed) {
+TEST(SheetChecks, RequireTheRecordingToBeWatchedAtAnAllowedSpeed) {
   const std::vector<SheetLine> lines = linesOf(50, 60, 70, 60);
   const ViewingRules rules{0.8, {0.5, 1.5}};
 
@@ -99,7 +99,7 @@ TEST(SheetChecks, WantTheRecordingWatchedAtAnAllowedSpeed) {
   EXPECT_FALSE(tooFast.mayBeSubmitted());
 }
 
-TEST(SheetChecks, ExcuseFromWatchingWhoeverCannotJudgeTheCase) {
+TEST(SheetChecks, ExcuseNotAssessableCasesFromWatching) {
   std::vector<SheetLine> lines = linesOf(50, 60, 70, 60);
   lines.back().answer = {std::nullopt, "the picture is black"};
 

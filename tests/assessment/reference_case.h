@@ -12,7 +12,7 @@
 
 namespace torsio::test {
 
-/// One case of tests/data/assessment: input, expected values, and the relative tolerance stated with them.
+/// A case of tests/data/assessment: input, expected values, and their relative tolerance.
 struct ReferenceCase {
   nlohmann::json input;
   nlohmann::json expected;
@@ -30,7 +30,7 @@ inline ReferenceCase referenceCase(const std::string& family, const std::string&
   return {found.at("input"), found.at("expected"), found.at("relative_tolerance").get<double>()};
 }
 
-/// |got - expected| <= tolerance * max(1e-12, |expected|), and never below an absolute 1e-12 for true zeros.
+/// |got - expected| <= tolerance * max(1e-12, |expected|), but at least an absolute 1e-12 for true zeros.
 inline ::testing::AssertionResult matches(double got, double expected, double tolerance) {
   const double allowed = expected == 0.0 ? 1e-12 : tolerance * std::max(1e-12, std::abs(expected));
   if (std::isfinite(got) && std::abs(got - expected) <= allowed) {

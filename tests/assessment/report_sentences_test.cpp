@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the report claims follows from the record.
+// The report's sentences follow from the record.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using testing::demonstrationCohort;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Everything that a report says in sentences.
+/// All sentences of a report.
 std::string saidBy(const CohortInputs& in) {
   std::string all;
   for (const ReportSection& section : cohortReport(in).sections) {
@@ -48,7 +48,7 @@ const ReportTable* tableIn(const ReportModel& report, const std::string& id) {
   return nullptr;
 }
 
-TEST(ReportSentences, BlindingComesFromHowEachMarkWasGiven) {
+TEST(ReportSentences, BlindingFollowsFromHowEachMarkWasGiven) {
   CohortInputs in = demonstrationCohort();
   in.markWays = {.blinded = 900};
   EXPECT_THAT(saidBy(in), HasSubstr("Raters were blinded: all marks of the training study (900)"));
@@ -64,7 +64,7 @@ TEST(ReportSentences, BlindingComesFromHowEachMarkWasGiven) {
   EXPECT_THAT(saidBy(in), Not(HasSubstr("linded")));
 }
 
-TEST(ReportSentences, TheModelsWereHiddenOrNotAndRatersWereTraineesOrNot) {
+TEST(ReportSentences, HiddenModelsAndRatersAmongTraineesAreReported) {
   CohortInputs in = demonstrationCohort();
   in.modelsHidden = 3;
   EXPECT_THAT(saidBy(in), HasSubstr("All models (3) stood before their raters under hidden labels"));
@@ -77,7 +77,7 @@ TEST(ReportSentences, TheModelsWereHiddenOrNotAndRatersWereTraineesOrNot) {
 
 // R: power.t.test(n = 10, delta = 0.8, strict = TRUE)$power 0.395; n = 5: 0.2007; detectable with 0.8:
 // power.t.test(n = 10, power = 0.8)$delta 1.3249.
-TEST(ReportSentences, ThePowerIsThatOfTheGroupsAtHand) {
+TEST(ReportSentences, ThePowerIsThatOfThePresentGroups) {
   CohortInputs in = demonstrationCohort();
   EXPECT_THAT(saidBy(in),
               HasSubstr("The groups have 10, 10, 10 trainees. Two groups of 10 have a power of 0.40"));
@@ -123,7 +123,7 @@ TEST(ReportSentences, ARecordingWithoutItsHashIsNotCalledSealed) {
   EXPECT_THAT(saidBy(in), HasSubstr("1 recording has no content hash"));
 }
 
-TEST(ReportSentences, TrainingTimeIsWhatWasRecordedBesideWhatWasPlannedAndNoted) {
+TEST(ReportSentences, RecordedPlannedAndNotedTrainingTimesAreReported) {
   CohortInputs in = demonstrationCohort();
   in.groups[0].plannedVirtual_min = 40.0;
   in.groups[0].plannedReal_min = 0.0;
@@ -143,7 +143,7 @@ TEST(ReportSentences, TrainingTimeIsWhatWasRecordedBesideWhatWasPlannedAndNoted)
   EXPECT_EQ(table->provenance.formula, "plan of the arms; times noted; lengths of the recordings");
 }
 
-TEST(ReportSentences, AMissingMarkIsSaidWhereMarksAreCounted) {
+TEST(ReportSentences, AMissingMarkIsReportedWhereMarksAreCounted) {
   CohortInputs in = demonstrationCohort();
   EXPECT_THAT(saidBy(in), HasSubstr("physicians scored every trainee at 3 occasions"));
   EXPECT_THAT(saidBy(in), HasSubstr("every trainee is scored by the same raters"));
@@ -152,13 +152,13 @@ TEST(ReportSentences, AMissingMarkIsSaidWhereMarksAreCounted) {
   EXPECT_THAT(saidBy(in), HasSubstr("a strict or lenient rater may change their order"));
 }
 
-TEST(ReportSentences, WithoutDataNothingIsClaimedOfThem) {
+TEST(ReportSentences, NothingIsClaimedWithoutData) {
   CohortInputs in;
   in.instrument = paperInstrument();
   EXPECT_EQ(saidBy(in), "");
 }
 
-TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
+TEST(ShownInputs, NoMarkOrMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
   CohortInputs in = demonstrationCohort();
   in.sheetsAsked = 900;
   in.sheetsPresent = 899;
@@ -177,7 +177,7 @@ TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
   }
   const std::vector<std::vector<Text>>& groups = tableIn(open, "table-participants")->rows;
   for (const std::vector<Text>& row : groups) {
-    EXPECT_EQ(row.back(), "not shown");  // not even the mean before
+    EXPECT_EQ(row.back(), "not shown");  // not even the mean before training
   }
   for (const std::vector<Text>& row : tableIn(open, "table-flow")->rows) {
     EXPECT_EQ(row[5], "10") << "who was scored is no secret, and none would be untrue";
@@ -191,7 +191,7 @@ TEST(ShownInputs, NoMarkAndNoMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
   EXPECT_THAT(saidBy(in), Not(HasSubstr("sheets that raters were asked for")));
 }
 
-TEST(ShownInputs, TheModelsAreShownOnceEveryRaterWhoWasAskedHasGivenAllMarks) {
+TEST(ShownInputs, TheModelsAreShownOnceEveryAssignedRaterHasGivenAllMarks) {
   CohortInputs in = demonstrationCohort();
   in.evaluationRatersAsked = 41;
   EXPECT_EQ(tableIn(cohortReport(in), "table-comprehensive"), nullptr);
@@ -210,7 +210,7 @@ TEST(ShownInputs, TheModelsAreShownOnceEveryRaterWhoWasAskedHasGivenAllMarks) {
 TEST(ShownInputs, NoSingleMarkLeaksThroughASmallCell) {
   CohortInputs in = demonstrationCohort();
   in.singleMarks = false;
-  in.scores.front().n = 2;  // of two marks one's own gives away the other
+  in.scores.front().n = 2;  // of two marks, one's own reveals the other
   const std::string code = in.scores.front().trainee;
   const std::size_t group = in.scores.front().group;
 
@@ -221,7 +221,7 @@ TEST(ShownInputs, NoSingleMarkLeaksThroughASmallCell) {
   EXPECT_EQ((*row)[3], "missing");
   EXPECT_NE((*row)[4], "missing");
   for (const std::vector<Text>& summary : tableIn(report, "table-training-summary")->rows) {
-    EXPECT_FALSE(summary[0] == in.occasions[0] && summary[1] == in.groups[group].name);  // would give it back
+    EXPECT_FALSE(summary[0] == in.occasions[0] && summary[1] == in.groups[group].name);  // would reveal it
   }
   EXPECT_THAT(saidBy(in), HasSubstr("Scores of fewer than 3 marks"));
   for (const CohortCsvRow& line : cohortCsvRows(in)) {
@@ -274,7 +274,7 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   EXPECT_EQ(tableIn(cohortReport(in), "table-competence"), nullptr);
 }
 
-TEST(CompetenceSection, SaysOnceWhatIsSoOfSeveralExercises) {
+TEST(CompetenceSection, StatesCommonPropertiesOfExercisesOnce) {
   CohortInputs in = demonstrationCohort();
   in.competence = {verdictOf(in, 0, true), verdictOf(in, 0, false), verdictOf(in, 1, false)};
   in.competence[1].exercise = Text::verbatim("Half turn");
@@ -287,7 +287,7 @@ TEST(CompetenceSection, SaysOnceWhatIsSoOfSeveralExercises) {
   EXPECT_EQ(said.find("Errors."), said.rfind("Errors."));
 }
 
-TEST(CompetenceSection, TheFirstPageCountsItsVerdictsAndNoneOfItsOwn) {
+TEST(CompetenceSection, TheFirstPageUsesItsVerdictsOnly) {
   CohortInputs in = demonstrationCohort();
   std::vector<std::size_t> people;
   for (std::size_t i = 0; i < in.trainees.size(); ++i) {

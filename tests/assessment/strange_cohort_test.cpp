@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cohorts that nobody plans and every centre has once: nearly no marks, marks of one kind only, many people.
+// Unusual cohorts that do occur: hardly any marks, constant marks, many people.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -25,7 +25,7 @@ using ::testing::Not;
 using testing::scored;
 using testing::textOfAll;
 
-/// The cohort of these trainees alone.
+/// The cohort of only these trainees.
 CohortInputs only(const std::set<std::string>& kept) {
   CohortInputs in = losing([&](const TrainingMark& mark) { return !kept.contains(mark.trainee); });
   std::erase_if(in.trainees, [&](const CohortTrainee& trainee) { return !kept.contains(trainee.code); });
@@ -121,16 +121,16 @@ std::map<std::string, CohortInputs> strangeCohorts() {
 TEST(StrangeCohort, OneTraineeHasNoAgreementBeyondChance) {
   const ReportModel report = cohortReport(only({"x103"}));
   for (const std::vector<Text>& row : testing::tableNamed(report, "table-kappa")->rows) {
-    EXPECT_EQ(row.at(3), "not defined");  // two marks that differ would give 0, whoever gave them
+    EXPECT_EQ(row.at(3), "not defined");  // two different marks would give 0, whoever gave them
   }
 }
 
-TEST(StrangeCohort, WithoutAnyVariationNoNumberOfRatersIsCalledTooFew) {
+TEST(StrangeCohort, WithoutVariationNoNumberOfRatersIsCalledTooFew) {
   const CohortInputs same = marking([](TrainingMark& mark) { mark.steps = 50; });
   EXPECT_THAT(textOfAll(same), Not(HasSubstr("Not even 100 raters")));
 }
 
-TEST(StrangeCohort, ADifferenceThatRestsOnOnePersonIsSaidToDoSo) {
+TEST(StrangeCohort, ADifferenceThatDependsOnOnePersonIsReportedAsSuch) {
   std::set<std::string> kept{"x103"};
   for (int i = 101; i <= 110; ++i) {
     kept.insert("y" + std::to_string(i));
@@ -140,7 +140,7 @@ TEST(StrangeCohort, ADifferenceThatRestsOnOnePersonIsSaidToDoSo) {
   EXPECT_THAT(textOfAll(testing::demonstrationCohort()), Not(HasSubstr("A single trainee has")));
 }
 
-TEST(StrangeCohort, ThePairsThatWereNotShownToDifferAreNamedBesideTheOthers) {
+TEST(StrangeCohort, PairsWithoutAShownDifferenceAreNamedBesideTheOthers) {
   const CohortInputs in = losing([](const TrainingMark& mark) { return mark.rater != "R105"; });
   const std::string answer = cohortReport(in).sections.front().paragraphs[2].str();
   EXPECT_THAT(answer, HasSubstr("Group 1 - Group 2: -1.2 points [-2.0; -0.4]"));
@@ -159,7 +159,7 @@ TEST(StrangeCohort, TheEndsOfANarrowIntervalDoNotReadTheSame) {
   EXPECT_FALSE(std::regex_search(answer, std::regex(R"(\[(-?[0-9.]+); \1\])"))) << answer;
 }
 
-TEST(StrangeCohort, NothingIsSaidThatIsNoNumberOrLacksItsLevel) {
+TEST(StrangeCohort, EveryNumberIsValidAndHasItsLevel) {
   for (const auto& [name, in] : strangeCohorts()) {
     SCOPED_TRACE(name);
     testing::expectWellSaid(in);

@@ -37,7 +37,7 @@ std::vector<TrainingMark> syntheticStudy() {
   return marks;
 }
 
-TEST(GroupSummaries, GivesTheTableOfTheSyntheticStudyToTheLastDigit) {
+TEST(GroupSummaries, ReproducesTheTableOfTheSyntheticStudyToTheLastDigit) {
   const nlohmann::json expected =
       test::referenceCase("training_study", "training_study_synthetic").expected.at("descriptives");
 
@@ -56,8 +56,8 @@ TEST(GroupSummaries, GivesTheTableOfTheSyntheticStudyToTheLastDigit) {
     EXPECT_EQ(summary.trainees, 10);
     EXPECT_EQ(summary.marks, 100);
   }
-  // Group 2 before: the row of the worked table (mean 5.05, all marks 2.3675, between raters .563333, 3..7,
-  // 5).
+  // Group 2 before training: row of the worked table (mean 5.05, all marks 2.3675, between raters .563333,
+  // 3..7, 5).
   const GroupSummary& second = got[1];
   EXPECT_EQ(second.varianceOfMarks, 2.3675);
   EXPECT_NEAR(second.meanBetweenRaterVariance.value(), 0.563333333333, 1e-12);
@@ -68,7 +68,7 @@ TEST(GroupSummaries, GivesTheTableOfTheSyntheticStudyToTheLastDigit) {
   EXPECT_EQ(got[8].varianceOfMarks, 1.86);
 }
 
-TEST(TraineeScores, AreTheMeansOverTheRatersInTheOrderOfTheCodes) {
+TEST(TraineeScores, AreTheMeansOverTheRatersOrderedByCode) {
   const nlohmann::json expected =
       test::referenceCase("training_study", "training_study_synthetic").expected.at("intern_scores_g_i_t");
 
@@ -80,7 +80,7 @@ TEST(TraineeScores, AreTheMeansOverTheRatersInTheOrderOfTheCodes) {
   }
 }
 
-TEST(ExactGains, KeepTiesThatDifferencesOfDoublesBreak) {
+TEST(ExactGains, PreserveTiesThatDifferencesOfDoublesBreak) {
   const std::vector<TraineeScore> scores = traineeScores(kWholePoints, syntheticStudy());
 
   const std::optional<std::vector<std::int64_t>> gains = exactGains(scores, 0, 2, 0);
@@ -90,7 +90,7 @@ TEST(ExactGains, KeepTiesThatDifferencesOfDoublesBreak) {
   EXPECT_THAT(*gains, ::testing::ElementsAre(21, 20, 19, 18, 20, 19, 19, 16, 22, 19));
 }
 
-TEST(TraineeScores, RefusesDuplicatesForeignGroupsAndMarksOutsideTheScale) {
+TEST(TraineeScores, RejectsDuplicatesForeignGroupsAndMarksOffTheScale) {
   const TrainingMark good{"G1-01", 0, 0, "R1", 5};
 
   EXPECT_THROW((void)traineeScores(kWholePoints, std::vector<TrainingMark>{good, good}), Error);
@@ -99,7 +99,7 @@ TEST(TraineeScores, RefusesDuplicatesForeignGroupsAndMarksOutsideTheScale) {
   EXPECT_THROW((void)traineeScores(kWholePoints, std::vector<TrainingMark>{{"G1-01", 0, 0, "R1", 0}}), Error);
 }
 
-TEST(GroupSummaries, UsesTheMarksAtHandWhenARaterIsMissing) {
+TEST(GroupSummaries, UsesTheMarksGivenIfARaterIsMissing) {
   // Trainee a: marks 4 and 5, mean 4.5; trainee b: mark 6. Mean 5.25, variance (0.75^2 + 0.75^2) / 2 =
   // 0.5625.
   const std::vector<TrainingMark> marks = {{"a", 0, 0, "R1", 4}, {"a", 0, 0, "R2", 5}, {"b", 0, 0, "R1", 6}};

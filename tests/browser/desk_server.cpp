@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real review desk with a centre of made-up people, for the browser's tests: prints its port and what
-// stands in an invitation of "physician1", and ends with its standard input. A number on it: the first
-// physician goes on with the draft at the desk; "release": trainees see marks and remarks; "answers": what
-// the first physician finds of theirs at the desk. `desk_server SCENE PATTERN`: what the recordings
-// twist, and how; TORSIO_PUBLIC_URL of the environment: the proxy before it.
+// The real review desk with a centre of fictitious people, for browser tests: prints its port and an
+// invitation of "physician1", and ends with its standard input. Commands on standard input: a number: the
+// first physician edits the draft at the desk; "release": trainees see marks and remarks; "answers": prints
+// the replies that the first physician sees at the desk. `desk_server SCENE PATTERN`: organ and pattern of
+// the recordings; TORSIO_PUBLIC_URL in the environment: the proxy in front of it.
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
@@ -36,7 +36,7 @@ namespace {
 
 using namespace torsio;
 
-/// "50 65 -": the rows of a sheet and the overall mark.
+/// Formats "50 65 -": the rows of a sheet and the overall mark.
 std::string marksOf(const Sheet& sheet) {
   const auto said = [](const auto& steps) { return steps ? std::to_string(*steps) : std::string("-"); };
   std::string marks;
@@ -48,8 +48,8 @@ std::string marksOf(const Sheet& sheet) {
   return marks + said(sheet.overall_steps);
 }
 
-/// The physician of `session` opens the own draft, gives its second row this mark and saves. Says what was
-/// found and what was saved.
+/// The physician of `session` opens their draft, gives its second row this mark and saves. Prints the marks
+/// before and after.
 void goOnAtTheDesk(SessionContext& session, std::int64_t steps) {
   for (const QueueLine& line : reviewQueue(session).lines) {
     if (line.state != SheetState::kDraft) {
@@ -66,7 +66,7 @@ void goOnAtTheDesk(SessionContext& session, std::int64_t steps) {
   std::cout << "no draft\nno draft" << std::endl;
 }
 
-/// The marks of all occasions are shown to the trainees, whatever is missing.
+/// Releases the marks of all occasions to the trainees, even if incomplete.
 void releaseAll(SessionContext& session, const std::string& cohort) {
   for (const ReleaseState& state : releaseStates(session, cohort)) {
     if (!state.released) {
@@ -76,7 +76,7 @@ void releaseAll(SessionContext& session, const std::string& cohort) {
   std::cout << "released" << std::endl;
 }
 
-/// What trainees answered to the remarks of `session`, in one line.
+/// Prints trainees' replies to the remarks of `session` in one line.
 void tellAnswers(SessionContext& session) {
   for (const RemarkReply& reply : repliesToMe(session)) {
     std::cout << reply.remark << " > " << reply.text << "; ";
@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   campaign.raters = {{centre.raterId(0), "chief", "PM,FEM"}};
   EvaluationRepository(centre.connection()).addCampaign(campaign);
   SettingRepository(centre.connection()).set(kTwoPeopleSetting, "no", 0);
-  // By the clock of the server: the centre's own stands still.
+  // Uses the server's clock: the centre's is frozen.
   SessionContext inviting({centre.locator(), "station", centre.administrator()->actor()});
   const std::vector<UserId> invited{centre.physician(1)->actor().userId};
   const std::string secret = invite(inviting, invited).at(0).secret;

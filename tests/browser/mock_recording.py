@@ -11,7 +11,7 @@ FRAMES = int(RATE_HZ * LENGTH_S) + 1
 TARGET_DEG = 180.0
 LENGTH_MM = 220.0
 ROUND, ALONG = 48, 90
-SHARED = 12  # displacements that belong to the body
+SHARED = 12  # displacements of the body
 POSES = 19  # of the organ, one every ten degrees: frames lie between two of them
 
 TYPES = {"f32": "f", "i16": "h", "u16": "H", "u32": "I", "u8": "B", "i8": "b"}
@@ -92,7 +92,7 @@ def ring(along, turned_rad):
         around = 2.0 * math.pi * i / ROUND
         radius = 17.0 + 13.0 * math.sin(math.pi * along) ** 2 + 1.6 * math.sin(42.0 * along) * math.sin(around / 2) ** 2
         a = around + turned_rad
-        # Twisted tissue narrows where it is wrung.
+        # Twisted tissue narrows.
         radius *= 1.0 - 0.0022 * math.degrees(turned_rad) * math.exp(-((along - 0.62) / 0.22) ** 2)
         points.append((middle[0] + radius * math.sin(a), middle[1], middle[2] + radius * math.cos(a)))
     return points
@@ -126,7 +126,7 @@ def organ():
     shapes = [shape(step * k) for k in range(POSES)]
     mean = shapes[0]
     size, known = len(mean), POSES - 1
-    # Each component has a part in every shape, as those of the server have, and undoes itself: orthogonal.
+    # Each component contributes to every shape, like the server's; the mix is orthogonal.
     mix = [[math.sqrt(2.0 / known) * math.cos(math.pi * (k + 0.5) * (m + 0.5) / known) for k in range(known)] for m in range(known)]
     steps = [[one[i] - mean[i] for i in range(size)] for one in shapes[1:]]
     mixed = [[sum(row[k] * steps[k][i] for k in range(known)) for i in range(size)] for row in mix]

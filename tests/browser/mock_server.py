@@ -26,7 +26,7 @@ POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'sel
 KINDS = {".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
          ".svg": "image/svg+xml", ".frag": "text/plain; charset=utf-8"}
 PASSWORD = "correct horse battery"
-INVITATION = "abcde-fghjk-mnpqr-stuvw"  # of the rater
+INVITATION = "abcde-fghjk-mnpqr-stuvw"  # for the rater
 
 
 class Refused(Exception):
@@ -118,8 +118,8 @@ class Desk:
         self.sessions = {}
         self.idle_s = 300
         self.refusing = False  # answers 503 to each change
-        self.away = False      # ends each connection without an answer
-        self.loses_answers = False  # does what is asked and ends the connection
+        self.away = False      # closes each connection without an answer
+        self.loses_answers = False  # executes requests, then closes the connection
         self.asks_password = True
         self.wrong = 0
         self.saves = 0
@@ -372,7 +372,7 @@ class Handler(BaseHTTPRequestHandler):
 
 class Server(ThreadingHTTPServer):
     def handle_error(self, request, client_address):
-        if not isinstance(sys.exc_info()[1], ConnectionError):  # a browser may leave in the middle
+        if not isinstance(sys.exc_info()[1], ConnectionError):  # a browser may disconnect at any time
             super().handle_error(request, client_address)
 
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `organ_shapes FOLDER [SCENE ...]`: a recording of each pattern of these scenes (none: all that are
-// shipped), as FOLDER/SCENE.PATTERN.organ and .body, what a page is sent, packed, and as .places where the
-// window draws its vertices: a BinaryContainer of "time_s", and for each of them "place_mm", three a vertex
-// in the page's frame. Writes a line for each: name, largest turn, bytes of body, organ, recording and skin,
-// farthest vertex as the server knows it, mm, and processor time of the making, skin included, s.
+// `organ_shapes FOLDER [SCENE ...]`: records each pattern of these scenes (default: all shipped ones) and
+// writes, as FOLDER/SCENE.PATTERN.organ and .body, what a page receives, gzipped, and as .places the window's
+// vertices: a BinaryContainer of "time_s" and "place_mm", three per vertex in the page's frame. Prints a line
+// for each: name, largest rotation, bytes of body, organ, recording and skin, largest deviation known to the
+// server (mm), and processor time of making it, skin included (s).
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -38,7 +38,7 @@ using namespace torsio;
 constexpr double kTrial_s = 6.0;
 constexpr std::int64_t kMoments = 24;
 
-/// The vertices as the window draws them: what view_scene.cpp takes, and TwistView of straight organs.
+/// Vertices as the window draws them: inputs of view_scene.cpp, and TwistView for straight organs.
 class WindowShapes {
  public:
   explicit WindowShapes(const std::shared_ptr<const Scene>& scene)
@@ -102,7 +102,7 @@ void tell(const std::filesystem::path& folder, const std::string& id, const std:
   std::vector<float> places;
   double furthest_rad = 0.0;
   for (std::int64_t moment = 0; moment < kMoments; ++moment) {
-    // Between frames as on them: the page is asked for any moment.
+    // Between frames as well: the page may ask for any time.
     playback.seek_us(playback.duration_us() * (2 * moment + 1) / (2 * kMoments));
     times_s.push_back(static_cast<float>(static_cast<double>(playback.position_us()) * 1e-6));
     const OrganState state = organStateOf(playback.state());

@@ -14,9 +14,9 @@ import mock_server
 from webdriver import Browser, Failed, Firefox
 
 WITHIN_MM = 0.2
-SHAPES_MM = 0.15  # at the moments that were fitted
-MOST_B = 1_500_000 - 130_000  # of a first case, besides pages and texts
-NORMALS_DEG = 0.05  # to the script's own sum of the same triangles
+SHAPES_MM = 0.15  # at the fitted moments
+MOST_B = 1_500_000 - 130_000  # for a first case, without pages and texts
+NORMALS_DEG = 0.05  # compared with the script's sum over the same triangles
 TINTS = 1e-5
 LIST = "organs.txt"
 

@@ -67,7 +67,7 @@ class Desk:
 
 def submit_and_seal(browser):
     browser.keys("Control+Enter")
-    browser.says("body", "Back to the sheet")  # what is still open is asked of the server first
+    browser.says("body", "Back to the sheet")  # the server is asked first what is still missing
     browser.keys("Control+Enter")
     browser.says("body", "sealed")
 

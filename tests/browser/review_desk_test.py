@@ -56,7 +56,7 @@ def test_sign_in(browser, url, desk):
     check("nothing is shown before the sign-in", browser.text(".cases") == "")
     browser.keys("rater", "Tab", "wrong", "Enter")
     browser.says("[role=alert]", "Name or password is wrong")
-    browser.keys(mock_server.PASSWORD, "Enter")  # what was wrong is selected
+    browser.keys(mock_server.PASSWORD, "Enter")  # the wrong entry is selected
     browser.there(".cases")
     browser.says(".figures", "3 cases fit into ten minutes")
     browser.says(".case.live", "Scored at the arm, not here")
@@ -481,7 +481,7 @@ def main():
     if shutil.which(kind.PROGRAM) is None:
         print(f"no {kind.PROGRAM} here")
         sys.exit(77)
-    with kind(webgl=False) as browser:  # a processor that draws takes most of the time
+    with kind(webgl=False) as browser:  # a software renderer takes most of the time
         for name, function in scenarios:
             server, desk = mock_server.start()
             begun = time.monotonic()

@@ -104,7 +104,7 @@ class Browser:
             time.sleep(0.03)
 
     def text(self, css):
-        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css) or ""  # null while a page goes
+        return self.run("return document.querySelector(arguments[0])?.innerText ?? ''", css) or ""  # null during navigation
 
     def says(self, css, text):
         return self.until(f"{css} says {text!r}", lambda: text in self.text(css))
@@ -180,7 +180,7 @@ class Firefox(Browser):
         self.number = 0
         self.socket = self.connected(port)
         self.bytes = self.socket.makefile("rb")
-        self.receive()  # it says who it is
+        self.receive()  # the greeting
         self.order("NewSession", {"capabilities": {"alwaysMatch": {"unhandledPromptBehavior": "accept"}}})
         self.resize(*self.size)
         return self
@@ -229,4 +229,4 @@ class Firefox(Browser):
         self.order("SetWindowRect", {"x": 0, "y": 0, "width": width, "height": height})
 
     def faults(self):
-        return []  # Marionette tells nothing of the console
+        return []  # Marionette has no access to the console

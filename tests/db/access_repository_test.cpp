@@ -27,8 +27,7 @@ class AccessRepositoryTest : public DatabaseTest {
   }
 };
 
-/// The matrix as a person would write it down (docs/database.md); every cell of the database is compared with
-/// it.
+/// The permission matrix by hand (docs/database.md), compared with every cell of the database.
 const std::map<std::string, std::set<std::string>> kExpected{
     {"trainee", {"practice", "trial.record_own", "trial.view_own", "mark.view_own", "evaluation.submit"}},
     {"rater", {"practice", "trial.view_assigned", "mark.submit", "evaluation.submit"}},
@@ -61,7 +60,7 @@ const std::map<std::string, std::set<std::string>> kExpected{
      {"trial.view_coded", "mark.view_coded", "person.view_coded", "allocation.view", "results.compute",
       "report.export_coded", "audit.view"}}};
 
-TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixIsAsWritten) {
+TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixMatches) {
   Connection connection = openWithSchema();
   const std::set<std::pair<std::string, std::string>> permissions = storedPermissions(connection);
   ASSERT_EQ(storedRoles(connection).size(), kExpected.size());
@@ -86,7 +85,7 @@ TEST_F(AccessRepositoryTest, AnAdministratorCannotTouchMarksAndAnAllocatorCannot
   EXPECT_FALSE(permissions.contains({"statistician", "person.view_identity"}));
 }
 
-TEST_F(AccessRepositoryTest, AllowsWhatARoleAllowsAndNothingElse) {
+TEST_F(AccessRepositoryTest, AllowsOnlyWhatARoleAllows) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -101,12 +100,12 @@ TEST_F(AccessRepositoryTest, AllowsWhatARoleAllowsAndNothingElse) {
   EXPECT_FALSE(repository.allowed("u1", "mark.submit"));
 }
 
-TEST_F(AccessRepositoryTest, HasNobodyAtTheStart) {
+TEST_F(AccessRepositoryTest, HasNoUsersInitially) {
   Connection connection = openWithSchema();
   EXPECT_TRUE(access(connection).users().empty());
 }
 
-TEST_F(AccessRepositoryTest, AsksForANewPasswordAtTheFirstSignIn) {
+TEST_F(AccessRepositoryTest, RequiresANewPasswordAtTheFirstSignIn) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -134,7 +133,7 @@ TEST_F(AccessRepositoryTest, StoresOnlyASaltedHash) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(DISTINCT password_hash) FROM app_user"), 2);
 }
 
-TEST_F(AccessRepositoryTest, DoesNotTellAWrongLoginFromAWrongPassword) {
+TEST_F(AccessRepositoryTest, DoesNotDistinguishAWrongLoginFromAWrongPassword) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -142,7 +141,7 @@ TEST_F(AccessRepositoryTest, DoesNotTellAWrongLoginFromAWrongPassword) {
   EXPECT_EQ(repository.signIn("anna", "something else entirely", 0).outcome, SignIn::kWrong);
 }
 
-TEST_F(AccessRepositoryTest, MakesGuessingSlowAndForgetsAfterASuccess) {
+TEST_F(AccessRepositoryTest, SlowsDownGuessingUntilASuccess) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -162,7 +161,7 @@ TEST_F(AccessRepositoryTest, MakesGuessingSlowAndForgetsAfterASuccess) {
   EXPECT_EQ(repository.signIn("anna", kPassword, now_us + 2 * kSecond_us).outcome, SignIn::kMustChange);
 }
 
-TEST_F(AccessRepositoryTest, AnswersANameThatNobodyHasAsAKnownOne) {
+TEST_F(AccessRepositoryTest, TreatsUnknownLoginsLikeKnownOnes) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -181,7 +180,7 @@ TEST_F(AccessRepositoryTest, AnswersANameThatNobodyHasAsAKnownOne) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM sign_in_failure"), 2);
 }
 
-TEST_F(AccessRepositoryTest, AFailureNotedFarAheadLocksForAMinuteAtMost) {
+TEST_F(AccessRepositoryTest, AFailureInTheFutureLocksForAtMostAMinute) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -216,7 +215,7 @@ TEST_F(AccessRepositoryTest, ADisabledUserStaysOut) {
   EXPECT_EQ(repository.signIn("anna", kPassword, 0).outcome, SignIn::kDisabled);
 }
 
-TEST_F(AccessRepositoryTest, APinOpensPracticeOnly) {
+TEST_F(AccessRepositoryTest, APinOpensOnlyPractice) {
   Connection connection = openWithSchema();
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
@@ -240,7 +239,7 @@ TEST(Password, CountsLengthNotComposition) {
   }
 }
 
-TEST(Password, IsNoneThatIsTriedFirst) {
+TEST(Password, RejectsCommonPasswords) {
   for (const char* common : {"passwordpassword", "Password12345678!", "P@ssw0rdP@ssw0rd",
                              "Welcome to Torsio 2026", "letmein-letmein-1", "iloveyou!iloveyou?",
                              "qwerty123456qwerty", "1qaz2wsx3edc4rfv", "Summer2026Summer2026",

@@ -30,7 +30,7 @@ class AuditRepositoryTest : public DatabaseTest {
             .reason = "typing error"};
   }
 
-  /// Gets past the triggers as somebody with the file in hand could.
+  /// Removes the triggers, as an attacker with the file could.
   static void dropTriggers(Connection& connection, const std::string& table) {
     if (onPostgresql()) {
       connection.executeVerbatim("DROP TRIGGER " + table + "_append_only ON " + table);
@@ -87,10 +87,10 @@ TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
-TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
+TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeRangeWhetherFewOrMany) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
-  // Stations' clocks differ: the third entry came later than the fourth, by its clock earlier.
+  // Clocks of stations differ: the third entry was made after the fourth, but has an earlier time.
   for (const std::int64_t at_us : {10, 20, 40, 30, 50}) {
     audit.append(entryOf(AuditAction::kPersonChange, at_us));
   }
@@ -111,7 +111,7 @@ TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
   EXPECT_EQ(listed({.fromUtc_us = 60}), Sequences{});
 }
 
-TEST_F(AuditRepositoryTest, GoesBackWithTheChangeThatItTellsOf) {
+TEST_F(AuditRepositoryTest, RollsBackWithItsChange) {
   Connection connection = openWithSchema();
   {
     const Transaction transaction(connection);
@@ -120,7 +120,7 @@ TEST_F(AuditRepositoryTest, GoesBackWithTheChangeThatItTellsOf) {
   EXPECT_TRUE(AuditRepository(connection).entries().empty());
 }
 
-TEST_F(AuditRepositoryTest, CannotBeChangedEvenWhileAPersonIsErased) {
+TEST_F(AuditRepositoryTest, CannotBeChangedEvenDuringAnErase) {
   Connection connection = openWithSchema();
   AuditRepository(connection).append(entryOf(AuditAction::kPersonChange, 10));
   connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
@@ -130,7 +130,7 @@ TEST_F(AuditRepositoryTest, CannotBeChangedEvenWhileAPersonIsErased) {
             DbFault::kAppendOnly);
 }
 
-TEST_F(AuditRepositoryTest, FindsAnEntryThatWasChangedAndOneThatWasRemoved) {
+TEST_F(AuditRepositoryTest, DetectsAChangedAndARemovedEntry) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
   for (int i = 0; i < 4; ++i) {
@@ -149,7 +149,7 @@ TEST_F(AuditRepositoryTest, FindsAnEntryThatWasChangedAndOneThatWasRemoved) {
   EXPECT_EQ(findings[0].sequence, 3);
 }
 
-TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
+TEST_F(AuditRepositoryTest, SealsEachMarkAndDetectsAChangedOne) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = recordMark(connection, sample);
@@ -161,7 +161,7 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
   dropTriggers(connection, "training_mark");
 
-  Connection behind = open();  // as somebody with another tool
+  Connection behind = open();  // with another tool
   behind.execute("UPDATE training_mark SET score_steps = ?", {100});
   const std::vector<AuditFinding> changed = verifyAuditTrail(connection);
   ASSERT_EQ(changed.size(), 1U);
@@ -174,7 +174,7 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
   EXPECT_EQ(verifyAuditTrail(connection).at(0).what, "was recorded, but is gone");
 }
 
-TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
+TEST_F(AuditRepositoryTest, DetectsAnInsertedMark) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 1);
   open().execute(
@@ -190,7 +190,7 @@ TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
   EXPECT_EQ(findings[0].what, "is there, but was never recorded");
 }
 
-TEST_F(AuditRepositoryTest, FindsAByteOfARecordingThatWasChanged) {
+TEST_F(AuditRepositoryTest, DetectsAChangedByteOfARecording) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = recordTrial(connection, sample);
@@ -208,7 +208,7 @@ TEST_F(AuditRepositoryTest, FindsAByteOfARecordingThatWasChanged) {
   EXPECT_NE(findings[0].what.find("chunk 1"), std::string::npos) << findings[0].what;
 }
 
-TEST_F(AuditRepositoryTest, RefusesToImportARecordingThatDoesNotFit) {
+TEST_F(AuditRepositoryTest, RefusesToImportACorruptRecording) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = recordTrial(connection, sample);

@@ -19,7 +19,7 @@ class AuditTerms : public ::testing::Test {};
 using Kinds = ::testing::Types<AuditAction, AuditObject>;
 TYPED_TEST_SUITE(AuditTerms, Kinds);
 
-TYPED_TEST(AuditTerms, StandForTheirTextAndBack) {
+TYPED_TEST(AuditTerms, ConvertToTheirTextAndBack) {
   for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
     EXPECT_EQ(storedText(term.value), term.stored);
     EXPECT_EQ(fromStoredText<TypeParam>(term.stored), term.value);
@@ -28,7 +28,7 @@ TYPED_TEST(AuditTerms, StandForTheirTextAndBack) {
   EXPECT_EQ(fromStoredText<TypeParam>("mark.polish"), std::nullopt);
 }
 
-TYPED_TEST(AuditTerms, HaveEachATextAndALabelOfTheirOwn) {
+TYPED_TEST(AuditTerms, HaveUniqueTextsAndLabels) {
   std::set<std::string_view> texts;
   std::set<std::string_view> labels;
   for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
@@ -38,7 +38,7 @@ TYPED_TEST(AuditTerms, HaveEachATextAndALabelOfTheirOwn) {
   }
 }
 
-TYPED_TEST(AuditTerms, AreNotAWholeTableWithoutOneOfThem) {
+TYPED_TEST(AuditTerms, AreIncompleteWithoutOneOfThem) {
   constexpr auto& kWhole = termsOf(TypeParam{});
   std::array<Term<TypeParam>, kWhole.size() - 1> tooShort{};
   std::copy(kWhole.begin(), kWhole.end() - 1, tooShort.begin());
@@ -50,8 +50,8 @@ TYPED_TEST(AuditTerms, AreNotAWholeTableWithoutOneOfThem) {
   EXPECT_FALSE(isWholeTable(swapped, TypeParam::kEnd));
 }
 
-// Nobody may change these: records of the first release hold them.
-TEST(AuditTermTexts, OfTheFirstReleaseStay) {
+// Frozen: records of the first release contain them.
+TEST(AuditTermTexts, OfTheFirstReleaseAreFrozen) {
   EXPECT_EQ(storedText(AuditAction::kMarkSubmit), "mark.submit");
   EXPECT_EQ(storedText(AuditAction::kUserSignInFailed), "user.sign_in_failed");
   EXPECT_EQ(storedText(AuditAction::kRetentionExtend), "retention.extend");
@@ -64,12 +64,12 @@ TEST(AuditTermTexts, OfTheFirstReleaseStay) {
   EXPECT_EQ(storedText(AuditObject::kTrial), "trial");
 }
 
-TEST(AuditLabels, TellInPlainWordsWhatWasDoneToWhat) {
+TEST(AuditLabels, DescribeActionAndObject) {
   EXPECT_EQ(auditActionLabel("mark.submit").str(), "Mark submitted");
   EXPECT_EQ(auditObjectLabel("training_mark").str(), "mark");
 }
 
-TEST(AuditLabels, KeepTheCodeThatOnlyAnotherVersionKnows) {
+TEST(AuditLabels, KeepCodesOfOtherVersions) {
   EXPECT_EQ(auditActionLabel("mark.polish").str(), "mark.polish");
   EXPECT_EQ(auditObjectLabel("polish").str(), "polish");
 }

@@ -16,7 +16,7 @@ namespace {
 
 class ConnectionTest : public DatabaseTest {
  protected:
-  /// A table with every column type that the schema uses.
+  /// Opens a table with every column type of the schema.
   Connection openWithTable() {
     Connection connection = open();
     const std::string blob = onPostgresql() ? "BYTEA" : "BLOB";
@@ -32,7 +32,7 @@ class ConnectionTest : public DatabaseTest {
 const char* const kInsert =
     "INSERT INTO thing (id, whole, part, flag, words, bytes) VALUES (?, ?, ?, ?, ?, ?)";
 
-TEST_F(ConnectionTest, ReturnsEveryTypeExactlyAsItWasGiven) {
+TEST_F(ConnectionTest, ReturnsEveryTypeUnchanged) {
   Connection connection = openWithTable();
   const Blob bytes{std::byte{0}, std::byte{0xFF}, std::byte{0x27}, std::byte{0x5C}, std::byte{0}};
   const double third = 1.0 / 3.0;
@@ -51,7 +51,7 @@ TEST_F(ConnectionTest, ReturnsEveryTypeExactlyAsItWasGiven) {
   EXPECT_FALSE(row.step());
 }
 
-TEST_F(ConnectionTest, KeepsExtremeDoublesBitForBit) {
+TEST_F(ConnectionTest, PreservesExtremeDoublesBitForBit) {
   Connection connection = openWithTable();
   const double values[] = {5e-324, std::numeric_limits<double>::max(), -0.1, 0.1 + 0.2, 1e-7, -1.0 / 0x1p60};
   for (const double value : values) {
@@ -64,7 +64,7 @@ TEST_F(ConnectionTest, KeepsExtremeDoublesBitForBit) {
   }
 }
 
-TEST_F(ConnectionTest, ShowsItsStatementsWithoutTheirValuesWhenAsked) {
+TEST_F(ConnectionTest, ShowsStatementsWithoutValuesOnRequest) {
   ::setenv(kShowStatements, "1", 1);
   Connection connection = openWithTable();
   ::unsetenv(kShowStatements);
@@ -77,7 +77,7 @@ TEST_F(ConnectionTest, ShowsItsStatementsWithoutTheirValuesWhenAsked) {
   EXPECT_EQ(told.find("secret"), std::string::npos);
 }
 
-TEST_F(ConnectionTest, TellsNullFromEmpty) {
+TEST_F(ConnectionTest, DistinguishesNullFromEmpty) {
   Connection connection = openWithTable();
   connection.execute(kInsert, {"null", nullptr, std::optional<double>(), Value(), Value(), Value()});
   connection.execute(kInsert, {"empty", 0, 0.0, false, "", Blob{}});
@@ -95,14 +95,14 @@ TEST_F(ConnectionTest, TellsNullFromEmpty) {
   }
 }
 
-TEST_F(ConnectionTest, RefusesNumbersThatAreNotFinite) {
+TEST_F(ConnectionTest, RejectsNonFiniteNumbers) {
   Connection connection = openWithTable();
 
   EXPECT_THROW(connection.execute("INSERT INTO thing (id, part) VALUES (?, ?)", {"a", std::nan("")}),
                ContractError);
 }
 
-TEST_F(ConnectionTest, NamesTheFaultTheSameOnBothEngines) {
+TEST_F(ConnectionTest, ReportsTheSameFaultOnBothEngines) {
   Connection connection = openWithTable();
   connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
 
@@ -119,7 +119,7 @@ TEST_F(ConnectionTest, NamesTheFaultTheSameOnBothEngines) {
   EXPECT_EQ(faultFrom([&] { connection.execute("SELECT nothing FROM nowhere"); }), DbFault::kOther);
 }
 
-TEST_F(ConnectionTest, ErrorNamesTheOperationButNoValues) {
+TEST_F(ConnectionTest, ErrorNamesTheOperationWithoutValues) {
   Connection connection = openWithTable();
   try {
     connection.execute("INSERT INTO other (thing_id) VALUES (?)", {"Anna Bauer"});
@@ -133,14 +133,14 @@ TEST_F(ConnectionTest, ErrorNamesTheOperationButNoValues) {
   }
 }
 
-/// How many statements about `what` a server holds prepared for this connection.
+/// Number of statements about `what` that the server holds prepared for this connection.
 std::int64_t preparedAbout(Connection& connection, const std::string& what) {
   Statement row = connection.selectVerbatim(
       "SELECT count(*) FROM pg_prepared_statements WHERE statement LIKE '%" + what + "%'");
   return row.step() ? row.int64(0) : -1;
 }
 
-TEST_F(ConnectionTest, PreparesAStatementOnAServerOnceAndNotForEver) {
+TEST_F(ConnectionTest, CachesAndEvictsPreparedStatementsOnAServer) {
   if (!onPostgresql()) {
     GTEST_SKIP() << "SQLite prepares in this process";
   }
@@ -154,7 +154,7 @@ TEST_F(ConnectionTest, PreparesAStatementOnAServerOnceAndNotForEver) {
   const char* const kLook = "SELECT id, whole FROM thing WHERE id <> ? ORDER BY id";
   {
     Statement one = connection.prepare(kLook);
-    Statement other = connection.prepare(kLook);  // while the first one is at work
+    Statement other = connection.prepare(kLook);  // while the first one is executing
     one.execute({"b"});
     other.execute({"a"});
     ASSERT_TRUE(one.step() && other.step());
@@ -176,7 +176,7 @@ TEST_F(ConnectionTest, PreparesAStatementOnAServerOnceAndNotForEver) {
   EXPECT_LT(preparedAbout(connection, "FROM thing"), 100);
 }
 
-TEST_F(ConnectionTest, AStatementThatFailedIsPreparedAnew) {
+TEST_F(ConnectionTest, PreparesAFailedStatementAgain) {
   Connection connection = openWithTable();
   connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
   for (int i = 0; i < 2; ++i) {
@@ -187,7 +187,7 @@ TEST_F(ConnectionTest, AStatementThatFailedIsPreparedAnew) {
   EXPECT_EQ(connection.execute("INSERT INTO thing (id) VALUES (?)", {"b"}), 1);
 }
 
-TEST_F(ConnectionTest, CountsTheRowsThatChanged) {
+TEST_F(ConnectionTest, CountsChangedRows) {
   Connection connection = openWithTable();
   connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
   connection.execute("INSERT INTO thing (id) VALUES (?)", {"b"});
@@ -196,7 +196,7 @@ TEST_F(ConnectionTest, CountsTheRowsThatChanged) {
   EXPECT_EQ(connection.execute("DELETE FROM thing WHERE id = ?", {"c"}), 0);
 }
 
-TEST_F(ConnectionTest, IsTiedToTheThreadThatOpenedIt) {
+TEST_F(ConnectionTest, IsConfinedToTheThreadThatOpenedIt) {
   Connection connection = openWithTable();
   bool refused = false;
   std::thread other([&] {
@@ -211,7 +211,7 @@ TEST_F(ConnectionTest, IsTiedToTheThreadThatOpenedIt) {
   EXPECT_TRUE(refused);
 }
 
-TEST_F(ConnectionTest, OpenedForReadingItRefusesToWrite) {
+TEST_F(ConnectionTest, ReadOnlyConnectionRefusesToWrite) {
   openWithTable();
   Connection reader = openDatabase(locator(), OpenMode::kReadOnly);
 
@@ -222,7 +222,7 @@ TEST_F(ConnectionTest, OpenedForReadingItRefusesToWrite) {
 
 using TransactionTest = ConnectionTest;
 
-TEST_F(TransactionTest, KeepsNothingUnlessCommitted) {
+TEST_F(TransactionTest, DiscardsChangesUnlessCommitted) {
   Connection connection = openWithTable();
   {
     const Transaction transaction(connection);
@@ -233,7 +233,7 @@ TEST_F(TransactionTest, KeepsNothingUnlessCommitted) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM thing"), 0);
 }
 
-TEST_F(TransactionTest, KeepsEverythingOnceCommitted) {
+TEST_F(TransactionTest, KeepsCommittedChanges) {
   Connection connection = openWithTable();
   {
     Transaction transaction(connection);
@@ -272,7 +272,7 @@ TEST_F(TransactionTest, JoinsTheOuterOne) {
   EXPECT_EQ(faultFrom([&] { outer.commit(); }), DbFault::kBrokenBefore);
 }
 
-TEST_F(TransactionTest, SaysBusyWhenAnotherConnectionHoldsTheSameRow) {
+TEST_F(TransactionTest, ReportsBusyWhenAnotherConnectionLocksTheRow) {
   Connection first = openWithTable();
   Connection second = open(50);
   Transaction transaction(first);
@@ -292,7 +292,7 @@ TEST_F(TransactionTest, SaysBusyWhenAnotherConnectionHoldsTheSameRow) {
   EXPECT_EQ(numberFrom(second, "SELECT count(*) FROM thing"), 2);
 }
 
-TEST(Locator, ReadsThePartsOfAServerAddress) {
+TEST(Locator, ParsesAServerAddress) {
   const Locator locator =
       parseLocator("postgresql://torsio:p%40ss%3A@db.example.org:6543/skills?schema=ward_2");
 
@@ -305,7 +305,7 @@ TEST(Locator, ReadsThePartsOfAServerAddress) {
   EXPECT_EQ(locator.schema, "ward_2");
 }
 
-TEST(Locator, HandsEveryKnownParameterOnAndReadsItsOwnAddressBack) {
+TEST(Locator, PassesEveryKnownParameterAndReadsItsOwnAddressBack) {
   const std::string text =
       "postgresql://u@db.example.org:6543/skills?sslmode=verify-full&sslrootcert=/etc/ca%20of%20us.pem"
       "&connect_timeout=7&application_name=ward%261&schema=ward_2";
@@ -322,7 +322,7 @@ TEST(Locator, HandsEveryKnownParameterOnAndReadsItsOwnAddressBack) {
   EXPECT_EQ(again.port, 6543);
 }
 
-TEST(Locator, IgnoresNothingOfAnAddress) {
+TEST(Locator, RejectsUnknownPartsOfAnAddress) {
   const auto refused = [](const std::string& rest) {
     return refusalFrom([&rest] { (void)parseLocator("postgresql://u@h/d" + rest); });
   };
@@ -355,12 +355,12 @@ TEST(Locator, NeverShowsThePassword) {
   EXPECT_EQ(refusal.text.find("secret"), std::string::npos);
 }
 
-TEST(Locator, RefusesASchemaNameThatIsNotPlain) {
+TEST(Locator, RejectsAnUnsafeSchemaName) {
   EXPECT_EQ(refusalFrom([] { (void)parseLocator("postgresql://u@h/d?schema=a%22b"); }).code,
             ErrorCode::kBadParameter);
 }
 
-TEST(Locator, SaysThatAServerCannotBeReached) {
+TEST(Locator, ReportsAnUnreachableServer) {
   try {
     (void)openDatabase("postgresql://u:secret@127.0.0.1:1/d", OpenMode::kReadWrite);
     FAIL();

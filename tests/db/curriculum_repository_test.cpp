@@ -77,7 +77,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   EXPECT_EQ(curricula.curricula().at(0).name, "Paper protocol");
 }
 
-TEST_F(CurriculumRepositoryTest, RefusesPrerequisitesInACircle) {
+TEST_F(CurriculumRepositoryTest, RejectsCyclicPrerequisites) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumVersion version = versionFor(connection, sample);
@@ -113,7 +113,7 @@ TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedAndMayRunAgain) 
   EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
 }
 
-TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
+TEST_F(CurriculumRepositoryTest, AVersionIsImmutable) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository(connection).addVersion(versionFor(connection, sample), "admin");
@@ -125,7 +125,7 @@ TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
   }
 }
 
-TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsForGood) {
+TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const CurriculumVersion version = versionFor(connection, sample);
@@ -155,7 +155,7 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsForGood) {
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM competence_design"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {
+TEST_F(CurriculumRepositoryTest, AssignsARunningVersionToACohort) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);
@@ -172,7 +172,7 @@ TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {
             2);
 }
 
-TEST_F(CurriculumRepositoryTest, NeverOverwritesADraftThatSomebodyElseSaved) {
+TEST_F(CurriculumRepositoryTest, NeverOverwritesAnotherUsersDraft) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository curricula(connection);

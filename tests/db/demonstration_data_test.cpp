@@ -26,7 +26,8 @@ class DemonstrationDataTest : public DatabaseTest {
   static void remove(Connection& connection) {
     removeDemonstration(connection, "admin", "room 1", "the real course begins", kSampleTime_us);
   }
-  /// Of the real rows of every table, but the audit trail, which grows, and what stations show now.
+  /// Digests of the real rows of every table, without audit trail (which grows) and present states of
+  /// stations.
   static std::vector<TableDigest> realRows(Connection& connection) {
     std::map<std::string, std::string> conditions;
     for (const DemonstrationRows& rows : demonstrationRows(connection)) {
@@ -47,7 +48,7 @@ class DemonstrationDataTest : public DatabaseTest {
   }
 };
 
-TEST_F(DemonstrationDataTest, NothingSimulatedIsLeftAndEveryRealRowIsAsItWas) {
+TEST_F(DemonstrationDataTest, RemovesEverySimulatedRowAndNoRealOne) {
   Connection connection = openWithSchema();
   const FullRecord real(connection, "real", false);
   const FullRecord simulated(connection, "demo", true);
@@ -85,7 +86,7 @@ TEST_F(DemonstrationDataTest, NothingSimulatedIsLeftAndEveryRealRowIsAsItWas) {
   }
 }
 
-TEST_F(DemonstrationDataTest, TheAuditTrailTellsOfItAndStillVerifies) {
+TEST_F(DemonstrationDataTest, IsRecordedInTheAuditTrailWhichStillVerifies) {
   Connection connection = openWithSchema();
   const FullRecord real(connection, "real", false);
   const FullRecord simulated(connection, "demo", true);
@@ -104,7 +105,7 @@ TEST_F(DemonstrationDataTest, TheAuditTrailTellsOfItAndStillVerifies) {
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM trial"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(DemonstrationDataTest, ARealMarkThatDisappearsIsStillMissed) {
+TEST_F(DemonstrationDataTest, ARemovedRealMarkIsStillDetected) {
   if (onPostgresql()) {
     GTEST_SKIP() << "the trigger is taken off in the words of SQLite";
   }
@@ -123,7 +124,7 @@ TEST_F(DemonstrationDataTest, ARealMarkThatDisappearsIsStillMissed) {
   }));
 }
 
-TEST_F(DemonstrationDataTest, ASimulatedPersonWhoWasErasedGoesToo) {
+TEST_F(DemonstrationDataTest, RemovesAnErasedSimulatedPersonToo) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   erasePerson(connection, sample.trainees[0].person.id, "admin", "tried out", kSampleTime_us);
@@ -134,7 +135,7 @@ TEST_F(DemonstrationDataTest, ASimulatedPersonWhoWasErasedGoesToo) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM erasure"), 0);
 }
 
-TEST_F(DemonstrationDataTest, AStationThatShowsASimulatedTrialShowsNone) {
+TEST_F(DemonstrationDataTest, ClearsASimulatedTrialFromItsStation) {
   Connection connection = openWithSchema();
   const FullRecord simulated(connection, "demo", true);
   StationRepository(connection).heartbeat({.station = "room 2", .trialId = simulated.trialId, .userId = "u"});
@@ -145,7 +146,7 @@ TEST_F(DemonstrationDataTest, AStationThatShowsASimulatedTrialShowsNone) {
   EXPECT_EQ(stationOnBoard(connection, "room 2")->userId, "u");
 }
 
-TEST_F(DemonstrationDataTest, RefusesWhileARealRowUsesASimulatedOne) {
+TEST_F(DemonstrationDataTest, IsRefusedWhileARealRowRefersToASimulatedOne) {
   Connection connection = openWithSchema();
   const FullRecord simulated(connection, "demo", true);
   connection.execute(

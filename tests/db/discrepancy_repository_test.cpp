@@ -59,7 +59,7 @@ TEST_F(DiscrepancyRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM alignment_decision"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(DiscrepancyRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
+TEST_F(DiscrepancyRepositoryTest, RejectsInvalidDecisionsWithoutAnEntry) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = assignmentIn(connection, sample);
@@ -73,7 +73,7 @@ TEST_F(DiscrepancyRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
 
 class FreezeRepositoryTest : public DatabaseTest {};
 
-TEST_F(FreezeRepositoryTest, AFrozenDataSetIsFoundByItsNameAndNeverChanges) {
+TEST_F(FreezeRepositoryTest, AFrozenDataSetIsFoundByNameAndImmutable) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   FreezeRepository freezes(connection, "room 1");

@@ -46,7 +46,7 @@ class EvaluationRepositoryTest : public DatabaseTest {
   }
 };
 
-TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsItWasPlanned) {
+TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsStored) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Campaign planned = campaignFor(sample);
@@ -109,7 +109,7 @@ TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
   EXPECT_EQ(stored[18].modelCode, "FEM");
 }
 
-TEST_F(EvaluationRepositoryTest, RefusesAScoreOutsideTheScaleNamingWhoAndWhat) {
+TEST_F(EvaluationRepositoryTest, RejectsAScoreOffTheScaleNamingRaterModelAndIndex) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Campaign campaign = campaignFor(sample);
@@ -126,7 +126,7 @@ TEST_F(EvaluationRepositoryTest, RefusesAScoreOutsideTheScaleNamingWhoAndWhat) {
   EXPECT_TRUE(evaluations.marks(campaign.id).empty());
 }
 
-TEST_F(EvaluationRepositoryTest, RefusesMarksOfStrangersAndOfUnknownModels) {
+TEST_F(EvaluationRepositoryTest, RejectsMarksOfUnknownRatersAndModels) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Campaign campaign = campaignFor(sample);
@@ -163,7 +163,7 @@ TEST_F(EvaluationRepositoryTest, MarksAreSealedAndCorrectedByVersions) {
   EXPECT_EQ(evaluations.marks(campaign.id)[0].score_steps, 60);
 }
 
-TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
+TEST_F(EvaluationRepositoryTest, ABatchRepeatedAfterALostAnswerIsStoredOnce) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Campaign campaign = campaignFor(sample);

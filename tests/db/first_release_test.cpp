@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The record of the first released schema (tests/data/records, made by write_first_release): every later
-// version opens it, brings it up to date and finds all that lies in it.
+// A record with the first released schema (tests/data/records, made by write_first_release): every later
+// version opens and migrates it and finds all its contents.
 #include <filesystem>
 #include <string>
 
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 class FirstReleaseTest : public DatabaseTest {
  protected:
-  /// A copy that may be written.
+  /// Opens a writable copy.
   [[nodiscard]] Connection openCopy() const {
     const fs::path copy = folder_.path() / "record.sqlite";
     fs::copy_file(fs::path(TORSIO_TEST_DATA) / "records" / "schema_0001.sqlite", copy,
@@ -45,7 +45,7 @@ class FirstReleaseTest : public DatabaseTest {
   TemporaryFolder folder_;
 };
 
-TEST_F(FirstReleaseTest, OpensIsBroughtUpToDateVerifiesAndReplays) {
+TEST_F(FirstReleaseTest, IsOpenedMigratedVerifiedAndReplayed) {
   Connection record = openCopy();
 
   const SchemaState state = checkSchema(record, embeddedMigrations());
@@ -65,7 +65,7 @@ TEST_F(FirstReleaseTest, HasARowInEveryTable) {
   }
 }
 
-TEST_F(FirstReleaseTest, MovesToTheEngineOfThisSuite) {
+TEST_F(FirstReleaseTest, CanBeCopiedToTheEngineOfThisSuite) {
   Connection record = openCopy();
   Connection target = openWithSchema();
 

@@ -34,7 +34,7 @@ namespace torsio {
 
 namespace {
 
-/// Columns whose rule made-up values would break; "table.column" before "column".
+/// Columns with rules that generated values would violate; "table.column" before "column".
 const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"state", "active"},
                                           {"retention_hold.kind", "lock"},
@@ -65,7 +65,7 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"not_assessable_reason", Value()},
                                           {"amend_reason", Value()}};
 
-/// Tables that stay empty, or that the migrations fill.
+/// Tables that stay empty or are filled by migrations.
 const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry",    "row_seal", "seal_salt",      "role",
                                        "operation",    "role_operation", "occasion", "consent_purpose"};
 
@@ -121,10 +121,10 @@ class Filler {
       values[column.name] = madeUp(types.at(column.name), text, demonstration_);
     }
     if (table.name == "sign_in_failure") {
-      values["bucket"] = static_cast<std::int64_t>(prefix_.front());  // its only key is a number
+      values["bucket"] = static_cast<std::int64_t>(prefix_.front());  // the key is a single number
     }
     if (table.name == "consent_version") {
-      values["number"] = static_cast<std::int64_t>(prefix_.front());  // unique besides the key
+      values["number"] = static_cast<std::int64_t>(prefix_.front());  // unique apart from the key
     }
     for (const TableReference& reference : table.references) {
       refer(reference, values);
@@ -144,7 +144,7 @@ class Filler {
   }
 
  private:
-  /// " WHERE ..." for rows of the kind that is being made.
+  /// " WHERE ..." for rows of the current kind.
   [[nodiscard]] std::string ofKind(const std::string& table) const {
     const std::string& condition = conditions_.at(table);
     if (condition == "FALSE") {
@@ -324,7 +324,7 @@ FullRecord::FullRecord(Connection& connection, const std::string& prefix, bool d
   for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
     filler.fill(table);
   }
-  // The tombstone that was made up needs its entry.
+  // The generated tombstone needs its entry.
   AuditRepository(connection)
       .append({.atUtc_us = kSampleTime_us,
                .actor = prefix + " user",

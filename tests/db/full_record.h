@@ -11,9 +11,9 @@
 namespace torsio {
 
 /// Fills every table of the schema with at least one row: people, trials and marks as the program makes them,
-/// so that the audit trail verifies; what is left with made-up values that keep the rules of the columns.
-/// Once real, once simulated: names and codes begin with `prefix`. A table that is added to the schema is
-/// filled by itself; a column with a rule of its own needs a line in full_record.cpp.
+/// so that the audit trail verifies; the rest with generated values that satisfy the column rules. Real rows
+/// once, simulated rows once; names and codes begin with `prefix`. New tables are filled automatically; a
+/// column with a rule of its own needs an entry in full_record.cpp.
 struct FullRecord {
   FullRecord(Connection& connection, const std::string& prefix, bool demonstration);
 
@@ -22,7 +22,7 @@ struct FullRecord {
   TrialId trialId;
 };
 
-/// For the messages of failed tests.
+/// Prints a digest in failure messages.
 void PrintTo(const TableDigest& digest, std::ostream* out);
 
 }  // namespace torsio

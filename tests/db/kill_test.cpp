@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program is killed while it records, at random instants: whatever it had reported as stored must be there.
-// The program is this one, started again with --record. 20 instants, or TORSIO_KILL_INSTANTS.
+// Kills a recording program at random instants: whatever it reported as stored must be there. The program is
+// this one, restarted with --record. 20 instants, or TORSIO_KILL_INSTANTS.
 #include <cstdlib>
 #include <iostream>
 
@@ -39,7 +39,7 @@ TrialChunk wholeChunk(std::int64_t index) {
   return chunk;
 }
 
-/// Records chunks and submits marks without end; a line on standard output follows each commit.
+/// Records chunks and submits marks endlessly, printing a line after each commit.
 [[noreturn]] void recordForever(const std::string& locator) {
   Connection connection = openRecord(locator, OpenMode::kReadWrite);
   if (connection.engine() == Engine::kPostgresql) {
@@ -80,8 +80,7 @@ class KillTest : public DatabaseTest {
     return wanted == nullptr ? 20 : std::atoi(wanted);
   }
 
-  /// Lets the program commit a few times, then kills it after a further random moment, usually inside a
-  /// commit.
+  /// Lets the program commit a few times, then kills it at a random moment, usually during a commit.
   Reported recordAndKill(Random& random) const {
     QProcess program;
     program.start(QCoreApplication::applicationFilePath(),
@@ -102,7 +101,7 @@ class KillTest : public DatabaseTest {
     return {said.count("chunk\n"), said.count("mark\n")};
   }
 
-  /// A server goes on for a moment with what the killed program had sent; after that nothing more comes.
+  /// A server may still execute what the killed program had sent: waits until that is finished.
   void waitForServer(Connection& connection) const {
     if (!onPostgresql()) {
       return;
@@ -136,7 +135,7 @@ TEST_F(KillTest, NothingCommittedIsLostAndTheTrialIsFoundAsInterrupted) {
     const std::vector<TrialListing> closed = trials.closeInterrupted("killed", INT64_MAX);
     ASSERT_EQ(closed.size(), 1U);
     const Trial trial = trials.load(closed[0].trialId);
-    // What was reported is there; at most one commit more, whose report was cut off.
+    // Everything reported is there, and at most one more commit whose report was lost.
     EXPECT_GE(static_cast<std::int64_t>(trial.chunks.size()), reported.chunks);
     EXPECT_LE(static_cast<std::int64_t>(trial.chunks.size()), reported.chunks + 1);
     verifyContent(trial);

@@ -11,7 +11,7 @@ namespace torsio {
 inline constexpr int kManyTrainees = 10'000;
 inline constexpr int kManyMarks = 100'000;
 
-/// A record as large as a centre ever gets: 200 cohorts of 50 trainees, each marked by both chiefs of
+/// Fills a record as large as any centre's: 200 cohorts of 50 trainees, each marked by both chiefs of
 /// `sample` in five versions. Returns the id of the last cohort.
 std::string fillLargeRecord(Connection& connection, SampleRecord& sample);
 

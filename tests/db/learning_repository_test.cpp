@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outbox for the learning system, on both engines: every kind of event, and what becomes of an entry.
+// The outbox for the learning system on both engines: every kind of event, and every state of an entry.
 #include "db/repository/system/learning_repository.h"
 
 #include <set>
@@ -20,7 +20,7 @@ namespace {
 
 class LearningRepositoryTest : public DatabaseTest {
  protected:
-  /// A trainee who agrees to learning records, of a centre that sends them.
+  /// Switches sending on and lets a trainee consent.
   static void turnOn(Connection& connection, const PersonId& personId) {
     SettingRepository(connection).set(kLearningSetting, "yes", kSampleTime_us);
     PeopleRepository(connection)
@@ -31,7 +31,7 @@ class LearningRepositoryTest : public DatabaseTest {
                         .decidedUtc_us = kSampleTime_us,
                         .recordedBy = "office"});
   }
-  /// Enrols a trainee, who is no simulated one, in a cohort of their own.
+  /// Enrols a real trainee in a cohort of their own.
   static Enrolment enrol(Connection& connection, SampleRecord& sample, std::size_t trainee) {
     StudyRepository studies(connection);
     const CohortId cohort = sample.ids.newUuid();
@@ -45,7 +45,7 @@ class LearningRepositoryTest : public DatabaseTest {
   }
 };
 
-TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) {
+TEST_F(LearningRepositoryTest, EachKindOfEventIsAddedOnceWithItsData) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const PersonId who = sample.trainees[0].person.id;
@@ -69,7 +69,7 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) 
   digest.trialId = trial.header.trialId;
   digest.formulaVersion = 1;
   digest.tolerance_rad = 0.1;
-  for (const std::int64_t version : {1, 2}) {  // a newer formula judges nobody anew
+  for (const std::int64_t version : {1, 2}) {  // a newer formula reports no run again
     digest.formulaVersion = version;
     DigestRepository(connection).add({&digest, 1});
   }
@@ -103,7 +103,7 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsNotedOnceAndTellsWhatItIsAbout) 
   EXPECT_FALSE(agreesToLearningRecords(connection, sample.chiefs[0].person.id));
 }
 
-TEST_F(LearningRepositoryTest, AnEntryIsTakenByOneAndEndsInOneState) {
+TEST_F(LearningRepositoryTest, AnEntryIsClaimedOnceAndEndsInOneState) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   for (const Trainee& trainee : sample.trainees) {

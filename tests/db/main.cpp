@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// QtSql loads its drivers through the application object; the library makes none.
+// QtSql loads its drivers through the application object, which the library does not create.
 #include <QCoreApplication>
 #include <gtest/gtest.h>
 

@@ -33,7 +33,7 @@ class MigrationsTest : public DatabaseTest {
   }
 };
 
-TEST_F(MigrationsTest, EmbeddedStepsCountFromOneAndSayWhatTheyDo) {
+TEST_F(MigrationsTest, EmbeddedMigrationsAreNumberedFromOneAndDescribed) {
   std::int64_t version = 0;
   for (const Migration& migration : embeddedMigrations()) {
     EXPECT_EQ(migration.version, ++version);
@@ -44,7 +44,7 @@ TEST_F(MigrationsTest, EmbeddedStepsCountFromOneAndSayWhatTheyDo) {
   }
 }
 
-TEST_F(MigrationsTest, BringAnEmptyDatabaseToTheNewestSchema) {
+TEST_F(MigrationsTest, MigrateAnEmptyDatabaseToTheNewestSchema) {
   Connection connection = openWithSchema();
 
   const SchemaState state = checkSchema(connection, embeddedMigrations());
@@ -64,7 +64,7 @@ TEST_F(MigrationsTest, DoNothingTheSecondTime) {
   EXPECT_FALSE(report.backup.has_value());
 }
 
-TEST_F(MigrationsTest, ARecordInAnotherSchemaDoesNotWaitForACopyIntoThisOne) {
+TEST_F(MigrationsTest, DoNotWaitForACopyIntoAnotherSchema) {
   if (!onPostgresql()) {
     GTEST_SKIP() << "a file holds one record";
   }
@@ -79,7 +79,8 @@ TEST_F(MigrationsTest, ARecordInAnotherSchemaDoesNotWaitForACopyIntoThisOne) {
                               .action = AuditAction::kUserSignIn,
                               .objectKind = AuditObject::kAppUser};
     Connection connection = open();
-    const Transaction copying(connection);  // a copy makes the tables and brings the rows in one
+    const Transaction copying(
+        connection);  // a copy creates the tables and inserts the rows in one transaction
     migrate(connection, embeddedMigrations(), kOptions);
     AuditRepository(connection).append(entry);
 
@@ -107,7 +108,7 @@ TEST_F(MigrationsTest, RefuseADatabaseOfANewerProgram) {
   EXPECT_NE(refusal.text.find("schema 2"), std::string::npos) << refusal.text;
 }
 
-TEST_F(MigrationsTest, AllowReadingANewerDatabaseThatSaysItIsCompatible) {
+TEST_F(MigrationsTest, AllowReadingANewerCompatibleDatabase) {
   const Migration first = step(1, "CREATE TABLE a (x BIGINT);\n");
   {
     Connection connection = open();
@@ -118,7 +119,7 @@ TEST_F(MigrationsTest, AllowReadingANewerDatabaseThatSaysItIsCompatible) {
   EXPECT_EQ(checkSchema(reader, {first}).version, 2);
 }
 
-TEST_F(MigrationsTest, RefuseAStepThatWasEditedAfterItWasApplied) {
+TEST_F(MigrationsTest, RefuseAMigrationThatWasEditedAfterItWasApplied) {
   Connection connection = open();
   migrate(connection, {step(1, "CREATE TABLE a (x BIGINT);\n")}, kOptions);
 
@@ -129,7 +130,7 @@ TEST_F(MigrationsTest, RefuseAStepThatWasEditedAfterItWasApplied) {
   EXPECT_NE(refusal.text.find("0001_test"), std::string::npos) << refusal.text;
 }
 
-TEST_F(MigrationsTest, LeaveTheDatabaseAtTheStepBeforeOneThatFails) {
+TEST_F(MigrationsTest, KeepTheMigrationsBeforeAFailedOne) {
   Connection connection = open();
   const std::vector<Migration> steps{step(1, "CREATE TABLE a (x BIGINT);\n"),
                                      step(2, "CREATE TABLE b (x BIGINT);\nCREATE TABLE a (x BIGINT);\n")};
@@ -140,7 +141,7 @@ TEST_F(MigrationsTest, LeaveTheDatabaseAtTheStepBeforeOneThatFails) {
   EXPECT_THROW((void)connection.prepare("SELECT x FROM b"), DbError);
 }
 
-TEST_F(MigrationsTest, CopyAnExistingFileBeforeTheFirstStep) {
+TEST_F(MigrationsTest, BackUpAnExistingFileBeforeTheFirstMigration) {
   if (onPostgresql()) {
     GTEST_SKIP() << "a server is backed up by its own tools";
   }
@@ -159,20 +160,20 @@ TEST_F(MigrationsTest, CopyAnExistingFileBeforeTheFirstStep) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM a"), 0);
 }
 
-TEST(Dialect, ReplacesTheTypeOfBytes) {
+TEST(Dialect, ReplacesTheBlobType) {
   const std::string text = "CREATE TABLE t (b {{blob}});\n";
   EXPECT_EQ(statementsFor(Engine::kSqlite, text, "x").at(0), "CREATE TABLE t (b BLOB)");
   EXPECT_EQ(statementsFor(Engine::kPostgresql, text, "x").at(0), "CREATE TABLE t (b BYTEA)");
 }
 
-TEST(Dialect, SplitsStatementsAtTheSemicolonThatEndsALine) {
+TEST(Dialect, SplitsStatementsAtSemicolonsAtTheEndOfALine) {
   const std::vector<std::string> statements =
       statementsFor(Engine::kSqlite, "-- why; indeed\nSELECT ';'\n FROM a;\nSELECT 2;\n", "x");
   ASSERT_EQ(statements.size(), 2U);
   EXPECT_EQ(statements[0], "SELECT ';'\n FROM a");
 }
 
-TEST(Dialect, RefusesUnknownTokensAndOpenEnds) {
+TEST(Dialect, RejectsUnknownTokensAndUnterminatedStatements) {
   EXPECT_EQ(refusalFrom([] { (void)statementsFor(Engine::kSqlite, "{{nonsense}}\n", "x"); }).code,
             ErrorCode::kBadData);
   EXPECT_EQ(refusalFrom([] { (void)statementsFor(Engine::kSqlite, "A {{nonsense}};\n", "x"); }).code,
@@ -191,7 +192,7 @@ class BackupTest : public DatabaseTest {
   }
 };
 
-TEST_F(BackupTest, IsAWholeDatabaseInOneFile) {
+TEST_F(BackupTest, IsASingleCompleteFile) {
   Connection connection = openWithSchema();
   connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
                      {"chief", "chiefs", 3});
@@ -205,13 +206,13 @@ TEST_F(BackupTest, IsAWholeDatabaseInOneFile) {
   EXPECT_FALSE(fs::exists(locator() + ".copy.part-wal"));
 }
 
-TEST_F(BackupTest, LeavesNothingWhenItsFolderIsMissing) {
+TEST_F(BackupTest, LeavesNothingIfItsFolderIsMissing) {
   Connection connection = openWithSchema();
   EXPECT_THROW(backupSqlite(connection, fs::path(locator()).parent_path() / "none" / "copy.sqlite"), Error);
   EXPECT_FALSE(fs::exists(fs::path(locator()).parent_path() / "none"));
 }
 
-TEST_F(BackupTest, IsRestoredOverADatabaseThatNobodyUses) {
+TEST_F(BackupTest, IsRestoredOverAnUnusedDatabase) {
   const fs::path copy = locator() + ".copy";
   {
     Connection connection = openWithSchema();
@@ -252,7 +253,7 @@ TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
   EXPECT_FALSE(fs::exists(locator() + ".part"));
 }
 
-TEST_F(BackupTest, ReplacesADatabaseThatIsBeyondRepair) {
+TEST_F(BackupTest, ReplacesADamagedDatabase) {
   const fs::path copy = locator() + ".copy";
   {
     Connection connection = openWithSchema();

@@ -16,7 +16,7 @@ namespace {
 
 using PeopleRepositoryTest = DatabaseTest;
 
-TEST_F(PeopleRepositoryTest, ReturnsTraineesAsTheyWereEntered) {
+TEST_F(PeopleRepositoryTest, ReturnsTraineesAsStored) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 3);
 
@@ -36,7 +36,7 @@ TEST_F(PeopleRepositoryTest, ReturnsTraineesAsTheyWereEntered) {
   EXPECT_EQ(trainees[1].handedness, "right");
 }
 
-TEST_F(PeopleRepositoryTest, KeepsRatersWithTheirClassInTheOrderOfTheClasses) {
+TEST_F(PeopleRepositoryTest, KeepsRatersOrderedByClass) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 1);
   PeopleRepository people(connection);
@@ -53,7 +53,7 @@ TEST_F(PeopleRepositoryTest, KeepsRatersWithTheirClassInTheOrderOfTheClasses) {
   EXPECT_EQ(people.raterClasses().size(), 3U);
 }
 
-TEST_F(PeopleRepositoryTest, KeepsNobodyOfARosterWithADoubleCode) {
+TEST_F(PeopleRepositoryTest, StoresNobodyOfARosterWithADuplicateCode) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   std::vector<Trainee> roster(2);
@@ -138,7 +138,7 @@ TEST_F(PeopleRepositoryTest, TheNewestConsentCounts) {
 /// Matches a UUID in lower case.
 const std::regex kUuid("[0-9a-f]{8}-([0-9a-f]{4}-){3}[0-9a-f]{12}");
 
-TEST(IdSource, MakesVersionFourUuids) {
+TEST(IdSource, GeneratesVersionFourUuids) {
   SystemIdSource system;
   const std::string id = system.newUuid();
   EXPECT_TRUE(std::regex_match(id, kUuid)) << id;
@@ -146,7 +146,7 @@ TEST(IdSource, MakesVersionFourUuids) {
   EXPECT_NE(id, system.newUuid());
 }
 
-TEST(IdSource, RepeatsTheIdsOfASeed) {
+TEST(IdSource, RepeatsTheIdsForASeed) {
   SeededIdSource first(1);
   SeededIdSource again(1);
   SeededIdSource other(2);

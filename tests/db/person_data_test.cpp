@@ -31,7 +31,7 @@
 namespace torsio {
 namespace {
 
-/// Stands in every free text about the person, so that a search finds whatever an erase forgot.
+/// Contained in every free text about the person, so that a search finds whatever an erase missed.
 const std::string kMarker = "Wilhelmina";
 
 class PersonDataTest : public DatabaseTest {
@@ -50,7 +50,7 @@ class PersonDataTest : public DatabaseTest {
     return names;
   }
 
-  /// Tables in which some text column holds the marker.
+  /// Tables with the marker in a text column.
   static std::vector<std::string> tablesWithMarker(Connection& connection) {
     std::vector<std::string> found;
     for (const std::string& table : tables(connection)) {
@@ -152,7 +152,7 @@ TEST_F(PersonDataTest, EveryTableHasExactlyOneRule) {
   EXPECT_EQ(ruled.size(), names.size());
 }
 
-TEST_F(PersonDataTest, EveryTableThatPointsAtAPersonIsExported) {
+TEST_F(PersonDataTest, EveryTableThatRefersToAPersonIsExported) {
   Connection connection = openWithSchema();
   const std::set<std::string> pointing{"person_id",    "trainee_id",       "rater_id",
                                        "enrolment_id", "author_person_id", "reader_person_id"};
@@ -165,7 +165,7 @@ TEST_F(PersonDataTest, EveryTableThatPointsAtAPersonIsExported) {
   }
 }
 
-TEST_F(PersonDataTest, ExportsAllAboutOnePersonAndNothingAboutAnother) {
+TEST_F(PersonDataTest, ExportsEverythingAboutOnePersonOnly) {
   Connection connection = openWithSchema();
   const Full full(connection);
 
@@ -193,7 +193,7 @@ TEST_F(PersonDataTest, ExportsAllAboutOnePersonAndNothingAboutAnother) {
   }
 }
 
-TEST_F(PersonDataTest, ErasingLeavesNoTraceOfTheNameInAnyTable) {
+TEST_F(PersonDataTest, ErasingRemovesTheNameFromEveryTable) {
   Connection connection = openWithSchema();
   const Full full(connection);
   ASSERT_GE(tablesWithMarker(connection).size(), 5U);
@@ -208,7 +208,7 @@ TEST_F(PersonDataTest, ErasingLeavesNoTraceOfTheNameInAnyTable) {
   EXPECT_TRUE(TrialRepository(connection).load(full.trialIds[0]).chunks.empty());
 }
 
-TEST_F(PersonDataTest, ErasingKeepsMarksForStatisticsAndEverybodyElse) {
+TEST_F(PersonDataTest, ErasingKeepsMarksAndEverybodyElse) {
   Connection connection = openWithSchema();
   const Full full(connection);
 
@@ -224,7 +224,7 @@ TEST_F(PersonDataTest, ErasingKeepsMarksForStatisticsAndEverybodyElse) {
             "somebody else");
 }
 
-TEST_F(PersonDataTest, TheAuditTrailStaysWholeAndTellsOfTheErase) {
+TEST_F(PersonDataTest, ErasingIsRecordedInTheAuditTrailWhichStillVerifies) {
   Connection connection = openWithSchema();
   const Full full(connection);
 
@@ -238,7 +238,7 @@ TEST_F(PersonDataTest, TheAuditTrailStaysWholeAndTellsOfTheErase) {
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM trial_chunk"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(PersonDataTest, ErasesNobodyTwice) {
+TEST_F(PersonDataTest, RefusesToEraseTwice) {
   Connection connection = openWithSchema();
   const Full full(connection);
   erase(connection, full);

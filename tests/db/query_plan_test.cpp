@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists must open at once however long the record is: no query of a list may walk through a whole table that
-// grows with the years, nor sort one. SQLite's own plan says so for every statement that the repositories
-// prepare.
+// Lists must open instantly however long the record is: no list query may scan or sort a table that grows
+// over the years. Checks SQLite's plan of every statement that the repositories prepare.
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -41,7 +40,7 @@ class QueryPlanTest : public DatabaseTest {
     }
   }
 
-  /// Lines of the plans of all that `list` prepares.
+  /// Plans of all statements prepared by `list`.
   static std::vector<std::string> plansOf(Connection& connection, const std::function<void()>& list) {
     std::vector<std::string> statements;
     connection.observeStatements([&](std::string_view sql) { statements.emplace_back(sql); });
@@ -58,11 +57,11 @@ class QueryPlanTest : public DatabaseTest {
     return lines;
   }
 
-  /// A list of the centre that stays short and is read at once, however long the record is.
+  /// True for tables of the centre that stay short.
   static bool isOfShortList(const std::string& line) {
     return line.rfind("SCAN rater", 0) == 0 || line.rfind("SCAN occasion", 0) == 0;
   }
-  /// `inOrder`: a walk along an index is meant, because the whole list is shown or LIMIT ends it.
+  /// `inOrder`: an index scan is intended, as the whole list is shown or LIMIT ends it.
   static void expectNoWalk(const std::vector<std::string>& lines, bool inOrder = false) {
     EXPECT_FALSE(lines.empty());
     for (const std::string& line : lines) {
@@ -78,7 +77,7 @@ class QueryPlanTest : public DatabaseTest {
   }
 };
 
-TEST_F(QueryPlanTest, TrialsAreFoundByIndexAndTheNewestNeedNoSorting) {
+TEST_F(QueryPlanTest, TrialsUseAnIndexAndTheNewestNeedNoSorting) {
   Connection connection = openWithSchema();
   TrialRepository trials(connection);
   const auto newest = plansOf(connection, [&] { (void)trials.list(); });
@@ -90,7 +89,7 @@ TEST_F(QueryPlanTest, TrialsAreFoundByIndexAndTheNewestNeedNoSorting) {
   expectNoWalk(plansOf(connection, [&] { (void)trials.find("t"); }));
 }
 
-TEST_F(QueryPlanTest, PeopleAreListedInTheOrderOfAnIndex) {
+TEST_F(QueryPlanTest, PeopleAreListedByAnIndex) {
   Connection connection = openWithSchema();
   PeopleRepository people(connection);
   const auto trainees = plansOf(connection, [&] { (void)people.trainees(); });
@@ -100,7 +99,7 @@ TEST_F(QueryPlanTest, PeopleAreListedInTheOrderOfAnIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)people.consents("p"); }));
 }
 
-TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
+TEST_F(QueryPlanTest, MarksOfACohortUseAnIndex) {
   Connection connection = openWithSchema();
   expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).enrolments("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).exposures("c"); }));
@@ -113,7 +112,7 @@ TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));
 }
 
-TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
+TEST_F(QueryPlanTest, ARatersQueueAndTheAuditTrailUseAnIndex) {
   Connection connection = openWithSchema();
   SheetRepository sheets(connection);
   expectNoWalk(plansOf(connection, [&] { (void)sheets.queue("r"); }));
@@ -134,7 +133,7 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   expectNoSort(newest);
 }
 
-TEST_F(QueryPlanTest, TheStartOfAStationAndItsBoardAreFoundByIndex) {
+TEST_F(QueryPlanTest, AStationsStartAndTheBoardUseAnIndex) {
   Connection connection = openWithSchema();
   TrialRepository trials(connection);
   expectNoWalk(plansOf(connection, [&] { (void)trials.closeInterrupted("station", 0); }));
@@ -142,11 +141,11 @@ TEST_F(QueryPlanTest, TheStartOfAStationAndItsBoardAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)trials.list({.moduleId = "m"}); }));
   StationRepository stations(connection);
   const auto board = plansOf(connection, [&] { (void)stations.board(); });
-  expectNoWalk(board, true);  // one row a station
+  expectNoWalk(board, true);  // one row per station
   expectNoSort(board);
 }
 
-TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
+TEST_F(QueryPlanTest, RemarksAndUnreadRemarksUseAnIndex) {
   Connection connection = openWithSchema();
   RemarkRepository remarks(connection);
   expectNoWalk(plansOf(connection, [&] { (void)remarks.remarks("t"); }));
@@ -158,7 +157,7 @@ TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)remarks.calibrationScores("r"); }));
 }
 
-TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
+TEST_F(QueryPlanTest, ARatersDeskUsesAnIndex) {
   Connection connection = openWithSchema();
   DeskRepository desk(connection);
   expectNoWalk(plansOf(connection, [&] { (void)desk.assignment("a"); }));
@@ -174,7 +173,7 @@ TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)discrepancies.latest("a"); }));
 }
 
-TEST_F(QueryPlanTest, WhatTheAdministratorOpensIsFoundByIndex) {
+TEST_F(QueryPlanTest, AdministratorsListsUseAnIndex) {
   Connection connection = openWithSchema();
   CurriculumRepository curricula(connection);
   expectNoWalk(plansOf(connection, [&] { (void)curricula.draft("c"); }));

@@ -23,7 +23,7 @@ class QuestionRepositoryTest : public DatabaseTest {
       trainee = sample.trainees[0].person.id;
       TrialRepository(connection).begin(sampleHeader(trialId, "T-01"));
     }
-    /// Asks the chief of this number.
+    /// Asks chief number `chief`.
     std::string ask(std::size_t chief, std::int64_t time_us, std::int64_t askedUtc_us) {
       const std::string id = remark(trainee, "bookmark", time_us, "why?", "");
       questions.add({.remarkId = id, .raterId = sample.chiefs[chief].person.id, .askedUtc_us = askedUtc_us});
@@ -53,7 +53,7 @@ class QuestionRepositoryTest : public DatabaseTest {
   };
 };
 
-TEST_F(QuestionRepositoryTest, WhatWaitsComesFirstOldestFirst) {
+TEST_F(QuestionRepositoryTest, UnansweredQuestionsComeFirstOldestFirst) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string chief = desk.sample.chiefs[0].person.id;
@@ -80,7 +80,7 @@ TEST_F(QuestionRepositoryTest, WhatWaitsComesFirstOldestFirst) {
   EXPECT_EQ(desk.questions.lastAsked(chief), "");
 }
 
-TEST_F(QuestionRepositoryTest, AnAnswerIsThatOfWhoWasAsked) {
+TEST_F(QuestionRepositoryTest, OnlyTheAskedRatersReplyIsTheAnswer) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string id = desk.ask(0, 1'000'000, kSampleTime_us);
@@ -91,7 +91,7 @@ TEST_F(QuestionRepositoryTest, AnAnswerIsThatOfWhoWasAsked) {
   EXPECT_FALSE(desk.questions.find("none").has_value());
 }
 
-TEST_F(QuestionRepositoryTest, AQuestionIsSentOnceAndNeverChanges) {
+TEST_F(QuestionRepositoryTest, AQuestionIsSentOnceAndImmutable) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string id = desk.ask(0, 1'000'000, kSampleTime_us);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random changes of any column of any table, and of any byte of the file. TORSIO_TAMPER_CHANGES=1000 makes
-// more of them than the default.
+// Random changes of any column of any table, and of any byte of the file. TORSIO_TAMPER_CHANGES=1000 runs
+// more than the default.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -40,7 +40,7 @@ std::set<std::string> findingsIn(Connection& connection) {
   return {all.begin(), all.end()};
 }
 
-/// Columns that carry no seal, each with its reason in the rules: "table.column", or "table.*".
+/// True for columns without a seal, which the rules justify: "table.column", or "table.*".
 bool carriesNothing(const std::string& table, const std::string& column) {
   for (const SealRule& rule : kSealRules) {
     if (rule.table != table) {
@@ -64,7 +64,7 @@ class Changer {
 
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_.next() % count); }
 
-  /// Another value of the same kind.
+  /// Another value of the same type.
   Value other(const Value& value) {
     if (const auto* number = std::get_if<std::int64_t>(&value.storage())) {
       return *number == 0 || *number == 1 ? 1 - *number
@@ -102,7 +102,7 @@ class Changer {
 
 class RandomTamper : public DatabaseTest {};
 
-TEST_F(RandomTamper, ValuesOfAnotherKindAndColumnsThatAreGoneAreFindings) {
+TEST_F(RandomTamper, ValuesOfAnotherTypeAndMissingColumnsAreFindings) {
   if (onPostgresql()) {
     GTEST_SKIP() << "a server keeps the kind of every column";
   }
@@ -125,7 +125,7 @@ TEST_F(RandomTamper, ValuesOfAnotherKindAndColumnsThatAreGoneAreFindings) {
   }
 }
 
-TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
+TEST_F(RandomTamper, EveryChangeOfAnyColumnIsDetected) {
   Connection connection = openWithSchema();
   const FullRecord real(connection, "real", false);
   const FullRecord simulated(connection, "demo", true);
@@ -176,15 +176,15 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
     try {
       behind.prepare("UPDATE " + table.name + " SET " + column + " = ?" + where).execute(values);
     } catch (const DbError&) {
-      continue;  // the column takes no such value
+      continue;  // the column's rules reject the value
     }
     ++made;
     bool found = false;
     try {
       found = findingsIn(behind) != before;
     } catch (const Error&) {
-      found = true;                           // the record is not even opened, and it is said why
-    } catch (const std::exception& broken) {  // verification must never fall over what it looks for
+      found = true;                           // the record cannot be opened, with an explanation
+    } catch (const std::exception& broken) {  // verification must not fail on tampered data
       missed.push_back(table.name + "." + column + ": " + broken.what());
       continue;
     }
@@ -199,7 +199,7 @@ TEST_F(RandomTamper, EveryChangeOfAnyColumnIsFound) {
             << " columns carry nothing by the rules\n";
 }
 
-/// All that a file says: its schema and the hash of every table.
+/// Everything in a file: its schema and the hash of every table.
 std::vector<std::string> contentOf(Connection& connection) {
   std::vector<std::string> content = selectAll(
       connection,
@@ -221,7 +221,7 @@ std::vector<std::string> contentOf(Connection& connection) {
   return content;
 }
 
-TEST_F(RandomTamper, EveryFlippedByteIsFoundOrWithoutEffect) {
+TEST_F(RandomTamper, EveryFlippedByteIsDetectedOrHarmless) {
   if (onPostgresql()) {
     GTEST_SKIP() << "the files of a server are not Torsio's";
   }
@@ -229,7 +229,7 @@ TEST_F(RandomTamper, EveryFlippedByteIsFoundOrWithoutEffect) {
     Connection connection = openWithSchema();
     const FullRecord real(connection, "real", false);
     connection.executeVerbatim("PRAGMA journal_mode = DELETE");
-    connection.executeVerbatim("PRAGMA page_size = 512");  // less of the file is empty
+    connection.executeVerbatim("PRAGMA page_size = 512");  // fewer empty bytes
     connection.executeVerbatim("VACUUM");
   }
   const std::string sound = readFile(locator());
@@ -257,7 +257,7 @@ TEST_F(RandomTamper, EveryFlippedByteIsFoundOrWithoutEffect) {
     try {
       Connection connection = openRecord(copy, OpenMode::kReadOnly);
       tells = !integrityFindings(connection).empty() || !allFindings(connection).empty();
-      same = !tells && contentOf(connection) == content;  // a schema that tells nothing is whole
+      same = !tells && contentOf(connection) == content;  // without schema differences
     } catch (const Error&) {
       tells = true;
     } catch (const std::exception& broken) {

@@ -26,7 +26,7 @@ class RatingRepositoryTest : public DatabaseTest {
   }
 };
 
-TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByOccasion) {
+TEST_F(RatingRepositoryTest, ReturnsMarksWithCodesByOccasion) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   RatingRepository ratings(connection);
@@ -73,7 +73,7 @@ TEST_F(RatingRepositoryTest, ACorrectionIsANewVersionWithItsReason) {
   EXPECT_EQ(history[1].amendReason, "typed the wrong key");
 }
 
-TEST_F(RatingRepositoryTest, TheSecondOfTwoEqualVersionsIsRefused) {
+TEST_F(RatingRepositoryTest, RefusesADuplicateVersion) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   RatingRepository ratings(connection);
@@ -103,7 +103,7 @@ TEST_F(RatingRepositoryTest, AMarkIsAScoreOnItsScaleOrAReason) {
   EXPECT_EQ(ratings.marks(sample.cohort.id)[0].notAssessableReason, "camera failed");
 }
 
-TEST_F(RatingRepositoryTest, KeepsNoMarkOfABatchWithOneBadOne) {
+TEST_F(RatingRepositoryTest, StoresNoMarkOfABatchWithAnInvalidOne) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   std::vector<SubmittedMark> marks{markOf(sample, 0, 0, "pre", 50), markOf(sample, 1, 0, "never", 50)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The server ends a connection in the middle of a trial: the recorder's sink opens it again, and nothing is
-// lost or doubled. PostgreSQL only.
+// The server closes a connection during a trial: the recorder's sink reconnects, and nothing is lost or
+// duplicated. PostgreSQL only.
 #include <cstdlib>
 
 #include "assessment/domain/rating/mark.h"
@@ -36,7 +36,7 @@ class ReconnectTest : public DatabaseTest {
     DatabaseTest::TearDown();
   }
 
-  /// The same database as a user of its own, by whom the server can tell the connection that is to be ended.
+  /// The same database with another user, so that the server can identify the connection to close.
   std::string locatorToLose() {
     const std::string whole = locator();
     const std::size_t at = whole.find('@');
@@ -67,7 +67,7 @@ class ReconnectTest : public DatabaseTest {
   std::string role_;
 };
 
-TEST_F(ReconnectTest, ATrialSurvivesTheLossOfItsConnectionAtEveryStep) {
+TEST_F(ReconnectTest, ATrialSurvivesALostConnectionAtEveryStep) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = sample.ids.newUuid();
@@ -120,7 +120,7 @@ TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {
   verifyContent(trial);
 }
 
-TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
+TEST_F(ReconnectTest, AMarkCanBeSubmittedAgainOverANewConnection) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   SubmittedMark mark;
@@ -132,7 +132,7 @@ TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   mark.submittedUtc_us = kSampleTime_us;
   {
     Connection lost = openRecord(locatorToLose(), OpenMode::kReadWrite);
-    RatingRepository(lost).submit(std::span(&mark, 1));  // kept, but the answer never arrives
+    RatingRepository(lost).submit(std::span(&mark, 1));  // stored, but the answer is lost
     endConnection(connection);
     EXPECT_EQ(faultFrom([&] { RatingRepository(lost).submit(std::span(&mark, 1)); }), DbFault::kUnreachable);
   }
@@ -144,8 +144,8 @@ TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
-TEST_F(ReconnectTest, AServerThatStaysAwayIsReportedWithinSeconds) {
-  // given: an address where nobody listens
+TEST_F(ReconnectTest, AnUnreachableServerIsReportedWithinSeconds) {
+  // given: an address without a listener
   const std::string away = "postgresql://torsio:none@127.0.0.1:1/none";
   OwnConnectionTrialSink sink(away, {"station-1", ""});
   const MonotonicClock clock;
@@ -153,7 +153,7 @@ TEST_F(ReconnectTest, AServerThatStaysAwayIsReportedWithinSeconds) {
 
   EXPECT_EQ(faultFrom([&] { sink.begin(sampleHeader("t", "")); }), DbFault::kUnreachable);
 
-  constexpr std::int64_t kRing_us = 8'000'000;  // what the recorder's ring holds
+  constexpr std::int64_t kRing_us = 8'000'000;  // capacity of the recorder's ring
   EXPECT_LT(clock.now_us() - start_us, kRing_us);
 }
 

@@ -39,7 +39,7 @@ class RecordCopyTest : public DatabaseTest {
   TemporaryFolder folder_;
 };
 
-TEST_F(RecordCopyTest, TablesComeAfterWhatTheyReferTo) {
+TEST_F(RecordCopyTest, TablesFollowTheirParents) {
   Connection connection = openWithSchema();
   const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
 
@@ -72,7 +72,7 @@ TEST_F(RecordCopyTest, TheOrderIsTheSameOnBothEngines) {
   }
 }
 
-TEST_F(RecordCopyTest, MovesEveryRowOfEveryTableThereAndBack) {
+TEST_F(RecordCopyTest, CopiesEveryRowOfEveryTableThereAndBack) {
   Connection original = file("original.sqlite");
   const FullRecord real(original, "real", false);
   const FullRecord simulated(original, "demo", true);
@@ -94,7 +94,7 @@ TEST_F(RecordCopyTest, MovesEveryRowOfEveryTableThereAndBack) {
   EXPECT_EQ(faultFrom([&] { middle.execute("DELETE FROM training_mark"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(RecordCopyTest, RefusesATargetThatHasRows) {
+TEST_F(RecordCopyTest, RefusesANonemptyTarget) {
   Connection original = file("original.sqlite");
   const FullRecord real(original, "real", false);
   Connection used = openWithSchema();
@@ -109,7 +109,7 @@ TEST_F(RecordCopyTest, RefusesATargetThatHasRows) {
   EXPECT_EQ(digests(used), before);
 }
 
-TEST_F(RecordCopyTest, LeavesNothingWhenItIsStoppedHalfWay) {
+TEST_F(RecordCopyTest, LeavesNothingWhenCancelled) {
   Connection original = file("original.sqlite");
   const FullRecord real(original, "real", false);
   for (int i = 0; i < 1200; ++i) {
@@ -143,7 +143,7 @@ TEST_F(RecordCopyTest, RefusesARecordWhoseTrailDoesNotVerify) {
   EXPECT_NE(refusal.text.find("its audit trail does not verify"), std::string::npos) << refusal.text;
 }
 
-TEST_F(RecordCopyTest, AHashNoticesOneChangedValueAndNotTheOrder) {
+TEST_F(RecordCopyTest, AHashDependsOnEachValueButNotOnTheOrder) {
   Connection connection = openWithSchema();
   const auto put = [&](const char* name, const char* value) {
     connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",

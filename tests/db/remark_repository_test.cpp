@@ -73,14 +73,15 @@ TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
   EXPECT_FALSE(desk.remarks.find("none").has_value());
 }
 
-TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
+TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilFirstRead) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(desk.remark(desk.trainee, "bookmark", 2, "mine"));
   ASSERT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
-  EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.chief).empty());  // one's own are never unread
+  EXPECT_TRUE(
+      desk.remarks.unreadOnTrialsOf(desk.trainee, desk.chief).empty());  // one's own remarks are never unread
 
   desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us + 10});
   desk.remarks.markRead({remark.id, 1, desk.trainee, desk.trainee, kSampleTime_us + 20});
@@ -92,7 +93,7 @@ TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
   EXPECT_EQ(receipts[0].readUtc_us, kSampleTime_us + 10);
 }
 
-TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
+TEST_F(RemarkRepositoryTest, AReplyReachesTheAuthorOfTheRemark) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const Remark remark = desk.remark(desk.chief, "remark", 1, "why so fast?");
@@ -112,7 +113,7 @@ TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
             DbFault::kForeignKey);
 }
 
-TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
+TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndImmutable) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   Remark remark = desk.remark(desk.chief, "remark", 1, "look");
@@ -128,7 +129,7 @@ TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
   EXPECT_EQ(desk.remarks.remarks(desk.trialId).size(), 1U);
 }
 
-TEST_F(RemarkRepositoryTest, AnEditIsARowBesideTheOldWordsAndIsUnreadAgain) {
+TEST_F(RemarkRepositoryTest, AnEditKeepsTheOldTextAndIsUnreadAgain) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const Remark remark = desk.remark(desk.chief, "remark", 1, "look");

@@ -22,7 +22,7 @@ namespace {
 
 class RetentionRepositoryTest : public DatabaseTest {
  protected:
-  /// A real trainee "R-<n>", entered on the sample day.
+  /// A real trainee "R-<n>", added on the sample day.
   static PersonId addTrainee(Connection& connection, const std::string& code,
                              PersonState state = PersonState::kActive) {
     Trainee trainee;
@@ -32,7 +32,7 @@ class RetentionRepositoryTest : public DatabaseTest {
   }
 };
 
-TEST_F(RetentionRepositoryTest, NobodyIsDueWithoutARuleOrBeforeItsTime) {
+TEST_F(RetentionRepositoryTest, NobodyIsDueWithoutARuleOrBeforeTheTime) {
   Connection connection = openWithSchema();
   RetentionRepository retention(connection);
   addTrainee(connection, "R-1");
@@ -51,7 +51,7 @@ TEST_F(RetentionRepositoryTest, NobodyIsDueWithoutARuleOrBeforeItsTime) {
   EXPECT_FALSE(due[0].held);
 }
 
-TEST_F(RetentionRepositoryTest, TheTimeRunsFromTheLastActivity) {
+TEST_F(RetentionRepositoryTest, ThePeriodStartsAtTheLastActivity) {
   Connection connection = openWithSchema();
   RetentionRepository retention(connection);
   retention.setRule({kRetainTrainee, 30, "contract", 1});
@@ -66,11 +66,11 @@ TEST_F(RetentionRepositoryTest, TheTimeRunsFromTheLastActivity) {
   const std::vector<RetentionItem> due = retention.due(kSampleTime_us + 40 * kDay_us);
 
   ASSERT_EQ(due.size(), 2U);
-  EXPECT_EQ(due[0].code, "R-2");  // longest due first
+  EXPECT_EQ(due[0].code, "R-2");  // longest overdue first
   EXPECT_EQ(due[1].sinceUtc_us, kSampleTime_us + 10 * kDay_us);
 }
 
-TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
+TEST_F(RetentionRepositoryTest, AMarkOfAnyEnrolmentIsAnActivity) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 0);
   RetentionRepository retention(connection);
@@ -104,7 +104,7 @@ TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
   EXPECT_EQ(due[1].sinceUtc_us, kSampleTime_us + 20 * kDay_us);
 }
 
-TEST_F(RetentionRepositoryTest, WhoLeftOrWithdrewIsDueByTheRuleThatFallsDueFirst) {
+TEST_F(RetentionRepositoryTest, PeopleWhoLeftOrWithdrewAreDueByTheEarliestRule) {
   Connection connection = openWithSchema();
   RetentionRepository retention(connection);
   retention.setRule({kRetainTrainee, 400, "contract", 1});
@@ -172,7 +172,7 @@ TEST_F(RetentionRepositoryTest, SimulatedAndErasedPeopleAreNeverDue) {
   EXPECT_TRUE(retention.due(kSampleTime_us + 1000 * kDay_us).empty());
 }
 
-TEST_F(RetentionRepositoryTest, RulesAreReplacedAndRefusedWhenTheyMakeNoSense) {
+TEST_F(RetentionRepositoryTest, RulesAreReplacedAndValidated) {
   Connection connection = openWithSchema();
   RetentionRepository retention(connection);
   retention.setRule({kRetainLeft, 30, "contract", 1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every change of a row that a report reads is sealed in its own transaction.
+// Every change of a row used by reports is sealed in its own transaction.
 #include "db/repository/base/row_ledger.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::vector<AuditEntry> sealsIn(Connection& connection) {
   return seals;
 }
 
-TEST_F(RowLedgerTest, EveryTableHasOneRuleAndEveryColumnThatItNamesExists) {
+TEST_F(RowLedgerTest, EveryTableHasOneRuleWithExistingColumns) {
   Connection connection = openWithSchema();
   std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
   tables.push_back({"schema_migration", {{"version"}, {"software_version"}, {"applied_utc_us"}}, {}});
@@ -67,7 +67,7 @@ TEST_F(RowLedgerTest, EveryTableHasOneRuleAndEveryColumnThatItNamesExists) {
   EXPECT_TRUE(rules.empty()) << "no such table: " << rules.begin()->first;
 }
 
-TEST_F(RowLedgerTest, TheKeysOfTheRulesAreThoseOfTheSchema) {
+TEST_F(RowLedgerTest, TheKeysOfTheRulesMatchTheSchema) {
   if (onPostgresql()) {
     GTEST_SKIP() << "both engines run the same steps";
   }
@@ -80,7 +80,7 @@ TEST_F(RowLedgerTest, TheKeysOfTheRulesAreThoseOfTheSchema) {
   }
 }
 
-TEST_F(RowLedgerTest, WhatAnEraseTakesIsSealedWithASalt) {
+TEST_F(RowLedgerTest, PersonalDataAreSealedWithASalt) {
   for (const PersonRule& erased : kPersonRules) {
     const SealRule* rule = sealRuleOf(erased.table);
     if (rule == nullptr || erased.onErase != OnErase::kClear) {
@@ -123,7 +123,7 @@ TEST_F(RowLedgerTest, OneTransactionIsSealedByOneEntryOfItsAuthor) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
-TEST_F(RowLedgerTest, AChangeOutsideATransactionIsSealedTooAndOneThatIsGivenUpIsNot) {
+TEST_F(RowLedgerTest, ChangesOutsideATransactionAreSealedAndRolledBackOnesAreNot) {
   Connection connection = openWithSchema();
   const SampleRecord sample(connection, 1);
   const std::size_t before = sealsIn(connection).size();
@@ -139,7 +139,7 @@ TEST_F(RowLedgerTest, AChangeOutsideATransactionIsSealedTooAndOneThatIsGivenUpIs
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
-TEST_F(RowLedgerTest, EveryWayToChangeARowIsSealed) {
+TEST_F(RowLedgerTest, EveryKindOfChangeIsSealed) {
   Connection connection = openWithSchema();
   const FullRecord record(connection, "real", false);
 
@@ -170,7 +170,7 @@ TEST_F(RowLedgerTest, EveryWayToChangeARowIsSealed) {
             1);
 }
 
-TEST_F(RowLedgerTest, ARightfulChangeDoesNotMakeGoodWhatWasChangedBehindTheTrail) {
+TEST_F(RowLedgerTest, ALegitimateChangeDoesNotHideATamperedRow) {
   Connection connection = openWithSchema();
   const FullRecord record(connection, "real", false);
   const auto set = [&](const char* name, const char* value) {
@@ -196,7 +196,7 @@ TEST_F(RowLedgerTest, ARightfulChangeDoesNotMakeGoodWhatWasChangedBehindTheTrail
                                                                "setting a" + behind, "setting c" + behind}));
 }
 
-TEST_F(RowLedgerTest, CountedFailuresOfASignInAreNoChangeThatIsSealed) {
+TEST_F(RowLedgerTest, CountingFailedSignInsIsNotSealed) {
   Connection connection = openWithSchema();
   const FullRecord record(connection, "real", false);
   const std::size_t before = sealsIn(connection).size();
@@ -207,7 +207,7 @@ TEST_F(RowLedgerTest, CountedFailuresOfASignInAreNoChangeThatIsSealed) {
   EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
-TEST_F(RowLedgerTest, SealsHoldNothingOfAPersonAndTheSaltGoesWithThem) {
+TEST_F(RowLedgerTest, SealsContainNoPersonalDataAndAnEraseRemovesTheSalt) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   const PersonId person = sample.trainees[0].person.id;
@@ -228,7 +228,7 @@ TEST_F(RowLedgerTest, SealsHoldNothingOfAPersonAndTheSaltGoesWithThem) {
   }
 }
 
-TEST_F(RowLedgerTest, AnUpgradeSealsWhatIsThereAndSaysSince) {
+TEST_F(RowLedgerTest, AMigrationSealsExistingRowsAndSaysSo) {
   Connection old = open();
   migrate(old, embeddedMigrations(), {.softwareVersion = "older"});
   old.execute("INSERT INTO centre (id, name, created_utc_us, demonstration) VALUES ('c', 'clinic', 1, ?)",
@@ -252,7 +252,7 @@ TEST_F(RowLedgerTest, AnUpgradeSealsWhatIsThereAndSaysSince) {
   EXPECT_EQ(findings[0].objectKind, "centre");
 }
 
-TEST(ChangedStatementTest, ReadsWhatTheRepositoriesWrite) {
+TEST(ChangedStatementTest, ParsesTheRepositoriesStatements) {
   const auto insert = changedBy(
       "INSERT INTO mark_release (cohort_id, occasion, sequence) VALUES (?, ?, (SELECT "
       "COALESCE(MAX(r.sequence), 0)"

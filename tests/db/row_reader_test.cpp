@@ -35,7 +35,7 @@ Line lineOf(RowReader& row) {
   return {row.int64(), row.text(), row.maybeReal()};
 }
 
-TEST_F(RowReaderTest, TakesTheColumnsFromLeftToRight) {
+TEST_F(RowReaderTest, TakesColumnsFromLeftToRight) {
   Connection connection = openWithRows();
 
   const std::vector<Line> lines = selectAll(connection, kAll, {}, lineOf);
@@ -54,7 +54,7 @@ TEST_F(RowReaderTest, ReadsTheFirstRowOrNone) {
   EXPECT_EQ(third, std::nullopt);
 }
 
-TEST_F(RowReaderTest, SeesANullBeforeItTakesItAndLeavesOutColumns) {
+TEST_F(RowReaderTest, DetectsANullAndSkipsColumns) {
   Connection connection = openWithRows();
 
   const auto seen = selectAll(connection, kAll, {}, [](RowReader& row) {
@@ -67,7 +67,7 @@ TEST_F(RowReaderTest, SeesANullBeforeItTakesItAndLeavesOutColumns) {
   EXPECT_EQ(seen.at(1), std::pair(true, false));
 }
 
-TEST_F(RowReaderTest, IsABrokenContractWhenColumnsAreLeftOrMissing) {
+TEST_F(RowReaderTest, ThrowsForUnreadOrMissingColumns) {
   Connection connection = openWithRows();
   const auto tooMany = [](RowReader& row) { return std::pair(lineOf(row), row.int64()); };
 

@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// "T-07": three digits at most.
+/// Formats "T-07"; up to three digits.
 std::string numbered(std::string prefix, int number) {
   if (number < 10) {
     prefix += "0";

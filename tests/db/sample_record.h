@@ -32,9 +32,9 @@ struct SampleRecord {
 
 /// A header in which every field differs from its default.
 [[nodiscard]] TrialHeader sampleHeader(const TrialId& trialId, const std::string& traineeCode);
-/// Chunk `index` of `samples` samples with `size` bytes that depend on the index.
+/// Chunk `index` with `samples` samples and `size` bytes that depend on the index.
 [[nodiscard]] TrialChunk sampleChunk(std::int64_t index, std::size_t size = 15000);
-/// A whole trial of one small chunk, with its digests.
+/// A complete trial of one small chunk, with its digests.
 [[nodiscard]] Trial sampleTrial();
 
 }  // namespace torsio

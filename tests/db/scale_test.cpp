@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times on the real clock, of a record as large as a centre ever gets: 10,000 trainees, 100,000 marks.
-// Labelled "soak"; the limits are those of the requirements with room for a busy machine, the measured values
-// are printed.
+// Real-time measurements on a record as large as any centre's: 10,000 trainees, 100,000 marks. Labelled
+// "soak". The limits are the requirements with a margin for busy machines; the measured values are printed.
 #include <algorithm>
 #include <functional>
 #include <iostream>
@@ -25,7 +24,7 @@ constexpr std::int64_t kInsertLimit_us = 20'000;  // p99 of one second of sample
 
 class ScaleTest : public DatabaseTest {
  protected:
-  /// The best of three: other programs on the machine only ever add.
+  /// Best of three: other programs can only add time.
   static std::int64_t duration_us(const std::string& what, const std::function<void()>& action) {
     const MonotonicClock clock;
     std::int64_t best_us = INT64_MAX;
@@ -38,7 +37,7 @@ class ScaleTest : public DatabaseTest {
     return best_us;
   }
 
-  /// 99th percentile of 200 seconds of samples.
+  /// 99th percentile over 200 seconds of samples.
   static std::int64_t insertP99_us(TrialRepository& trials, std::int64_t first) {
     std::vector<std::int64_t> times_us;
     const MonotonicClock clock;
@@ -54,7 +53,7 @@ class ScaleTest : public DatabaseTest {
   }
 };
 
-TEST_F(ScaleTest, ListsOpenAtOnceInALargeRecord) {
+TEST_F(ScaleTest, ListsOpenInstantlyInALargeRecord) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const CohortId cohortId = fillLargeRecord(connection, sample);

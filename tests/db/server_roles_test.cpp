@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the role of the stations may do on a prepared server: asked with psql, as anybody with its password
-// could.
+// Rights of the station role on a prepared server, tested with psql as anybody with the password could use
+// it.
 #include "db/repository/people/server_roles.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::string findingsIn(Connection& connection) {
   return text;
 }
 
-/// A record with two raters and a trainee who can sign in, on a server whose roles are written.
+/// A record with two raters and a trainee who can sign in, on a server with roles.
 class ServerRolesTest : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -109,7 +109,7 @@ class ServerRolesTest : public DatabaseTest {
     station.password = kStationPassword;
     return addressOf(station);
   }
-  /// What psql answers to these commands as the station role, or what it says when it refuses.
+  /// Output of psql for these commands as the station role, or its error message.
   [[nodiscard]] std::string psql(const std::string& sql) const {
     const std::string out = (folder_.path() / "out").string();
     const std::string command =
@@ -127,7 +127,7 @@ class ServerRolesTest : public DatabaseTest {
     std::string sql;
     bool allowed;
   };
-  /// What psql answers to each act, in one session.
+  /// Output of psql for each act, in one session.
   [[nodiscard]] std::vector<std::string> answersTo(const std::vector<Act>& acts) const {
     std::string script = "SET search_path TO " + owner_.schema + ";\n";
     for (const Act& act : acts) {
@@ -156,7 +156,7 @@ class ServerRolesTest : public DatabaseTest {
     return answer.substr(answer.find('\n') + 1);
   }
 
-  /// Adds the next version of the rater's mark, whoever does it.
+  /// SQL that adds the next version of the rater's mark.
   [[nodiscard]] std::string amendedMark() const {
     return selectFirst(
                *connection_,
@@ -185,7 +185,7 @@ class ServerRolesTest : public DatabaseTest {
   std::optional<FullRecord> real_;
 };
 
-TEST_F(ServerRolesTest, EveryTableThatCanChangeIsDeclaredAndNoAppendOnlyOneIsChanged) {
+TEST_F(ServerRolesTest, EveryMutableTableIsDeclaredAndNoAppendOnlyOneCanChange) {
   const std::set<std::string> closed = closedTables();
   ASSERT_TRUE(closed.contains("training_mark"));
   ASSERT_TRUE(closed.contains("audit_entry"));
@@ -225,7 +225,7 @@ TEST_F(ServerRolesTest, TheStationCannotRewriteForgeOrOpenTheGate) {
   }
 }
 
-TEST_F(ServerRolesTest, TheStationReachesNothingBeyondItsTables) {
+TEST_F(ServerRolesTest, TheStationReachesOnlyItsTables) {
   for (const char* act :
        {"COPY training_mark TO PROGRAM 'cat'",
         "COPY training_mark TO '/tmp/stolen'",
@@ -250,7 +250,7 @@ TEST_F(ServerRolesTest, TheStationReachesNothingBeyondItsTables) {
         "CREATE SCHEMA mine"}) {
     expectRefused(act);
   }
-  // A table of the session under a name of the record does not reach into the owner's functions.
+  // A temporary table named like a table of the record must not be used by the owner's functions.
   EXPECT_EQ(psql("CREATE TEMP TABLE app_user AS SELECT 'x'::text AS id, 'active'::text AS state,"
                  " (SELECT rater_id FROM assignment LIMIT 1) AS person_id;"
                  " SELECT set_config('torsio.actor', 'x', false); SELECT count(*) FROM training_mark")
@@ -258,7 +258,7 @@ TEST_F(ServerRolesTest, TheStationReachesNothingBeyondItsTables) {
             "0");
 }
 
-TEST_F(ServerRolesTest, WhatAStationAddsByHandIsFound) {
+TEST_F(ServerRolesTest, RowsThatAStationInsertsByHandAreDetected) {
   ASSERT_EQ(findingsIn(*connection_), "");
   const std::string entry =
       as("u-office",
@@ -269,12 +269,12 @@ TEST_F(ServerRolesTest, WhatAStationAddsByHandIsFound) {
   EXPECT_NE(findingsIn(*connection_), "");
 }
 
-TEST_F(ServerRolesTest, MarksAreSeenByWhomTheyConcern) {
+TEST_F(ServerRolesTest, MarksAreVisibleOnlyToThoseConcerned) {
   const std::string marks = "SELECT count(*) FROM training_mark";
   const std::string rows = "SELECT count(*) FROM training_mark_row";
   ASSERT_EQ(numberFrom(*connection_, marks), 1);
 
-  EXPECT_EQ(psql(marks), "0");  // nobody says who asks
+  EXPECT_EQ(psql(marks), "0");  // no current user
   EXPECT_EQ(psql(rows), "0");
   EXPECT_EQ(as("u-rater", marks), "1");
   EXPECT_EQ(as("u-rater", rows), std::to_string(numberFrom(*connection_, rows)));
@@ -300,8 +300,8 @@ TEST_F(ServerRolesTest, MarksAreSeenByWhomTheyConcern) {
   EXPECT_EQ(numberFrom(*connection_, marks), 2);
 }
 
-TEST_F(ServerRolesTest, EveryTableWithMarksOrTheirMeansHidesThemFromWhomTheyDoNotConcern) {
-  const std::set<std::string> open{"rubric_anchor"};  // what a mark means, nobody's mark
+TEST_F(ServerRolesTest, EveryTableWithMarksOrMeansIsRestricted) {
+  const std::set<std::string> open{"rubric_anchor"};  // explains marks, contains none
   std::vector<std::string> tables;
   std::string counts;
   for (const std::string& table :
@@ -331,12 +331,12 @@ TEST_F(ServerRolesTest, EveryTableWithMarksOrTheirMeansHidesThemFromWhomTheyDoNo
   EXPECT_NE(own.find("rater_warmup 0"), std::string::npos) << own;
   EXPECT_NE(as("u-rater", counts).find("rater_warmup 1"), std::string::npos);
   const std::string office = as("u-office", counts);
-  for (const std::string& table : tables) {  // a draft is its writer's
+  for (const std::string& table : tables) {  // a draft belongs to its author
     EXPECT_EQ(office.find(table + " 0") != std::string::npos, table == "evaluation_draft") << office;
   }
 }
 
-TEST_F(ServerRolesTest, WhoeverTypesSheetsOfPaperAddsTheMarksOfAllRaters) {
+TEST_F(ServerRolesTest, WhoTypesPaperSheetsAddsMarksOfAllRaters) {
   const std::string rows =
       "INSERT INTO training_mark_row SELECT 'amended', revision_id, row_code, score_steps,"
       " not_assessable_reason FROM training_mark_row";
@@ -347,13 +347,13 @@ TEST_F(ServerRolesTest, WhoeverTypesSheetsOfPaperAddsTheMarksOfAllRaters) {
   EXPECT_GT(numberFrom(*connection_, "SELECT count(*) FROM training_mark_row WHERE mark_id = 'amended'"), 0);
 }
 
-TEST_F(ServerRolesTest, NobodyIsToldThatMarksAreGoneWhichOnlyAreNotShown) {
+TEST_F(ServerRolesTest, HiddenMarksAreNotReportedAsMissing) {
   Connection station = openRecord(stationLocator(), OpenMode::kReadOnly);
   for (const char* user : {"", "u-other", "u-trainee"}) {
-    sayWhoAsks(station, user);
+    setCurrentUser(station, user);
     EXPECT_EQ(refusalFrom([&] { (void)verifyAuditTrail(station); }).code, ErrorCode::kPermission) << user;
   }
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
   EXPECT_EQ(findingsIn(station), "");
 }
 
@@ -368,13 +368,13 @@ TEST_F(ServerRolesTest, TheProgramWorksAsTheStationAndKeepsTheTrail) {
                             .action = AuditAction::kUserSignIn,
                             .objectKind = AuditObject::kAppUser};
   AuditRepository(station).append(entry);
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
 
   EXPECT_EQ(findingsIn(station), "");
   EXPECT_TRUE(schemaFindings(*connection_, serverParts()).empty());
 }
 
-TEST_F(ServerRolesTest, WhatLetsStationsReadSomethingElseIsNamedAndPreparingMendsThePolicies) {
+TEST_F(ServerRolesTest, ObjectsThatRedirectStationsAreFindingsAndPreparingRestoresThePolicies) {
   ASSERT_TRUE(schemaFindings(*connection_, serverParts()).empty());
   const auto finds = [this](const std::string& sql, const std::string& part) {
     const Transaction undone(*connection_);
@@ -403,14 +403,14 @@ TEST_F(ServerRolesTest, WhatLetsStationsReadSomethingElseIsNamedAndPreparingMend
   EXPECT_TRUE(schemaFindings(*connection_, serverParts()).empty());
 }
 
-TEST_F(ServerRolesTest, ErasingGoesThroughTheOwnersFunctionForWhoeverMayErase) {
+TEST_F(ServerRolesTest, ErasingUsesTheOwnersFunctionWithTheRightToErase) {
   Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
   const std::string person = real_->traineeId;
-  sayWhoAsks(station, "u-rater");
+  setCurrentUser(station, "u-rater");
   EXPECT_THROW(erasePerson(station, person, "u-rater", "asked", 5), DbError);
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 0);
 
-  sayWhoAsks(station, "u-office");
+  setCurrentUser(station, "u-office");
   erasePerson(station, person, "u-office", "asked", 5);
 
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM erasure WHERE person_id = '" + person + "'"), 1);
@@ -421,7 +421,7 @@ TEST_F(ServerRolesTest, ErasingGoesThroughTheOwnersFunctionForWhoeverMayErase) {
   EXPECT_EQ(findingsIn(station), "");
 }
 
-TEST_F(ServerRolesTest, AStationIsToldWhoRemovesTheDemonstration) {
+TEST_F(ServerRolesTest, AStationIsToldWhoMayRemoveTheDemonstration) {
   {
     Connection station = openDatabase(stationLocator(), OpenMode::kReadWrite);
     try {
@@ -435,7 +435,7 @@ TEST_F(ServerRolesTest, AStationIsToldWhoRemovesTheDemonstration) {
   EXPECT_NO_THROW((void)removeDemonstration(*connection_, "u-office", "ward", "why", 1));
 }
 
-TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNoStation) {
+TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNotAStation) {
   writeServerRoles(*connection_, allTables(*connection_), closedTables(), role_);
 
   EXPECT_EQ(as("u-office", "SELECT count(*) FROM training_mark"), "1");
@@ -449,7 +449,7 @@ TEST_F(ServerRolesTest, PreparingTwiceChangesNothingAndTheOwnerIsNoStation) {
             ErrorCode::kBadParameter);
 }
 
-TEST_F(ServerRolesTest, TwoWhoPrepareAtOnceWaitForEachOther) {
+TEST_F(ServerRolesTest, ConcurrentPreparationsWaitForEachOther) {
   const std::vector<std::string> tables = allTables(*connection_);
   const auto prepareOften = [&] {
     Connection own = openRecord(locator(), OpenMode::kReadWrite);

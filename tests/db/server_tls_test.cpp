@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an address says about TLS and services reaches PostgreSQL's own library.
+// TLS parameters and services of an address reach libpq.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The server of the suite, whose certificate is for "localhost" (tests/support/start-postgres.sh).
+/// The server of the suite, with a certificate for "localhost" (tests/support/start-postgres.sh).
 class ServerTlsTest : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -39,7 +39,7 @@ class ServerTlsTest : public DatabaseTest {
     server.parameters = parameters;
     return addressOf(server);
   }
-  /// Whether this connection is encrypted, as the server sees it; "ssl|application_name".
+  /// Encryption of this connection as the server sees it; "ssl|application_name".
   [[nodiscard]] static std::string seen(const std::string& locator) {
     Connection connection = openDatabase(locator, OpenMode::kReadOnly);
     Statement row = connection.prepare(
@@ -66,7 +66,7 @@ TEST_F(ServerTlsTest, VerifiesTheServerInFullAndRefusesAnotherName) {
   EXPECT_NE(wrong.find("localhost"), std::string::npos) << wrong;
 }
 
-TEST_F(ServerTlsTest, RefusesAnAuthorityThatDidNotSign) {
+TEST_F(ServerTlsTest, RejectsAnUnrelatedAuthority) {
   const TemporaryFolder folder;
   const fs::path other = folder.path() / "other.crt";
   ASSERT_EQ(std::system(("openssl req -x509 -newkey rsa:2048 -nodes -days 1 -subj /CN=other -keyout " +
@@ -83,13 +83,13 @@ TEST_F(ServerTlsTest, RefusesAnAuthorityThatDidNotSign) {
   EXPECT_NE(none.find("/nowhere/ca.crt"), std::string::npos) << none;
 }
 
-TEST_F(ServerTlsTest, GoesWithoutTlsOnlyWhenTold) {
+TEST_F(ServerTlsTest, GoesWithoutTlsOnlyOnRequest) {
   EXPECT_EQ(seen(with("127.0.0.1", {{"sslmode", "disable"}, {"application_name", "room 7 'left'"}})),
             "false|room 7 'left'");
   EXPECT_EQ(seen(with("127.0.0.1", {{"sslmode", "require"}})), "true|torsio");
 }
 
-TEST_F(ServerTlsTest, TakesAllFromAServiceFileAndThePasswordFromItsOwnFile) {
+TEST_F(ServerTlsTest, TakesEverythingFromAServiceFileAndThePasswordFromItsOwnFile) {
   const TemporaryFolder folder;
   const fs::path service = folder.path() / "service.conf";
   const fs::path passwords = folder.path() / "pgpass";

@@ -20,7 +20,7 @@ namespace {
 
 class SheetRepositoryTest : public DatabaseTest {
  protected:
-  /// A rubric of two rows and an overall mark from 1 to 10; both chiefs are asked about every trainee, "pre".
+  /// A rubric of two rows and an overall mark from 1 to 10; both chiefs are assigned to every trainee, "pre".
   struct Desk {
     explicit Desk(Connection& connection, int trainees = 1)
         : sample(connection, trainees), sheets(connection) {
@@ -84,7 +84,7 @@ TEST_F(SheetRepositoryTest, ReturnsARubricRevisionWithItsAnchors) {
   EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM rubric_anchor"); }), DbFault::kAppendOnly);
 }
 
-TEST_F(SheetRepositoryTest, TheQueueFollowsTheOrderOfTheRaterAndTellsTheState) {
+TEST_F(SheetRepositoryTest, TheQueueHasTheRatersOrderAndTheStates) {
   Connection connection = openWithSchema();
   Desk desk(connection, 3);
   desk.sheets.saveDraft(desk.assignments[1].id, {.revision = 0, .overall_steps = 50});
@@ -99,7 +99,7 @@ TEST_F(SheetRepositoryTest, TheQueueFollowsTheOrderOfTheRaterAndTellsTheState) {
   EXPECT_EQ(queue[2].state, SheetState::kOpen);
 }
 
-TEST_F(SheetRepositoryTest, KeepsADraftOnEachSaveAndNeverOverwritesAnotherStation) {
+TEST_F(SheetRepositoryTest, SavesDraftsWithoutOverwritingAnotherStations) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string id = desk.assignments[0].id;
@@ -120,7 +120,7 @@ TEST_F(SheetRepositoryTest, KeepsADraftOnEachSaveAndNeverOverwritesAnotherStatio
   EXPECT_EQ(faultFrom([&] { desk.sheets.saveDraft(id, sheet); }), DbFault::kConflict);
 }
 
-TEST_F(SheetRepositoryTest, SubmittingSealsTheSheetAndRemovesTheDraft) {
+TEST_F(SheetRepositoryTest, SubmittingSealsTheSheetAndDeletesTheDraft) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string id = desk.assignments[0].id;
@@ -178,7 +178,7 @@ TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
 }
 
-TEST_F(SheetRepositoryTest, RefusesAnotherSheetUnderTheIdOfASealedOne) {
+TEST_F(SheetRepositoryTest, RejectsAnotherSheetWithTheIdOfASealedOne) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string id = desk.assignments[0].id;
@@ -200,7 +200,7 @@ TEST_F(SheetRepositoryTest, RefusesAnotherSheetUnderTheIdOfASealedOne) {
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 75);
 }
 
-TEST_F(SheetRepositoryTest, RefusesAnIncompleteSheetNamingTheRow) {
+TEST_F(SheetRepositoryTest, RejectsAnIncompleteSheetNamingTheRow) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const auto refused = [&](const Sheet& sheet) {
@@ -244,7 +244,7 @@ TEST_F(SheetRepositoryTest, IsPrivateUntilAllHaveSubmitted) {
             ErrorCode::kBadData);
 }
 
-TEST_F(SheetRepositoryTest, ASheetThatIsGivenBackWaitsAsItWasLeftAndCanBeTakenAgain) {
+TEST_F(SheetRepositoryTest, AReturnedSheetKeepsItsDraftAndCanBeWithdrawnAgain) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const AssignmentId id = desk.assignments[0].id;
@@ -264,7 +264,7 @@ TEST_F(SheetRepositoryTest, ASheetThatIsGivenBackWaitsAsItWasLeftAndCanBeTakenAg
   EXPECT_EQ(desk.sheets.findAssignment(id)->state, SheetState::kWithdrawn);
 }
 
-TEST_F(SheetRepositoryTest, ReleasesAndTakesBackMarks) {
+TEST_F(SheetRepositoryTest, ReleasesAndRevokesMarks) {
   Connection connection = openWithSchema();
   Desk desk(connection);
   const std::string cohort = desk.sample.cohort.id;

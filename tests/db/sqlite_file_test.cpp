@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an SQLite file can be instead of a sound database. A server has none of these.
+// Unusable SQLite files. Not applicable to servers.
 #include <filesystem>
 #include <fstream>
 
@@ -30,7 +30,7 @@ Refusal opening(const fs::path& file, OpenMode mode) {
   return refusalFrom([&] { (void)openRecord(file.string(), mode); });
 }
 
-TEST_F(SqliteFileTest, RefusesAMissingFileUnlessItMayBeMade) {
+TEST_F(SqliteFileTest, RefusesAMissingFileUnlessItMayBeCreated) {
   const Refusal refusal = opening(file(), OpenMode::kReadWrite);
   EXPECT_EQ(refusal.code, ErrorCode::kFileMissing);
   expectOneLine(refusal);
@@ -66,7 +66,7 @@ TEST_F(SqliteFileTest, RefusesAReadOnlyFolderAndLeavesNothingBehind) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(SqliteFileTest, RefusesAFolderInWhichNoFileCanBeMade) {
+TEST_F(SqliteFileTest, RefusesAFolderInWhichNoFileCanBeCreated) {
   if (!fs::is_directory("/proc")) {
     GTEST_SKIP() << "needs a file system that refuses files";
   }
@@ -75,7 +75,7 @@ TEST_F(SqliteFileTest, RefusesAFolderInWhichNoFileCanBeMade) {
   expectOneLine(refusal);
 }
 
-TEST_F(SqliteFileTest, RefusesAFileThatIsNoDatabaseAndLeavesItAlone) {
+TEST_F(SqliteFileTest, RefusesAndKeepsAFileThatIsNotADatabase) {
   const std::string text(5000, 'x');
   writeFileAtomically(file(), text);
 
@@ -100,8 +100,8 @@ TEST_F(SqliteFileTest, RefusesADatabaseOfAnotherProgram) {
 }
 
 TEST_F(SqliteFileTest, ReportsADamagedDatabase) {
-  // Page 1 keeps its header, so that the file still says "SQLite format 3"; the table list behind it is
-  // broken.
+  // Page 1 keeps its header, so that the file still starts with "SQLite format 3"; the table list behind it
+  // is broken.
   { (void)openRecord(file().string(), OpenMode::kCreate); }
   {
     std::fstream stream(file(), std::ios::in | std::ios::out | std::ios::binary);
@@ -124,7 +124,7 @@ TEST_F(SqliteFileTest, ReadsAnExistingRecordWithoutWriting) {
   EXPECT_EQ(numberFrom(reader, "SELECT count(*) FROM person"), 0);
 }
 
-TEST_F(SqliteFileTest, WritesAheadAndFlushesEachCommit) {
+TEST_F(SqliteFileTest, UsesAWriteAheadLogAndFlushesEachCommit) {
   Connection connection = openRecord(file().string(), OpenMode::kCreate);
   Statement mode = connection.prepare("PRAGMA journal_mode");
   mode.execute();

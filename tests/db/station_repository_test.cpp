@@ -24,7 +24,7 @@ TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
 
   stations.heartbeat({.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
 
-  // Another station looks at the board.
+  // Another station reads the board.
   Connection other = open();
   const std::optional<StationState> owner = stationOnBoard(other, "room 2");
   ASSERT_TRUE(owner.has_value());
@@ -38,7 +38,7 @@ TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
   EXPECT_FALSE(owner->ended);
 }
 
-TEST_F(StationRepositoryTest, TheBoardTellsATrialThatEndedFromOneThatRuns) {
+TEST_F(StationRepositoryTest, TheBoardDistinguishesEndedFromRunningTrials) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = sample.ids.newUuid();
@@ -53,7 +53,7 @@ TEST_F(StationRepositoryTest, TheBoardTellsATrialThatEndedFromOneThatRuns) {
   EXPECT_TRUE(stationOnBoard(connection, "room 2")->ended);
 }
 
-TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
+TEST_F(StationRepositoryTest, EachHeartbeatOverwritesThePreviousOne) {
   Connection connection = openWithSchema();
   StationRepository stations(connection);
   stations.heartbeat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
@@ -72,7 +72,7 @@ TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
             DbFault::kForeignKey);
 }
 
-TEST_F(StationRepositoryTest, KeepsWhatAStationSaysAboutItsDevice) {
+TEST_F(StationRepositoryTest, KeepsTheStateOfAStationsDevice) {
   Connection connection = openWithSchema();
   StationRepository stations(connection);
   stations.heartbeat({.station = "office", .heartbeatUtc_us = 1});

@@ -27,7 +27,7 @@ class StudyRepositoryTest : public DatabaseTest {
             .lockedUtc_us = kSampleTime_us,
             .demonstration = true};
   }
-  /// Trainees to the two groups in turn.
+  /// Allocates trainees to the two groups alternately.
   static std::vector<AllocationEntry> allocationsFor(SampleRecord& sample, const DesignId& designId) {
     std::vector<AllocationEntry> records;
     for (std::size_t i = 0; i < sample.enrolments.size(); ++i) {
@@ -107,7 +107,7 @@ TEST_F(StudyRepositoryTest, AllocatesAndListsByGroupAndNumber) {
   EXPECT_EQ(enrolments[1].numberInGroup, 2);
 }
 
-TEST_F(StudyRepositoryTest, ChainsTheRecordsOfAnAllocation) {
+TEST_F(StudyRepositoryTest, ChainsTheAllocationRecords) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 3);
   StudyRepository study(connection);
@@ -126,7 +126,7 @@ TEST_F(StudyRepositoryTest, ChainsTheRecordsOfAnAllocation) {
   EXPECT_EQ(read[2].covariatesJson, R"({"sex":"female"})");
 }
 
-TEST_F(StudyRepositoryTest, FindsARecordThatWasTamperedWith) {
+TEST_F(StudyRepositoryTest, DetectsATamperedRecord) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 3);
   StudyRepository study(connection);
@@ -134,14 +134,14 @@ TEST_F(StudyRepositoryTest, FindsARecordThatWasTamperedWith) {
   study.lockDesign(design);
   study.allocate(allocationsFor(sample, design.id));
 
-  // The gate of a person erase is the only way past the triggers; the chain still tells.
+  // The gate of an erase is the only way past the triggers; the chain still reveals the change.
   connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
   connection.execute("UPDATE allocation SET group_id = ? WHERE sequence = ?", {sample.groups[0].id, 2});
 
   EXPECT_EQ(study.firstBrokenAllocation(design.id), 2);
 }
 
-TEST_F(StudyRepositoryTest, RefusesAllocationsOutOfTurn) {
+TEST_F(StudyRepositoryTest, RejectsAllocationsOutOfSequence) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   StudyRepository study(connection);
@@ -168,7 +168,7 @@ TEST_F(StudyRepositoryTest, HidesTheSeedUntilItIsRevealed) {
   EXPECT_EQ(study.designs(sample.cohort.id).at(0).seed, "20240601");
 }
 
-TEST_F(StudyRepositoryTest, NeverChangesAnAllocation) {
+TEST_F(StudyRepositoryTest, AllocationsAreImmutable) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   StudyRepository study(connection);
@@ -183,7 +183,7 @@ TEST_F(StudyRepositoryTest, NeverChangesAnAllocation) {
             DbFault::kAppendOnly);
 }
 
-TEST_F(StudyRepositoryTest, LogsExposureRestAndDeviations) {
+TEST_F(StudyRepositoryTest, StoresExposureRestAndDeviations) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   StudyRepository study(connection);

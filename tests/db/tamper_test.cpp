@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What somebody with the file in hand could do to hide a change, on both engines.
+// Attempts to hide a change by somebody with access to the file, on both engines.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -30,7 +30,7 @@ namespace {
 /// A record with one sealed mark.
 class TamperTest : public DatabaseTest {
  protected:
-  /// What gives every new mark 99 points.
+  /// Adds a trigger that gives every new mark 99 points.
   void addScoreRaisingTrigger() {
     if (onPostgresql()) {
       connection_->executeVerbatim(
@@ -58,7 +58,7 @@ class TamperTest : public DatabaseTest {
     RatingRepository(*connection_, "ward").submit(std::span(&mark, 1));
     markId_ = mark.id;
   }
-  /// Of one of the two trainees.
+  /// A mark of one of the two trainees.
   [[nodiscard]] SubmittedMark markOf(std::size_t trainee) {
     SubmittedMark mark;
     mark.id = sample_->ids.newUuid();
@@ -82,7 +82,7 @@ class TamperTest : public DatabaseTest {
                                    (onPostgresql() ? " ON " + table : ""));
     }
   }
-  /// An entry as Torsio writes it, hashes and all.
+  /// Appends a forged entry with valid hashes.
   void forgeEntry(AuditAction action, const std::string& hash) {
     AuditRepository(*connection_)
         .append({.atUtc_us = kSampleTime_us,
@@ -110,7 +110,7 @@ TEST_F(TamperTest, AnUntouchedRecordHasNoFinding) {
   EXPECT_TRUE(verifyAuditTrail(*connection_).empty());
 }
 
-TEST_F(TamperTest, ATriggerThatWasTakenAwayIsNamed) {
+TEST_F(TamperTest, ARemovedTriggerIsNamed) {
   dropTriggers("training_mark");
 
   const std::vector<SchemaFinding> findings = schemaFindings(*connection_);
@@ -120,7 +120,7 @@ TEST_F(TamperTest, ATriggerThatWasTakenAwayIsNamed) {
   EXPECT_NE(findings[0].what.find("missing"), std::string::npos);
 }
 
-TEST_F(TamperTest, ATriggerThatAltersWhatIsSubmittedIsNamed) {
+TEST_F(TamperTest, ATriggerThatAltersSubmissionsIsNamed) {
   addScoreRaisingTrigger();
 
   const std::vector<SchemaFinding> findings = schemaFindings(*connection_);
@@ -130,7 +130,7 @@ TEST_F(TamperTest, ATriggerThatAltersWhatIsSubmittedIsNamed) {
   EXPECT_NE(findings.back().what.find("somebody added it"), std::string::npos);
 }
 
-TEST_F(TamperTest, AGuardThatWasSwitchedOffIsNamed) {
+TEST_F(TamperTest, ADisabledGuardIsNamed) {
   if (!onPostgresql()) {
     GTEST_SKIP() << "SQLite has no switch for one trigger";
   }
@@ -142,7 +142,7 @@ TEST_F(TamperTest, AGuardThatWasSwitchedOffIsNamed) {
   EXPECT_EQ(schemaFindings(*connection_).size(), 2U);
 }
 
-TEST_F(TamperTest, WhatPassesByTheGuardsOfAServerIsNamed) {
+TEST_F(TamperTest, WaysAroundAServersGuardsAreNamed) {
   if (!onPostgresql()) {
     GTEST_SKIP() << "SQLite's schema is compared word by word";
   }
@@ -168,7 +168,7 @@ TEST_F(TamperTest, WhatPassesByTheGuardsOfAServerIsNamed) {
   finds("ALTER TABLE person DROP CONSTRAINT person_code_key", "keys of person");
 }
 
-TEST_F(TamperTest, AChangedMarkWithASecondSealIsFound) {
+TEST_F(TamperTest, AChangedMarkWithASecondSealIsDetected) {
   dropTriggers("training_mark");
   connection_->executeVerbatim("UPDATE training_mark SET score_steps = 90");
   forgeEntry(AuditAction::kMarkSubmit, std::string(64, 'a'));
@@ -178,7 +178,7 @@ TEST_F(TamperTest, AChangedMarkWithASecondSealIsFound) {
   EXPECT_TRUE(finds("seals a row otherwise that was sealed before"));
 }
 
-TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
+TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsDetected) {
   dropTriggers("training_mark");
   connection_->executeVerbatim("DELETE FROM training_mark");
   forgeEntry(AuditAction::kDemonstrationRemove, "");
@@ -186,7 +186,7 @@ TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsFound) {
   EXPECT_TRUE(finds("was recorded, but is gone"));
 }
 
-TEST_F(TamperTest, ATombstoneThatSomebodyInsertedExcusesNoChangedSecond) {
+TEST_F(TamperTest, AnInsertedTombstoneExcusesNoChangedSecond) {
   TrialRepository(*connection_, {.station = "ward"}).import(sampleTrial());
   ASSERT_TRUE(verifyAuditTrail(*connection_).empty());
   dropTriggers("trial_chunk");
@@ -198,7 +198,7 @@ TEST_F(TamperTest, ATombstoneThatSomebodyInsertedExcusesNoChangedSecond) {
   EXPECT_FALSE(verifyAuditTrail(*connection_).empty());
 }
 
-TEST_F(TamperTest, ARightThatWasGivenToTraineesIsNamed) {
+TEST_F(TamperTest, ARightGrantedToTraineesIsNamed) {
   connection_->execute("INSERT INTO role_operation (role_code, operation_code) VALUES (?, ?)",
                        {"trainee", "user.manage"});
   connection_->execute("DELETE FROM role_operation WHERE role_code = ? AND operation_code = ?",
@@ -211,7 +211,7 @@ TEST_F(TamperTest, ARightThatWasGivenToTraineesIsNamed) {
   EXPECT_EQ(findings[1].part, "right trainee user.manage");
 }
 
-TEST_F(TamperTest, WhatATriggerAltersOnItsWayIsRefused) {
+TEST_F(TamperTest, ARowAlteredByATriggerIsRefused) {
   if (!onPostgresql()) {
     connection_->executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
   }
@@ -226,14 +226,14 @@ TEST_F(TamperTest, WhatATriggerAltersOnItsWayIsRefused) {
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM training_mark"), 1);
 }
 
-/// One thing that somebody does to the tables with another tool, and the table that a finding must name.
+/// A manipulation of the tables with another tool, and the table that a finding must name.
 struct Act {
   const char* name;
   std::vector<std::string> statements;
   const char* found;
 };
 
-/// A record with a row in every table, twice.
+/// A record with two rows in every table.
 class TamperWithRows : public DatabaseTest, public ::testing::WithParamInterface<Act> {};
 
 TEST_P(TamperWithRows, IsFound) {
@@ -303,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(
             "erasure"}),
     [](const ::testing::TestParamInfo<Act>& act) { return std::string(act.param.name); });
 
-TEST_F(TamperTest, TwoNamesThatWereSwappedAreFound) {
+TEST_F(TamperTest, TwoSwappedNamesAreDetected) {
   PeopleRepository people(*connection_);
   const std::vector<std::string> ids =
       selectAll(*connection_, "SELECT person_id FROM trainee ORDER BY person_id", {}, readText);
@@ -344,7 +344,7 @@ TEST_F(TamperTest, ARemovalOfTheDemonstrationExcusesNoRealMark) {
   EXPECT_TRUE(finds("tells of a removal that did not take place"));
 }
 
-TEST_F(TamperTest, ATombstoneWithoutItsEntryIsFoundEvenWithASeal) {
+TEST_F(TamperTest, ATombstoneWithoutItsEntryIsDetectedEvenWithASeal) {
   disarm(*connection_);
   connection_->executeVerbatim(
       "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) SELECT person_id, 'x', 'y', 1 "
@@ -356,7 +356,7 @@ TEST_F(TamperTest, ATombstoneWithoutItsEntryIsFoundEvenWithASeal) {
   EXPECT_TRUE(finds("tells of an erase that did not take place"));
 }
 
-TEST_F(TamperTest, AGateThatWasLeftOpenIsFound) {
+TEST_F(TamperTest, AGateLeftOpenIsDetected) {
   connection_->execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)",
                        {"x", "none", 1});
 

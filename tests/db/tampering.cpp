@@ -22,7 +22,7 @@ bool comesWithTheSchema(std::string_view table) {
   return std::find(kGrowingSeeds.begin(), kGrowingSeeds.end(), table) != kGrowingSeeds.end();
 }
 
-/// What the newest seals say, without the salts.
+/// The newest seals, without salts.
 std::map<Key, RowSeal> newestSeals(Connection& connection) {
   std::map<Key, RowSeal> newest;
   forEachSeal(connection, [&](std::int64_t /*sequence*/, std::int64_t /*position*/, const RowSeal& seal) {
@@ -39,7 +39,7 @@ std::map<Key, std::string> saltsIn(Connection& connection) {
   return salts;
 }
 
-/// Seals that the rows need as they are now and do not have.
+/// Seals that the present rows need but do not have.
 std::vector<RowSeal> missingSeals(Connection& connection) {
   std::map<Key, RowSeal> newest = newestSeals(connection);
   const std::map<Key, std::string> salts = saltsIn(connection);

@@ -9,17 +9,17 @@
 
 namespace torsio {
 
-/// Switches every guard of a record off: triggers, references, checks.
+/// Disables every guard of a record: triggers, references, checks.
 void disarm(Connection& connection);
 
-/// What verification says, one sentence a finding: of the rows, the trail and the schema.
+/// Verifies rows, trail and schema; returns one sentence per finding.
 [[nodiscard]] std::vector<std::string> allFindings(Connection& connection);
 
-/// Appends an entry and a well-formed seal of every row that no longer fits its own, as somebody would who
-/// knows how Torsio does it.
+/// Appends an entry with a well-formed seal of every row whose seal no longer matches, as an expert attacker
+/// would.
 void forgeSeals(Connection& connection, AuditAction action, AuditObject object, const std::string& objectId);
 
-/// Makes every seal fit the rows as they are now and the whole chain fit itself.
+/// Rewrites all seals to match the present rows, and the chain to be consistent.
 void rewriteTrail(Connection& connection);
 
 }  // namespace torsio

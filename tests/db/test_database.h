@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// A folder of its own for each test, removed at the end.
+/// A folder for one test, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -25,9 +25,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// An empty database a test: an SQLite file, or, when TORSIO_DB_TEST_ENGINE is "postgresql", a schema of its
-/// own on the server that TORSIO_TEST_POSTGRES names (tests/support/start-postgres.sh starts one). Without a
-/// server those tests are skipped.
+/// A new empty database for each test: an SQLite file or, if TORSIO_DB_TEST_ENGINE is "postgresql", a schema
+/// on the server TORSIO_TEST_POSTGRES (tests/support/start-postgres.sh starts one). Without a server those
+/// tests are skipped.
 class DatabaseTest : public ::testing::Test {
  protected:
   void SetUp() override;
@@ -36,7 +36,7 @@ class DatabaseTest : public ::testing::Test {
   [[nodiscard]] static bool onPostgresql();
   [[nodiscard]] const std::string& locator() const { return locator_; }
   [[nodiscard]] Connection open(int busyTimeout_ms = kBusyTimeout_ms) const;
-  /// Opened with the whole schema.
+  /// Opens it with the complete schema.
   [[nodiscard]] Connection openWithSchema() const;
 
  private:
@@ -45,10 +45,10 @@ class DatabaseTest : public ::testing::Test {
   std::string schema_;
 };
 
-/// The number in the first column of the first row.
+/// Returns the number in the first column of the first row.
 [[nodiscard]] std::int64_t numberFrom(Connection& connection, const std::string& sql);
 
-/// The fault with which `action` is refused; a test failure when it is not.
+/// Returns the fault with which `action` is refused; fails the test if it is not.
 template <typename Action>
 DbFault faultFrom(Action&& action) {
   try {
@@ -60,7 +60,7 @@ DbFault faultFrom(Action&& action) {
   return DbFault::kOther;
 }
 
-/// The error code with which `action` is refused, and its text.
+/// Error code and text with which an action is refused.
 struct Refusal {
   ErrorCode code = ErrorCode::kInternal;
   std::string text;

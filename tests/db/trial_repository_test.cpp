@@ -24,7 +24,7 @@
 namespace torsio {
 namespace {
 
-/// Fails to compile when TrialHeader gains a field: then the schema, kInsertTrial, headerOf and this need it
+/// Does not compile if TrialHeader gains a field: schema, kInsertTrial, headerOf and this test then need it,
 /// too.
 void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   const auto& [id, code, scene, pattern, organ, parameterHash, parameters, device, limits, software, phase,
@@ -47,7 +47,7 @@ void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
   EXPECT_EQ(started, b.startedUtc_us);
   EXPECT_EQ(demonstration, b.demonstration);
   EXPECT_EQ(model, b.model);
-  EXPECT_EQ(seed, b.seed);  // of a blinded copy only: never stored
+  EXPECT_EQ(seed, b.seed);  // blinded copies only: never stored
 }
 
 void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {
@@ -61,7 +61,7 @@ void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {
 
 class TrialRepositoryTest : public DatabaseTest {
  protected:
-  /// Records `chunks` seconds, finished unless `cut`.
+  /// Records `chunks` seconds; `cut`: without finishing.
   static void record(TrialSink& sink, const TrialHeader& header, std::int64_t chunks, bool cut = false) {
     sink.begin(header);
     for (std::int64_t i = 0; i < chunks; ++i) {
@@ -95,7 +95,7 @@ TEST_F(TrialRepositoryTest, ReturnsATrialBitForBit) {
   EXPECT_EQ(trial.summary.contentHash, "hash");
 }
 
-TEST_F(TrialRepositoryTest, KeepsAndSealsHowTheMachineKeptTheTime) {
+TEST_F(TrialRepositoryTest, StoresAndSealsTheServosTiming) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   TrialRepository trials(connection, {"station-1", sample.enrolments[0].id});
@@ -128,7 +128,7 @@ TEST_F(TrialRepositoryTest, KeepsAndSealsHowTheMachineKeptTheTime) {
   }
 }
 
-TEST_F(TrialRepositoryTest, RecordsPracticeOfNobody) {
+TEST_F(TrialRepositoryTest, RecordsAnonymousPractice) {
   Connection connection = openWithSchema();
   SeededIdSource ids(1);
   const TrialHeader header = sampleHeader(ids.newUuid(), "");
@@ -139,7 +139,7 @@ TEST_F(TrialRepositoryTest, RecordsPracticeOfNobody) {
   expectSameHeader(trials.find(header.trialId).value(), header);
 }
 
-TEST_F(TrialRepositoryTest, RefusesATraineeWhoIsNotEntered) {
+TEST_F(TrialRepositoryTest, RejectsAnUnknownTrainee) {
   Connection connection = openWithSchema();
   SeededIdSource ids(1);
   TrialRepository trials(connection);
@@ -151,7 +151,7 @@ TEST_F(TrialRepositoryTest, RefusesATraineeWhoIsNotEntered) {
   EXPECT_TRUE(trials.list().empty());
 }
 
-TEST_F(TrialRepositoryTest, FindsTheInterruptedTrialsOfItsStationOnly) {
+TEST_F(TrialRepositoryTest, FindsOnlyTheInterruptedTrialsOfItsStation) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string mine = sample.ids.newUuid();
@@ -178,7 +178,8 @@ TEST_F(TrialRepositoryTest, FindsTheInterruptedTrialsOfItsStationOnly) {
   EXPECT_EQ(cut.summary.samples, 2000);
   EXPECT_EQ(cut.summary.outcome, TrialOutcome::kInterrupted);
 
-  EXPECT_TRUE(trials.closeInterrupted("station-1", kSampleTime_us).empty());  // its last second is younger
+  EXPECT_TRUE(
+      trials.closeInterrupted("station-1", kSampleTime_us).empty());  // its last second is more recent
   const std::vector<TrialListing> closed = trials.closeInterrupted("station-1", INT64_MAX);
 
   ASSERT_EQ(closed.size(), 1U);
@@ -188,7 +189,7 @@ TEST_F(TrialRepositoryTest, FindsTheInterruptedTrialsOfItsStationOnly) {
   EXPECT_EQ(trials.load(mine).summary.outcome, TrialOutcome::kInterrupted);
 }
 
-TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
+TEST_F(TrialRepositoryTest, ListsTheNewestFirstWithFilters) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 2);
   std::vector<std::string> ids;
@@ -213,7 +214,7 @@ TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
   EXPECT_EQ(trials.list({.limit = 1, .offset = 1}).at(0).trialId, ids[2]);
 }
 
-TEST_F(TrialRepositoryTest, NothingRecordedCanBeChanged) {
+TEST_F(TrialRepositoryTest, RecordedDataAreImmutable) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   TrialRepository trials(connection);
@@ -249,7 +250,7 @@ TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
             DbFault::kAppendOnly);
 }
 
-TEST_F(TrialRepositoryTest, StoresOnceWhatItIsGivenAgainAfterALostAnswer) {
+TEST_F(TrialRepositoryTest, StoresRepeatedDataOnceAfterALostAnswer) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
@@ -272,7 +273,7 @@ TEST_F(TrialRepositoryTest, StoresOnceWhatItIsGivenAgainAfterALostAnswer) {
   EXPECT_EQ(AuditRepository(connection).count(0), 1);
 }
 
-TEST_F(TrialRepositoryTest, RefusesTheSameIdWithOtherContentAndSaysSo) {
+TEST_F(TrialRepositoryTest, RejectsTheSameIdWithOtherContent) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
@@ -302,7 +303,7 @@ TEST_F(TrialRepositoryTest, RefusesTheSameIdWithOtherContentAndSaysSo) {
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 2);
 }
 
-/// A trial whose digests fit, as a spill file has it.
+/// A trial with valid digests, as in a spill file.
 Trial wholeTrial(const std::string& id, std::int64_t chunks) {
   Trial trial;
   trial.header = sampleHeader(id, "T-01");
@@ -314,7 +315,7 @@ Trial wholeTrial(const std::string& id, std::int64_t chunks) {
   return trial;
 }
 
-TEST_F(TrialRepositoryTest, AFileCompletesWhatTheDatabaseHasOfItsTrial) {
+TEST_F(TrialRepositoryTest, AFileCompletesItsTrialInTheDatabase) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
@@ -331,7 +332,7 @@ TEST_F(TrialRepositoryTest, AFileCompletesWhatTheDatabaseHasOfItsTrial) {
   EXPECT_EQ(AuditRepository(connection).count(0), 1);
 }
 
-TEST_F(TrialRepositoryTest, AFileOfATrialThatWasClosedWithoutItIsRefused) {
+TEST_F(TrialRepositoryTest, AFileOfATrialClosedWithoutItIsRefused) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
@@ -346,7 +347,7 @@ TEST_F(TrialRepositoryTest, AFileOfATrialThatWasClosedWithoutItIsRefused) {
   EXPECT_EQ(trials.load(trial.header.trialId).chunks.size(), 1U);
 }
 
-TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
+TEST_F(TrialRepositoryTest, StoresPurposeAndMachineOfATrial) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   CurriculumRepository(connection).addCurriculum({"c", "Twist", "", kSampleTime_us, true});
@@ -385,7 +386,7 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   EXPECT_TRUE(trials.list({.moduleId = "other"}).empty());
 }
 
-TEST_F(TrialRepositoryTest, RefusesAModeThatThisVersionDoesNotKnow) {
+TEST_F(TrialRepositoryTest, RejectsAnUnknownMode) {
   Connection connection = openWithSchema();
   const auto modeOf = [&](const char* sql) {
     return selectFirst(connection, sql, {},
@@ -398,7 +399,7 @@ TEST_F(TrialRepositoryTest, RefusesAModeThatThisVersionDoesNotKnow) {
   EXPECT_THROW((void)modeOf("SELECT CAST('' AS TEXT)"), DbError);
 }
 
-TEST_F(TrialRepositoryTest, ReadsSeveralTrialsAtOnceAsItReadsEach) {
+TEST_F(TrialRepositoryTest, LoadsSeveralTrialsAtOnceLikeSingleOnes) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   std::vector<TrialId> ids;
@@ -430,7 +431,7 @@ TEST_F(TrialRepositoryTest, ReadsSeveralTrialsAtOnceAsItReadsEach) {
   EXPECT_EQ(refusalFrom([&] { (void)loader.load(ids); }).code, ErrorCode::kBadData);
 }
 
-TEST_F(TrialRepositoryTest, SaysSoWhenThereIsNoSuchTrial) {
+TEST_F(TrialRepositoryTest, ThrowsForAnUnknownTrial) {
   Connection connection = openWithSchema();
   EXPECT_EQ(refusalFrom([&] { (void)TrialRepository(connection).load("none"); }).code, ErrorCode::kBadData);
   EXPECT_FALSE(TrialRepository(connection).find("none").has_value());
@@ -448,7 +449,7 @@ TEST_F(TrialRepositoryTest, StoresAThousandSeconds) {
   EXPECT_EQ(trials.load(id).summary.samples, 1'000'000);
 }
 
-TEST_F(TrialRepositoryTest, RecordsFromAThreadOfItsOwn) {
+TEST_F(TrialRepositoryTest, RecordsFromItsOwnThread) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = sample.ids.newUuid();
@@ -460,7 +461,7 @@ TEST_F(TrialRepositoryTest, RecordsFromAThreadOfItsOwn) {
   EXPECT_EQ(TrialRepository(connection).load(id).chunks.size(), 5U);
 }
 
-TEST_F(TrialRepositoryTest, ASinkGivenUpInAnotherThreadLeavesAnInterruptedTrial) {
+TEST_F(TrialRepositoryTest, ASinkDestroyedInAnotherThreadLeavesAnInterruptedTrial) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   {

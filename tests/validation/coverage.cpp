@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often each 95 % interval holds the true value: 10,000 simulated sets of the stated size and shape.
-// Prints a table. No test: `ninja torsio_coverage`, then run it (some minutes; `torsio_coverage SETS NAME`
-// for the intervals with NAME in theirs); slow intervals take 1,000 sets.
+// Coverage of each 95 % interval over 10,000 simulated sets of the stated size and shape. Prints a table. Not
+// a test: `ninja torsio_coverage`, then run it (some minutes; `torsio_coverage SETS NAME` for intervals whose
+// names contain NAME); slow intervals use 1,000 sets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@
 namespace torsio::coverage {
 namespace {
 
-/// An interval that the report or a command prints beside those of cases(); their numbers are kept.
+/// Intervals added after those of cases(), whose random numbers must not change.
 void addLaterCases(std::vector<Case>& all) {
   for (const int n : {12, 30}) {
     all.push_back({"exponential learning curve, band at the last attempt", std::to_string(n),
@@ -85,7 +85,7 @@ int run(int most, const std::string& named) {
   for (const Case& one : cases()) {
     constexpr int kSlower = 10;
     if (one.interval.find(named) == std::string::npos) {
-      stream += 3;  // the others keep their numbers
+      stream += 3;  // so that the others keep their numbers
       continue;
     }
     const int sets = one.slow ? most / kSlower : most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands of the statistics print beside what R gives (README.md of this folder).
+// Statistics of the commands compared with R (README.md of this folder).
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -29,7 +29,7 @@ std::vector<Case> cases() {
   std::ifstream file(kHere / "cases.tsv");
   std::vector<Case> found;
   std::string line;
-  std::getline(file, line);  // names of the columns
+  std::getline(file, line);  // column names
   while (std::getline(file, line)) {
     std::istringstream cells(line);
     Case one;
@@ -43,7 +43,7 @@ std::vector<Case> cases() {
   return found;
 }
 
-/// The command with the paths of its tables.
+/// Inserts the paths of the tables into a command.
 std::string withFolder(std::string command) {
   const std::size_t end = command.find(".csv");
   if (end != std::string::npos) {
@@ -52,7 +52,7 @@ std::string withFolder(std::string command) {
   return command;
 }
 
-TEST(Validation, EveryStatisticOfTheCommandsIsThatOfR) {
+TEST(Validation, EveryStatisticOfTheCommandsMatchesR) {
   const std::filesystem::path scratch = test::emptyFolder("validation");
   std::map<std::string, nlohmann::json> answers;
   const std::vector<Case> all = cases();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/base/shell_context.h"
 
-#include <memory>
 #include <utility>
 
 #include <QCoreApplication>
@@ -33,7 +32,7 @@ ShellContext::ShellContext(SessionContext& session, std::filesystem::path assets
 }
 
 ShellContext::~ShellContext() {
-  cancelled_.store(true);
+  cancelJobs();
   workers_.waitForDone();
 }
 
@@ -82,29 +81,24 @@ void ShellContext::tell(const Problem& problem) {
   Q_EMIT failed(said.happened, said.remedy, said.details);
 }
 
-void ShellContext::run(const QString& title, Work work, std::function<void()> done) {
+void ShellContext::start(Job job) {
   ++jobs_;
-  cancelled_.store(false);
-  Q_EMIT jobStarted(title);
-  const auto finish = [this](const std::exception_ptr& problem, const std::function<void()>& success) {
-    --jobs_;
-    Q_EMIT jobEnded();
-    if (problem) {
-      attempt(*this, [&] { std::rethrow_exception(problem); });
-    } else if (success) {
-      success();
-    }
-  };
-  workers_.start([this, key = session_.key(), work = std::move(work), done = std::move(done), finish] {
+  const std::uint64_t number = ++started_;
+  Q_EMIT jobStarted(job.title);
+  workers_.start([this, number, key = session_.key(), job = std::move(job)]() mutable {
     std::exception_ptr problem;
     try {
+      const auto passOn = [this, number] {
+        if (number <= cancelledUpTo_.load()) {
+          throw Cancelled{};
+        }
+      };
+      passOn();
       SessionContext own(key);
       QElapsedTimer since;
       since.start();
-      work(own, [this, since](const Progress& progress) {
-        if (cancelled_.load()) {
-          throw Cancelled{};
-        }
+      job.work(own, [this, since, passOn](const Progress& progress) {
+        passOn();
         const double left_s =
             progress.remaining_s >= 0.0
                 ? progress.remaining_s
@@ -116,7 +110,27 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
     } catch (...) {
       problem = std::current_exception();
     }
-    QMetaObject::invokeMethod(this, [finish, problem, done] { finish(problem, done); });
+    QMetaObject::invokeMethod(this, [this, job = std::move(job), problem] { finish(job, problem); });
+  });
+}
+
+void ShellContext::finish(const Job& job, const std::exception_ptr& problem) {
+  --jobs_;
+  Q_EMIT jobEnded();
+  attempt(*this, [&] {
+    try {
+      if (problem) {
+        std::rethrow_exception(problem);
+      }
+    } catch (const Error& error) {
+      if (job.owner && job.refused(error)) {
+        return;
+      }
+      throw;
+    }
+    if (job.owner) {
+      job.then();
+    }
   });
 }
 

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QThreadPool>
 #include <QVariant>
@@ -19,6 +24,7 @@
 #include "app/gui/widgets/theme.h"
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 class StationWriter;
@@ -26,7 +32,7 @@ class StationWriter;
 
 namespace torsio::gui {
 
-/// Thrown by a job's own progress call after the user pressed cancel; jobs let it pass.
+/// Thrown by a job's progress callback after the user pressed Cancel; jobs let it pass.
 struct Cancelled {};
 
 /// The record of this station changes under everybody: it is replaced by a backup, or lies elsewhere from now
@@ -77,19 +83,50 @@ class ShellContext : public QObject {
   /// Shows a problem that no exception reports.
   void tell(const Problem& problem);
 
-  /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
-  /// a session and a callback that it calls with its progress (which throws Cancelled when the user gave
-  /// up, so that work unwinds and leaves no half file); `done` runs in the GUI thread after success. Title
-  /// and progress are shown with time left and a cancel button. Failures are reported.
-  using Work = std::function<void(SessionContext&, const ProgressCallback&)>;
-  void run(const QString& title, Work work, std::function<void()> done);
+  /// Runs work that takes time off the GUI thread, on a connection of its own for the same actor; one job
+  /// after another. Title and progress are shown with the time left and a cancel button. `work(session,
+  /// progress)` reports progress, which throws Cancelled once the user gives up, so that the work unwinds and
+  /// leaves no half-written file. `then(result)` gets its result, by move, in the GUI thread.
+  /// `refused(error)` gets an Error instead of the message that otherwise tells the user; it may return false
+  /// to leave the error to that message after all. When `owner` is gone by then, neither is called, and
+  /// errors are told as usual. `owner` is the object that both touch.
+  template <typename Work, typename Then>
+  void run(QObject* owner, const QString& title, Work work, Then then) {
+    run(owner, title, std::move(work), std::move(then), [](const Error&) { return false; });
+  }
+  template <typename Work, typename Then, typename Refused>
+  void run(QObject* owner, const QString& title, Work work, Then then, Refused refused) {
+    using Result = std::invoke_result_t<Work&, SessionContext&, const ProgressCallback&>;
+    Job job{.owner = owner, .title = title};
+    if constexpr (std::is_void_v<Result>) {
+      job.work = std::move(work);
+      job.then = std::move(then);
+    } else {
+      const auto result = std::make_shared<std::optional<Result>>();
+      job.work = [work = std::move(work), result](SessionContext& session,
+                                                  const ProgressCallback& progress) mutable {
+        result->emplace(work(session, progress));
+      };
+      job.then = [then = std::move(then), result]() mutable { then(std::move(**result)); };
+    }
+    if constexpr (std::is_void_v<std::invoke_result_t<Refused&, const Error&>>) {
+      job.refused = [refused = std::move(refused)](const Error& error) mutable {
+        refused(error);
+        return true;
+      };
+    } else {
+      job.refused = std::move(refused);
+    }
+    start(std::move(job));
+  }
   [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
   /// Closes the desk and the record, carries out the change, and goes back to sign-in. The calling page dies
   /// soon after.
   void changeRecord(const RecordChange& change) { Q_EMIT recordChangeWanted(change); }
   /// Waits for all jobs: tests, and the end of the program.
   void waitForJobs();
-  void cancelJobs() noexcept { cancelled_.store(true); }
+  /// Cancels the jobs that were started until now.
+  void cancelJobs() noexcept { cancelledUpTo_.store(started_); }
 
  Q_SIGNALS:
   void pageWanted(torsio::gui::PageId id, const QVariant& argument);
@@ -104,6 +141,16 @@ class ShellContext : public QObject {
   void jobEnded();
 
  private:
+  struct Job {
+    QPointer<QObject> owner{};
+    QString title{};
+    std::function<void(SessionContext&, const ProgressCallback&)> work{};
+    std::function<void()> then{};
+    std::function<bool(const Error&)> refused{};
+  };
+  void start(Job job);
+  void finish(const Job& job, const std::exception_ptr& problem);
+
   SessionContext& session_;
   std::filesystem::path assets_;
   ThemeKind theme_;
@@ -112,7 +159,8 @@ class ShellContext : public QObject {
   StationWriter* line_ = nullptr;
   QThreadPool workers_;
   int jobs_ = 0;
-  std::atomic<bool> cancelled_{false};
+  std::uint64_t started_ = 0;
+  std::atomic<std::uint64_t> cancelledUpTo_{0};
 };
 
 /// Does something the user asked for, once: what it throws is reported in plain words, Cancelled is answered

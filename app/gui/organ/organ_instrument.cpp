@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wizard's way to an instrument: a scan or a mesh of it, looked for, placed and saved.
-#include <memory>
 #include <utility>
 
 #include <QCheckBox>
@@ -51,22 +50,21 @@ void OrganWizard::findInstrument() {
   if (!mayWork()) {
     return;
   }
-  const auto found = std::make_shared<ToolSurface>();
-  const auto show = [this, found] { instrument_->setTool(*found); };
+  const auto show = [this](const ToolSurface& found) { instrument_->setTool(found); };
   if (instrument_->ofMesh()) {
     shell_.run(
-        tr("Looking for the instrument"),
-        [found, request = instrument_->meshRequest()](SessionContext&, const ProgressCallback& progress) {
+        this, tr("Looking for the instrument"),
+        [request = instrument_->meshRequest()](SessionContext&, const ProgressCallback& progress) {
           tellProgress(progress, Text::tr("Reading the mesh"), 0.0);
-          *found = importInstrument(request);
+          return importInstrument(request);
         },
         show);
     return;
   }
   shell_.run(
-      tr("Looking for the instrument"),
-      [found, request = instrument_->request()](SessionContext&, const ProgressCallback& progress) {
-        *found = toolApart(request, [&progress](ScanStep step, double fraction) {
+      this, tr("Looking for the instrument"),
+      [request = instrument_->request()](SessionContext&, const ProgressCallback& progress) {
+        return toolApart(request, [&progress](ScanStep step, double fraction) {
           const ScanStepShare share = shareOf(step);
           tellProgress(progress, share.words, share.at(fraction));
         });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/organ/organ_wizard.h"
 
-#include <memory>
 #include <utility>
 
 #include <QCheckBox>
@@ -175,13 +174,12 @@ void OrganWizard::judgeMesh(const std::filesystem::path& file) {
   ofScan_ = false;
   ofMeasures_ = false;
   settings_->setScan(false);
-  const auto trial = std::make_shared<OrganTrial>();
   shell_.run(
-      tr("Checking the organ"),
-      [trial, request = request()](SessionContext&, const ProgressCallback& progress) {
-        *trial = trialOfMesh(request, progress);
+      this, tr("Checking the organ"),
+      [request = request()](SessionContext&, const ProgressCallback& progress) {
+        return trialOfMesh(request, progress);
       },
-      [this, trial] { adopt(std::move(*trial)); });
+      [this](OrganTrial trial) { adopt(std::move(trial)); });
 }
 
 void OrganWizard::makeArm() {
@@ -191,21 +189,17 @@ void OrganWizard::makeArm() {
   source_ = std::filesystem::path("arm");
   ofScan_ = false;
   ofMeasures_ = true;
-  const auto trial = std::make_shared<OrganTrial>();
-  const auto drawn = std::make_shared<std::shared_ptr<const Arm>>();
   shell_.run(
-      tr("Drawing the arm"),
-      [trial, drawn, person = arm_->person(), assets = shell_.assets()](SessionContext&,
-                                                                        const ProgressCallback& progress) {
+      this, tr("Drawing the arm"),
+      [person = arm_->person(), assets = shell_.assets()](SessionContext&, const ProgressCallback& progress) {
         tellProgress(progress, Text::tr("Drawing the arm"), 0.0);
         JudgedArm arm = importArm(person, assets);
-        *drawn = arm.drawn;
         tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
-        *trial = trialOf(std::move(arm.import), assets);
+        return std::pair(arm.drawn, trialOf(std::move(arm.import), assets));
       },
-      [this, trial, drawn] {
-        drawnArm_ = *drawn;
-        adopt(std::move(*trial));
+      [this](auto drawn) {
+        drawnArm_ = std::move(drawn.first);
+        adopt(std::move(drawn.second));
       });
 }
 
@@ -224,14 +218,12 @@ void OrganWizard::openScan(const std::filesystem::path& source) {
   ofScan_ = true;
   ofMeasures_ = false;
   settings_->setScan(true);
-  const ScanRequest scan = ofSource({});
-  const auto preview = std::make_shared<ScanPreview>();
   shell_.run(
-      tr("Reading the scan"),
-      [preview, scan](SessionContext&, const ProgressCallback& progress) {
-        *preview = previewOf(scan, false, progress);
+      this, tr("Reading the scan"),
+      [scan = ofSource({})](SessionContext&, const ProgressCallback& progress) {
+        return previewOf(scan, false, progress);
       },
-      [this, preview] { showScan(source_, std::move(*preview)); });
+      [this](ScanPreview preview) { showScan(source_, std::move(preview)); });
 }
 
 void OrganWizard::showScan(const std::filesystem::path& source, ScanPreview preview) {
@@ -243,14 +235,12 @@ void OrganWizard::findOrgan() {
   if (!mayWork()) {
     return;
   }
-  const ScanRequest scan = ofSource(scan_->request(false));
-  const auto preview = std::make_shared<ScanPreview>();
   shell_.run(
-      tr("Looking for the organ"),
-      [preview, scan](SessionContext&, const ProgressCallback& progress) {
-        *preview = previewOf(scan, true, progress);
+      this, tr("Looking for the organ"),
+      [scan = ofSource(scan_->request(false))](SessionContext&, const ProgressCallback& progress) {
+        return previewOf(scan, true, progress);
       },
-      [this, preview] { scan_->setFound(std::move(*preview)); });
+      [this](ScanPreview preview) { scan_->setFound(std::move(preview)); });
 }
 
 void OrganWizard::makeSurface() {
@@ -262,16 +252,16 @@ void OrganWizard::makeSurface() {
   if (asked.wall_m) {
     drawn_.wall_mm = kMillimetres * *asked.wall_m;
   }
-  const auto trial = std::make_shared<OrganTrial>();
-  const auto surface = std::make_shared<ScanSurface>();
   shell_.run(
-      tr("Drawing the organ"),
-      [trial, surface, asked, scan = drawn_](SessionContext&, const ProgressCallback& progress) {
-        *trial = trialOfScan(asked, scan, *surface, progress);
+      this, tr("Drawing the organ"),
+      [asked, scan = drawn_](SessionContext&, const ProgressCallback& progress) {
+        ScanSurface surface;
+        OrganTrial trial = trialOfScan(asked, scan, surface, progress);
+        return std::pair(std::move(surface), std::move(trial));
       },
-      [this, trial, surface] {
-        surface_ = std::move(*surface);
-        adopt(std::move(*trial));
+      [this](std::pair<ScanSurface, OrganTrial> drawn) {
+        surface_ = std::move(drawn.first);
+        adopt(std::move(drawn.second));
       });
 }
 
@@ -290,13 +280,12 @@ void OrganWizard::judgeAgain() {
   if (!mayWork()) {
     return;
   }
-  const auto trial = std::make_shared<OrganTrial>();
   shell_.run(
-      tr("Checking the organ"),
-      [trial, asked, scan = drawn_, surface = surface_](SessionContext&, const ProgressCallback& progress) {
-        *trial = trialOfSurface(asked, scan, surface, progress);
+      this, tr("Checking the organ"),
+      [asked, scan = drawn_, surface = surface_](SessionContext&, const ProgressCallback& progress) {
+        return trialOfSurface(asked, scan, surface, progress);
       },
-      [this, trial] { adopt(std::move(*trial)); });
+      [this](OrganTrial trial) { adopt(std::move(trial)); });
 }
 
 void OrganWizard::adopt(OrganTrial trial) {

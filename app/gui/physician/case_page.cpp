@@ -220,19 +220,17 @@ void CasePage::load() {
     return;
   }
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
-  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
-  const std::string id = opened_.shown.assignmentId;
-  const std::filesystem::path assets = shell().assets();
   shell().run(
-      tr("Opening case %1").arg(toQString(opened_.shown.label)),
-      [loaded, id, assets](SessionContext& own, const ProgressCallback&) {
-        *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
+      this, tr("Opening case %1").arg(toQString(opened_.shown.label)),
+      [id = opened_.shown.assignmentId, assets = shell().assets()](SessionContext& own,
+                                                                   const ProgressCallback&) {
+        return loadForShowing(loadBlindedRecording(own, id), assets);
       },
-      [this, loaded, ticket] {
+      [this, ticket](std::shared_ptr<LoadedRecording> loaded) {
         if (ticket != loads_) {
           return;
         }
-        replay_->show(*loaded);
+        replay_->show(std::move(loaded));
         replay_->setWatched(watched_.spans());
         showRemarks();
       });

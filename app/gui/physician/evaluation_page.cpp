@@ -142,16 +142,15 @@ void EvaluationPage::openRecording() {
     return;
   }
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
-  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
   shell().run(
-      tr("Opening the recording of model %1").arg(toQString(one->hiddenLabel)),
-      [loaded, id = form()->campaignId, label = one->hiddenLabel, assets = shell().assets()](
+      this, tr("Opening the recording of model %1").arg(toQString(one->hiddenLabel)),
+      [id = form()->campaignId, label = one->hiddenLabel, assets = shell().assets()](
           SessionContext& own, const ProgressCallback&) {
-        *loaded = loadForShowing(loadEvaluationRecording(own, id, label), assets);
+        return loadForShowing(loadEvaluationRecording(own, id, label), assets);
       },
-      [this, loaded, ticket] {
+      [this, ticket](std::shared_ptr<LoadedRecording> loaded) {
         if (ticket == loads_) {
-          replay_->show(*loaded);
+          replay_->show(std::move(loaded));
         }
       });
 }

@@ -101,13 +101,10 @@ void QuestionsCard::open(const RemarkId& questionId) {
   if (found == questions_.end()) {
     return;
   }
-  const auto run = std::make_shared<Debrief>();
   shell_.run(
-      tr("Opening the run"),
-      [run, questionId](SessionContext& own, const ProgressCallback&) {
-        *run = questionedRun(own, questionId);
-      },
-      [this, run, question = *found] { show(question, *run); });
+      this, tr("Opening the run"),
+      [questionId](SessionContext& own, const ProgressCallback&) { return questionedRun(own, questionId); },
+      [this, question = *found](const Debrief& run) { show(question, run); });
 }
 
 void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) {

@@ -133,16 +133,14 @@ void RaterCalibrationPage::openRun(std::size_t number) {
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
   const std::uint64_t ticket = ++loads_;
-  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
-  const std::filesystem::path assets = shell().assets();
   shell().run(
-      tr("Opening reference %1").arg(static_cast<int>(number_)),
-      [loaded, number, assets](SessionContext& own, const ProgressCallback&) {
-        *loaded = loadForShowing(loadReferenceRun(own, number), assets);
+      this, tr("Opening reference %1").arg(static_cast<int>(number_)),
+      [number, assets = shell().assets()](SessionContext& own, const ProgressCallback&) {
+        return loadForShowing(loadReferenceRun(own, number), assets);
       },
-      [this, loaded, ticket] {
+      [this, ticket](std::shared_ptr<LoadedRecording> loaded) {
         if (ticket == loads_) {
-          replay_->show(*loaded);
+          replay_->show(std::move(loaded));
         }
       });
 }

@@ -207,23 +207,24 @@ void ComparePage::enter(const QVariant& argument) {
 }
 
 void ComparePage::load(const QString& organ) {
-  const auto scenes = std::make_shared<std::array<LoadedScene, 2>>();
   SceneRequest request;
   request.assets = shell().assets();
   request.id = organ.toStdString();
   request.noRod = true;  // both formulations twist the organ about its own axis
   const std::array<Formulation, 2> formulations{sides_[0].formulation, sides_[1].formulation};
   shell().run(
-      tr("Loading the models"),
-      [scenes, request, formulations](SessionContext&, const ProgressCallback& progress) {
-        for (std::size_t i = 0; i < scenes->size(); ++i) {
+      this, tr("Loading the models"),
+      [request, formulations](SessionContext&, const ProgressCallback& progress) {
+        std::array<LoadedScene, 2> scenes;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
           progress({request.id, static_cast<double>(i) / 2.0, -1.0});
           SceneRequest one = request;
           one.formulation = formulations[i];
-          (*scenes)[i] = loadSceneForView(one);
+          scenes[i] = loadSceneForView(one);
         }
+        return scenes;
       },
-      [this, scenes] { adopt(std::move(*scenes)); });
+      [this](std::array<LoadedScene, 2> scenes) { adopt(std::move(scenes)); });
 }
 
 void ComparePage::adopt(std::array<LoadedScene, 2> scenes) {

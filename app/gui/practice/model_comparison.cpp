@@ -220,14 +220,13 @@ void ModelComparison::load(const SceneRequest& request) {
   }
   organChoice_->setCurrentIndex(
       organChoice_->findData(request.organFile ? QString() : toQString(request.id)));
-  const auto organ = std::make_shared<ComparedScene>();
   shell_.run(
-      tr("Loading the organ"),
-      [organ, request](SessionContext&, const ProgressCallback& progress) {
+      this, tr("Loading the organ"),
+      [request](SessionContext&, const ProgressCallback& progress) {
         progress({request.id, 0.0, -1.0});
-        *organ = loadCompared(request);
+        return loadCompared(request);
       },
-      [this, organ] { adopt(std::move(*organ)); });
+      [this](ComparedScene organ) { adopt(std::move(organ)); });
 }
 
 void ModelComparison::adopt(ComparedScene organ) {
@@ -278,17 +277,16 @@ void ModelComparison::compare(const ComparisonOptions& options) {
   }
   asked.poseEvery_s = 1.0 / kShownPoses_per_s;
   asked.courseMarker = std::min(kFirstMarkerOfCourse, static_cast<int>(markers_.size()));
-  const auto result = std::make_shared<ComparisonResult>();
   shell_.run(
-      tr("Comparing the models"),
-      [result, asked, scene = organ_.loaded.scene, markers = markers_](SessionContext&,
-                                                                       const ProgressCallback& progress) {
+      this, tr("Comparing the models"),
+      [asked, scene = organ_.loaded.scene, markers = markers_](SessionContext&,
+                                                               const ProgressCallback& progress) {
         checkMarkers(markers, {});
-        *result = runComparison(*scene, markers, {}, asked, progress);
+        return std::make_shared<const ComparisonResult>(runComparison(*scene, markers, {}, asked, progress));
       },
-      [this, result, scene = organ_.loaded.scene] {
-        if (scene == organ_.loaded.scene) {  // the same organ is shown still
-          took(result);
+      [this, scene = organ_.loaded.scene](std::shared_ptr<const ComparisonResult> result) {
+        if (scene == organ_.loaded.scene) {  // the organ was not changed meanwhile
+          took(std::move(result));
         }
       });
 }

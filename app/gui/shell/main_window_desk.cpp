@@ -182,7 +182,7 @@ void MainWindow::removeDemonstration() {
       return;
     }
     desk_->context().run(
-        tr("Removing the demonstration"),
+        desk_, tr("Removing the demonstration"),
         [reason = tr("Removed from the user menu").toStdString()](SessionContext& own,
                                                                   const ProgressCallback&) {
           static_cast<void>(removeDemonstrationData(own, reason));

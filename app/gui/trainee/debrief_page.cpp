@@ -167,8 +167,6 @@ void DebriefPage::enter(const QVariant& argument) {
 }
 
 void DebriefPage::compute(const TrialId& trialId) {
-  const auto result = std::make_shared<Debrief>();
-  const auto recordings = std::make_shared<std::shared_ptr<DebriefRecordings>>();
   debrief_ = {};
   haveReplay_ = false;
   replay_->show(nullptr);
@@ -176,18 +174,19 @@ void DebriefPage::compute(const TrialId& trialId) {
   ask_->setRun({});
   fill();
   shell().run(
-      tr("Analysing your run"),
-      [result, recordings, trialId, assets = shell().assets(), scene = desk_.lastScene](
-          SessionContext& session, const ProgressCallback&) {
-        *result = torsio::debrief(session, trialId, assets, scene.get());
-        *recordings = loadForDebrief(*result, assets, scene);
+      this, tr("Analysing your run"),
+      [trialId, assets = shell().assets(), scene = desk_.lastScene](SessionContext& session,
+                                                                    const ProgressCallback&) {
+        Debrief run = torsio::debrief(session, trialId, assets, scene.get());
+        std::shared_ptr<DebriefRecordings> recordings = loadForDebrief(run, assets, scene);
+        return std::pair(std::move(run), std::move(recordings));
       },
-      [this, result, recordings] {
-        debrief_ = std::move(*result);
+      [this](std::pair<Debrief, std::shared_ptr<DebriefRecordings>> analysed) {
+        debrief_ = std::move(analysed.first);
         computing_ = false;
         plot_->setDebrief(debrief_);
-        haveReplay_ = *recordings != nullptr;
-        replay_->show(std::move(*recordings));
+        haveReplay_ = analysed.second != nullptr;
+        replay_->show(std::move(analysed.second));
         setMoment(0.0);
         tellStory();
         untwisting_->setStory(debrief_.detorsion.value_or(DetorsionStory{}));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/device_check_page.h"
 
-#include <memory>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -88,13 +87,12 @@ void DeviceCheckPage::check() {
   }
   checking_ = true;
   fill();
-  const auto readiness = std::make_shared<DeviceReadiness>();
   shell().run(
-      tr("Checking the device"),
-      [readiness, probe = desk_.probe](SessionContext&, const ProgressCallback&) { *readiness = probe(); },
-      [this, readiness] {
+      this, tr("Checking the device"),
+      [probe = desk_.probe](SessionContext&, const ProgressCallback&) { return probe(); },
+      [this](const DeviceReadiness& readiness) {
         checking_ = false;
-        attempt(shell(), [&] { found(judgedByForce(*readiness, gradesWithMouse(shell().session()))); });
+        attempt(shell(), [&] { found(judgedByForce(readiness, gradesWithMouse(shell().session()))); });
         fill();
       });
 }

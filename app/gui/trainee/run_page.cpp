@@ -8,29 +8,20 @@
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QInputDialog>
-#include <QLabel>
 #include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStringList>
-#include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/simulator/detorsion_panel.h"
-#include "app/gui/simulator/validity_button.h"
 #include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_notice.h"
+#include "app/gui/trainee/run_panel.h"
 #include "app/gui/trainee/station_desk.h"
-#include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/tracker_panel.h"
-#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/twist_guide.h"
-#include "app/gui/widgets/angle_dial.h"
-#include "app/gui/widgets/card.h"
-#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/held_button.h"
-#include "app/gui/widgets/level_bar.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/recording/unstored_trials.h"
 #include "assessment/domain/study/curriculum.h"
@@ -49,17 +40,31 @@ const QVariant kLater = QStringLiteral("later");
 RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent),
       desk_(desk),
-      theme_(&theme(context.themeKind())),
       stage_(new QStackedWidget(this)),
-      scene_(new LiveScene(desk.loader, context.assets(), this)) {
+      scene_(new LiveScene(desk.loader, context.assets(), this)),
+      notice_(new RunNotice(context, this)),
+      panel_(new RunPanel(scene_->controller(), this)),
+      guide_(new TwistGuide(scene_)) {
   scene_->setObjectName(QStringLiteral("scene"));
+  guide_->setObjectName(QStringLiteral("guide"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   stage_->addWidget(scene_);
-  stage_->addWidget(createNotice());
+  stage_->addWidget(notice_);
   row->addWidget(stage_, 1);
-  row->addWidget(createPanel());
+  row->addWidget(panel_);
+  connect(panel_, &RunPanel::restWanted, this, &RunPage::rest);
+  connect(panel_, &RunPanel::endWanted, this, &RunPage::askToEnd);
+  connect(panel_, &RunPanel::guideWanted, this, &RunPage::guide);
+  connect(panel_, &RunPanel::limitPassed, this, [this] {
+    if (soundAtLimit_) {
+      desk_.sound();
+    }
+  });
+  connect(notice_, &RunNotice::goOn, this, &RunPage::goOn);
+  connect(&notice_->tracker(), &TrackerPanel::lettingGo, this,
+          [this] { endTracked(TrialOutcome::kCompleted); });
   scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(scene_, &LiveScene::gripLost, this, [this] {
@@ -69,8 +74,7 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   });
   scene_->view().installEventFilter(this);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
-    detorsion_->setScene(scene_->controller().scene());
-    validity_->setScene(scene_->controller().scene());
+    panel_->showScene();
     if (waiting_ && !opening_.going()) {
       begin();
     }
@@ -135,7 +139,7 @@ void RunPage::enter(const QVariant& argument) {
   }
   lastTrial_.clear();
   inFile_ = false;
-  wasOver_ = false;
+  panel_->setRun(&*runSession_);
   attempt(shell(), [&] { soundAtLimit_ = soundsAtLimit(shell().session()); });
   retranslate();
   if (runSession_->run().phase().arm == PhaseKind::kReal) {
@@ -144,7 +148,6 @@ void RunPage::enter(const QVariant& argument) {
   }
   waiting_ = true;
   const TrainingModule& module = runSession_->step().module;
-  dial_->setTarget(module.targetAngle_rad, module.tolerance_rad);
   SceneRequest request;
   request.assets = shell().assets();
   request.id = module.sceneId;
@@ -170,12 +173,12 @@ void RunPage::start() {
     const std::vector<RunPhase>& phases = runSession_->run().plan().phases;
     const bool onRealArm = std::any_of(phases.begin(), phases.end(),
                                        [](const RunPhase& phase) { return phase.arm == PhaseKind::kReal; });
-    tracker_->begin(onRealArm ? desk_.tracker : std::nullopt);
+    notice_->tracker().begin(onRealArm ? desk_.tracker : std::nullopt);
     timer_.start();
     follow(runSession_->advance());
   });
   if (!begun) {
-    runSession_.reset();
+    forgetRun();
     device_.reset();
   }
 }
@@ -203,12 +206,22 @@ void RunPage::haveDevice() {
   tick();
 }
 
-/// Nothing has begun: the trainee does not want to wait for the device.
-void RunPage::cancelWaiting() {
-  opening_.cancel();
-  waiting_ = false;
-  runSession_.reset();
-  shell().open(PageId::kNextStep);
+void RunPage::goOn() {
+  if (waiting_) {  // nothing has begun: the trainee does not want to wait for the device
+    opening_.cancel();
+    forgetRun();
+    shell().open(PageId::kNextStep);
+  } else if (runSession_) {
+    follow(runSession_->resume());
+  }
+}
+
+void RunPage::rest() {
+  if (!runSession_ || !runSession_->rest()) {
+    return;
+  }
+  endRecording(TrialOutcome::kCompleted);
+  tick();
 }
 
 void RunPage::record() {
@@ -224,13 +237,7 @@ void RunPage::record() {
     return;
   }
   lastTrial_ = toQString(recording.trialId);
-  twists_ = {};
-  onTarget_ = 0;
-  showCount();
-  const TrainingModule& module = runSession_->step().module;
-  dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
-  torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
-  force_->setLimit(module.maxForce_N.value_or(0.0));
+  panel_->beginRecording(haptic_);
   if ((runSession_->firstEver() || desk_.guided) && runSession_->trials().size() == 1) {
     guide();
   }
@@ -260,9 +267,7 @@ void RunPage::withoutDevice(const Problem& why) {
   }
   const bool begun = !waiting_;
   runSession_->stop("the haptic device was lost");
-  timer_.stop();
-  waiting_ = false;
-  runSession_.reset();
+  forgetRun();
   shell().tell([why, begun] {
     const TranslatedError said = why();
     QStringList parts{said.happened};
@@ -338,17 +343,18 @@ void RunPage::endRecording(TrialOutcome outcome) {
 
 void RunPage::track() {
   const TrainingRun& run = runSession_->run();
+  TrackerLink* link = notice_->tracker().link();
   if (tracked_ != nullptr || run.state() != RunState::kRunning || run.phase().arm != PhaseKind::kReal ||
-      tracker_->link() == nullptr) {
+      link == nullptr) {
     return;
   }
-  const TrackerView view = tracker_->link()->view();
+  const TrackerView view = link->view();
   if (view.stage != TrackerStage::kTracking || !view.period_us) {
     return;
   }
   const RecordingSpec recording = runSession_->newTrackedTrial();
   tracked_ = std::make_unique<TrackedRecording>(
-      *tracker_->link(), view, recording, recordingSink(shell().session().key().locator, recording.context));
+      *link, view, recording, recordingSink(shell().session().key().locator, recording.context));
 }
 
 void RunPage::endTracked(TrialOutcome outcome) {
@@ -359,13 +365,19 @@ void RunPage::endTracked(TrialOutcome outcome) {
   attempt(shell(), [&] { inFile_ = inFile_ || ended->finish(outcome).spillFile; });
 }
 
-void RunPage::finish() {
+void RunPage::forgetRun() {
   timer_.stop();
+  waiting_ = false;
+  panel_->setRun(nullptr);
+  runSession_.reset();
+}
+
+void RunPage::finish() {
   opening_.cancel();
   device_.reset();
   endRecording(TrialOutcome::kCompleted);
   desk_.lastScene = scene_->controller().sharedScene();
-  runSession_.reset();
+  forgetRun();
   if (StationWriter* line = shell().line(); line != nullptr) {
     static_cast<void>(line->settled(kLastWrites));
   }
@@ -382,7 +394,7 @@ void RunPage::finish() {
   }
 }
 
-void RunPage::askToStop() {
+void RunPage::askToEnd() {
   if (!runSession_) {
     return;
   }
@@ -416,11 +428,9 @@ bool RunPage::leave() {
     shell().notify(tr("A run is in progress. End it first."));
     return false;
   }
-  timer_.stop();
   opening_.cancel();
   endTracked(TrialOutcome::kInterrupted);
-  runSession_.reset();
-  waiting_ = false;
+  forgetRun();
   scene_->controller().shutDown();
   return true;
 }
@@ -428,6 +438,46 @@ bool RunPage::leave() {
 bool RunPage::busy() const {
   return runSession_ && !waiting_ && runSession_->run().state() != RunState::kReady &&
          !runSession_->run().over();
+}
+
+void RunPage::showState() {
+  const bool started = runSession_.has_value() && !waiting_;
+  panel_->showTime(started, !opening_.going());
+  if (!runSession_) {
+    notice_->showNoRun(inFile_);
+    stage_->setCurrentWidget(notice_);
+    return;
+  }
+  using Device = RunNotice::Device;
+  const Device device = !opening_.going() ? Device::kReady
+                        : waiting_        ? Device::kFetchedBeforeStart
+                                          : Device::kFetchedInRun;
+  const bool noticed = notice_->showRun(runSession_->run(), device, tracked_ != nullptr);
+  stage_->setCurrentIndex(noticed ? 1 : 0);
+  panel_->showTold(!noticed);
+}
+
+void RunPage::showLive(const LiveState& state) {
+  if (!runSession_) {
+    return;
+  }
+  if (desk_.outlet != nullptr) {
+    desk_.outlet->show(state);
+  }
+  panel_->follow(state);
+  guide_->follow(state, panel_->onTarget(), panel_->coach().heldShare());
+}
+
+void RunPage::retranslate() {
+  guide_->retranslate();
+  notice_->tracker().retranslate();
+  panel_->retranslate();
+  showState();
+}
+
+void RunPage::applyTheme(const Theme& theme) {
+  scene_->setTheme(theme);
+  panel_->setTheme(theme);
 }
 
 }  // namespace torsio::gui

@@ -11,31 +11,21 @@
 #include "app/gui/base/problem.h"
 #include "app/gui/trainee/device_opening.h"
 #include "app/services/training/run_session.h"
-#include "assessment/attempt/twist_count.h"
 #include "sim/core/live_types.h"
 
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace torsio::gui {
 
-class StationDesk;
-
-class AngleDial;
-class Card;
-class DetorsionPanel;
-class LevelBar;
 class LiveScene;
-class TrackerPanel;
+class RunNotice;
+class RunPanel;
+class StationDesk;
 class TwistGuide;
-class ValidityButton;
 
-/// The run itself: big countdown, phase, rest with its allowance, gauges, quiet cues in practice only, hard
-/// stop at the end, and the timer of the real arm. The clock and what is kept are RunSession's; while the
-/// device gets ready, off the GUI thread, the clock stands.
+/// The run itself: it joins the session's clock, the device and the recordings to what is shown, which is the
+/// business of LiveScene, RunPanel and RunNotice. While the device gets ready, off the GUI thread, the clock
+/// stands.
 class RunPage : public Page {
   Q_OBJECT
 
@@ -62,21 +52,14 @@ class RunPage : public Page {
   void tick();
 
  private:
-  StationDesk& desk_;
-
-  QWidget* createPanel();
-  QVBoxLayout* createHeading(QWidget* panel);
-  void createTime(QWidget* panel);
-  void createAngle(QWidget* panel);
-  QLayout* createButtons(QWidget* side);
   /// Asks why training goes on while sheets of the real arm are missing; false: it does not.
   [[nodiscard]] bool askWhyUnscored(RunRequest& request);
-  QWidget* createNotice();
   void begin();
   void start();
   void fetchDevice();
   void haveDevice();
-  void cancelWaiting();
+  void goOn();
+  void rest();
   void record();
   void follow(const std::vector<RunEvent>& events);
   void endRecording(TrialOutcome outcome);
@@ -84,73 +67,31 @@ class RunPage : public Page {
   void track();
   void endTracked(TrialOutcome outcome);
   void finish();
-  void askToStop();
+  void forgetRun();
+  void askToEnd();
   void withoutDevice(const Problem& why);
   void showState();
-  bool showNotice();
-  void showTold();
   void showLive(const LiveState& state);
-  void showCount();
-  /// Counts the twist that was let go just now.
-  void judge();
-  /// How the latest twist was let go, and what to do better.
-  [[nodiscard]] QString verdict() const;
-  [[nodiscard]] QString cue(const LiveState& state) const;
   /// Shows a first twist movement by movement, in practice of a twist.
   void guide();
-  /// How much of the time to be held on target is over.
-  double heldShare(const LiveState& state);
 
-  const Theme* theme_;
+  StationDesk& desk_;
   std::optional<RunSession> runSession_;
   QString lastTrial_;
-  std::int64_t onTargetFrom_us_ = -1;  // of the present stay on target; -1: not there
-  TwistCount twists_;                  // of the present recording
-  std::int64_t onTarget_ = 0;          // of these
-  bool held_ = false;                  // the present twist, as long as is wanted
-  bool letGoHeld_ = false;             // the latest twist was
-  bool focusDue_ = false;              // the keyboard belongs to the instrument
-  bool turning_ = false;               // a hand turns what it holds
-  bool waiting_ = false;               // for the scene and the device, before the clock starts
+  bool focusDue_ = false;  // the keyboard belongs to the instrument
+  bool waiting_ = false;   // for the scene and the device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
   std::unique_ptr<TrackedRecording> tracked_;            // of the real arm; null: none goes on
   bool inFile_ = false;                                  // a recording of this run waits for its database
+  bool soundAtLimit_ = false;                            // the centre's choice
   QTimer timer_;
   DeviceOpening opening_;
-
   QStackedWidget* stage_;
   LiveScene* scene_;
-  QLabel* noticeTitle_ = nullptr;
-  QLabel* noticeFigure_ = nullptr;
-  QLabel* noticeText_ = nullptr;
-  QPushButton* goOn_ = nullptr;
-  TrackerPanel* tracker_ = nullptr;
-  QLabel* title_ = nullptr;
-  QLabel* mode_ = nullptr;
-  Card* time_ = nullptr;
-  QLabel* countdown_ = nullptr;
-  QLabel* timeName_ = nullptr;
-  QProgressBar* progress_ = nullptr;
-  QLabel* phase_ = nullptr;
-  Card* angle_ = nullptr;
-  AngleDial* dial_ = nullptr;
-  DetorsionPanel* detorsion_ = nullptr;
-  ValidityButton* validity_ = nullptr;
-  Card* load_ = nullptr;
-  LevelBar* torque_ = nullptr;
-  LevelBar* force_ = nullptr;
-  QLabel* goal_ = nullptr;
-  QLabel* count_ = nullptr;
-  QLabel* verdict_ = nullptr;
-  QLabel* cue_ = nullptr;
-  QLabel* warning_ = nullptr;
-  TwistGuide* guide_ = nullptr;
-  QPushButton* guideMe_ = nullptr;
-  bool soundAtLimit_ = false;  // the centre's choice
-  bool wasOver_ = false;       // the limit, a frame ago
-  QPushButton* rest_ = nullptr;
-  QPushButton* stop_ = nullptr;
+  RunNotice* notice_;
+  RunPanel* panel_;
+  TwistGuide* guide_;
 };
 
 }  // namespace torsio::gui

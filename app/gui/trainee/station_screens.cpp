@@ -113,7 +113,9 @@ void showFinding(Page& page) {
 QVariant untwisting(SessionContext& session) {
   static_cast<void>(laidOut(session));
   const std::vector<Attempt> attempts = attemptsOf(session, session.actor().personId);
-  const auto last = std::find_if(attempts.rbegin(), attempts.rend(), isUntwisting);
+  const auto last = std::find_if(attempts.rbegin(), attempts.rend(), [](const Attempt& attempt) {
+    return attempt.values.contains(Quantity::kUntwisted);
+  });
   TORSIO_EXPECTS(last != attempts.rend());
   return toQString(last->trialId);
 }

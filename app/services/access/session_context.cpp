@@ -89,7 +89,7 @@ bool SessionContext::may(Operation operation) const {
         return false;
     }
   }
-  sayWhoAsks(*connection_, key_.actor.practiceOnly ? std::string() : std::string(key_.actor.userId));
+  setCurrentUser(*connection_, key_.actor.practiceOnly ? std::string() : std::string(key_.actor.userId));
   if (key_.actor.userId.empty()) {
     return false;
   }

@@ -276,9 +276,9 @@ void takeItsPlace(const fs::path& finished, const fs::path& record) {
   requireOnlySimulated(record);
   std::error_code failed;
   if (fs::exists(record, failed)) {
-    foldSqlite(record);
+    checkpointSqlite(record);
   }
-  foldSqlite(finished);
+  checkpointSqlite(finished);
   fs::rename(finished, record, failed);
   if (failed) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), record.string(),

@@ -82,7 +82,7 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
   }
   const FileInTheMaking making(target.file);
   CopyReport report = copyInto(reading, making.path().string(), progress);
-  if (!foldSqlite(making.path())) {
+  if (!checkpointSqlite(making.path())) {
     refuseUnwritable(target.file);
   }
   refuseTaken(target.file);  // whoever was faster keeps what he wrote

@@ -189,7 +189,7 @@ std::optional<Connection> presentRecord(const std::string& file, std::string& un
   if (!fs::exists(file)) {
     return std::nullopt;
   }
-  (void)foldSqlite(file);  // refuses while another program has it
+  (void)checkpointSqlite(file);  // refuses while another program has it
   try {
     return openRecord(file, OpenMode::kReadWrite);
   } catch (const Error& error) {
@@ -288,7 +288,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   requireFile(session);
   requireNobodyAtWork(session);
   const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
-  const fs::path record = beyondLinks(session.key().locator);
+  const fs::path record = linkTarget(session.key().locator);
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());
   tell(session, session.connection(), AuditAction::kDatabaseRestoreBegin, plan, safety, askedBy);
@@ -302,7 +302,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
   bringToday(session, ready, plan, safety, askedBy);
   tellProgress(progress, Text::tr("Checking the restored record"), 0.8);
-  settleSqlite(ready);
+  flushSqlite(ready);
   tellProgress(progress, Text::tr("Ready"), 1.0);
   return prepared;
 }
@@ -333,7 +333,7 @@ void noteRestore(SessionContext& session, const fs::path& backup) {
 
 Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, const std::string& locator) {
   requireOwnRestore(locator);
-  const std::string file = beyondLinks(locator).string();
+  const std::string file = linkTarget(locator).string();
   sweepLeftovers(file);
   Restored restored{.content = checkBackup(backup)};
   if (std::optional<Connection> present = presentRecord(file, restored.unreadable)) {

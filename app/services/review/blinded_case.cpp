@@ -58,7 +58,7 @@ std::optional<std::int64_t> blindedDue(const std::vector<QueueEntry>& queue) {
       due.add(entry.dueUtc_us);
     }
   }
-  return due.told();
+  return due.latest();
 }
 
 Assignment ownAssignment(SessionContext& session, Operation operation, const AssignmentId& assignmentId) {

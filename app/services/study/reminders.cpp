@@ -76,7 +76,7 @@ std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortI
       awaited.calledUtc_us = call->second.calledUtc_us;
       awaited.late = call->second.endedUtc_us.has_value();
     } else {
-      awaited.dueUtc_us = due[one.raterId].told();
+      awaited.dueUtc_us = due[one.raterId].latest();
       awaited.late = awaited.dueUtc_us && *awaited.dueUtc_us < session.now_us();
     }
     all[one.raterId].sheets.push_back(std::move(awaited));

@@ -14,13 +14,13 @@ namespace torsio::web {
 namespace {
 
 constexpr float kLargestStep = 32'000.0F;
-constexpr float kFinest_mm = 0.03F;       // a component is told no finer: the bound is five times that
-constexpr float kFinestMean_mm = 0.004F;  // nor the mean
-constexpr std::size_t kBatch = 4;         // shapes that share a look at the components
-constexpr std::size_t kBlock = 1536;      // numbers of one shape, so that a batch stays in the nearest cache
+constexpr float kFinest_mm = 0.03F;       // finest step of a component; the error bound is five times that
+constexpr float kFinestMean_mm = 0.004F;  // finest step of the mean
+constexpr std::size_t kBatch = 4;         // shapes projected together
+constexpr std::size_t kBlock = 1536;      // coordinates per block, so that a batch fits the L1 cache
 
 float dotOf(std::span<const float> a, std::span<const float> b) {
-  // Eight sums side by side: the order is fixed, so that every machine rounds alike.
+  // Eight parallel sums in a fixed order, so that every machine rounds alike.
   std::array<float, 8> sums{};
   std::size_t i = 0;
   for (; i + sums.size() <= a.size(); i += sums.size()) {
@@ -120,7 +120,7 @@ void ShapeFitter::add(std::span<const float> displacement) {
   for (const double value : row) {
     rest -= value * value;
   }
-  constexpr double kSame = 1e-6;  // nearly a mixture of the others: told apart by rounding alone
+  constexpr double kSame = 1e-6;  // nearly a combination of the others, up to rounding
   row.push_back(std::sqrt(std::max(rest, kSame * whole)));
   triangular_.push_back(std::move(row));
   components_.push_back(std::move(component));
@@ -219,7 +219,8 @@ std::vector<ShapeFitter::Fit> ShapeFitter::fit(std::span<const std::vector<float
     for (std::size_t s = 0; s < batch.size(); ++s) {
       std::vector<std::vector<float>> own{std::move(left[s])};
       while (fits[s].farthest > within_) {
-        const bool others = components_.size() > fits[s].weights.size();  // an earlier shape has brought some
+        const bool others =
+            components_.size() > fits[s].weights.size();  // an earlier shape of the batch has added some
         if (!others && components_.size() >= most_) {
           break;
         }

@@ -8,41 +8,40 @@
 
 namespace torsio::web {
 
-/// Weights are whole multiples of this, mm.
+/// Weights are integer multiples of this, mm.
 inline constexpr float kWeightStep_mm = 0.01F;
 
 /// Shapes of one mesh as a mean and a few displacements: shape = mean + sum of weight_k scale_k step_k, so
-/// that a page shows any of them without knowing how the organ is twisted. Steps are whole numbers, as coarse
-/// as the bound allows; scale_k step_k is 1 at most, so that a weight says how far its component reaches, mm.
+/// that a page can display them without a twist model. Steps are integers, as coarse as the bound allows;
+/// scale_k step_k is at most 1, so that a weight is the reach of its component in mm.
 struct ShapeBasis {
-  std::vector<float> mean;          ///< 3 a vertex, mm, multiples of meanStep
+  std::vector<float> mean;          ///< 3 per vertex, mm, multiples of meanStep
   float meanStep = 0.0F;            ///< mm
-  std::vector<float> scale;         ///< one a component
-  std::vector<std::int16_t> steps;  ///< component after component, 3 a vertex
+  std::vector<float> scale;         ///< one per component
+  std::vector<std::int16_t> steps;  ///< component by component, 3 per vertex
   [[nodiscard]] std::size_t components() const noexcept { return scale.size(); }
-  /// The first `count` components, with the mean; the others, without it.
+  /// Returns the first `count` components with the mean, or the rest without it.
   [[nodiscard]] ShapeBasis upTo(std::size_t count) const;
   [[nodiscard]] ShapeBasis from(std::size_t count) const;
 };
 
-/// Finds a basis and what the weights of each shape are. A component is added whenever a shape is not shown
-/// within the bound yet; what earlier shapes were told stays good, since the weight of a later component is 0
-/// for them. Deterministic. Any one thread.
+/// Computes a basis and the weights of each shape. A component is added whenever a shape is not within the
+/// bound. Earlier weights stay valid, since those of later components are 0. Deterministic. Not thread-safe.
 class ShapeFitter {
  public:
-  /// `within`: the farthest, mm, that a vertex may lie from its place; `most`: components at most.
+  /// `within`: maximum deviation of a vertex, mm; `most`: maximum number of components.
   ShapeFitter(std::span<const float> mean, float within, std::size_t most);
 
-  /// Takes components out of these shapes until none lies farther off than `within`, mm, the worst shown one
-  /// first: fewer are needed for all the others. What was learnt before is used first; not after fit(), whose
-  /// components are not at right angles.
+  /// Adds components for these shapes until none deviates by more than `within` mm, starting with the worst;
+  /// reduces the number needed overall. Uses existing components first. Not allowed after fit(), whose
+  /// components are not orthogonal.
   void learn(std::span<const std::vector<float>> shapes, float within);
 
   struct Fit {
-    std::vector<float> weights;  ///< mm, multiples of kWeightStep_mm; as many as components were known
-    float farthest = 0.0F;       ///< of a vertex from its place, with just these weights, mm
+    std::vector<float> weights;  ///< mm, multiples of kWeightStep_mm; one for each component so far
+    float farthest = 0.0F;       ///< largest deviation of a vertex with these weights, mm
   };
-  /// In the order of the shapes; `farthest` is within the bound unless `most` components were too few.
+  /// Fits shapes in order; `farthest` is within the bound unless `most` components were too few.
   [[nodiscard]] std::vector<Fit> fit(std::span<const std::vector<float>> shapes);
 
   [[nodiscard]] const ShapeBasis& basis() const noexcept { return basis_; }
@@ -57,8 +56,8 @@ class ShapeFitter {
   float within_;
   std::size_t most_;
   ShapeBasis basis_;
-  std::vector<std::vector<float>> components_;   // as the basis says them
-  std::vector<std::vector<double>> triangular_;  // rows of the Cholesky factor of their products
+  std::vector<std::vector<float>> components_;   // as rounded in the basis
+  std::vector<std::vector<double>> triangular_;  // rows of the Cholesky factor of their Gram matrix
 };
 
 }  // namespace torsio::web

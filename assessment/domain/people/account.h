@@ -10,18 +10,18 @@
 
 namespace torsio {
 
-/// How much time and memory one guess costs (Argon2id of libsodium).
+/// Cost of one password hash (Argon2id of libsodium) in memory and time.
 enum class PasswordCost {
-  kTest,         ///< the least that the library allows: tests only
+  kTest,         ///< the minimum that the library allows; tests only
   kInteractive,  ///< 64 MiB, about 70 ms
   kModerate,     ///< 256 MiB, about 0.4 s
 };
 
-/// Somebody who may sign in. No default user and no default password exist.
+/// An account that may sign in. There is no default user and no default password.
 struct UserAccount {
   UserId id{};
   std::string login{};  ///< unique
-  PersonId personId{};  ///< empty: nobody of the record (an administrator, say)
+  PersonId personId{};  ///< empty: not a person of the record, such as an administrator
   bool mustChangePassword = true;
   bool active = true;
   bool hasPin = false;  ///< filled when read
@@ -37,13 +37,13 @@ inline constexpr const char* kAdministratorRole = "administrator";
          std::find(user.roles.begin(), user.roles.end(), kAdministratorRole) != user.roles.end();
 }
 
-/// What came of a try to sign in.
+/// Outcome of a sign-in attempt.
 enum class SignIn {
   kOk,
-  kMustChange,  ///< right, but nothing else is allowed before a new password is set
-  kWrong,       ///< unknown login or wrong password: which of the two is not told
-  kWait,        ///< too many failures: not even tried
-  kDisabled,    ///< right, but the user was disabled
+  kMustChange,  ///< correct, but a new password must be set before anything else
+  kWrong,       ///< unknown login or wrong password; deliberately not distinguished
+  kWait,        ///< too many failures: the password is not even checked
+  kDisabled,    ///< correct, but the account is disabled
 };
 
 }  // namespace torsio

@@ -9,8 +9,8 @@
 
 namespace torsio {
 
-/// What append() adds to the audit trail: who, when, where, what, old, new, why. Ids and codes only, never a
-/// name.
+/// Input of append() to the audit trail: who, when, where, what, old and new value, why. Ids and codes only,
+/// never a name.
 struct NewAuditEntry {
   std::int64_t atUtc_us;
   std::string actor;  ///< id of a user or rater; "torsio" for the program itself
@@ -21,27 +21,27 @@ struct NewAuditEntry {
   std::string oldJson{};
   std::string newJson{};
   std::string reason{};
-  std::string objectHash{};  ///< seals the row that was written; empty: nothing sealed
+  std::string objectHash{};  ///< hash of the row that was written; empty: nothing is sealed
 };
 
-/// One line of the audit trail as it stands in the database, also when another version wrote it.
+/// One entry of the audit trail as stored, including entries of other program versions.
 struct AuditEntry {
-  std::int64_t sequence = 0;  ///< 1, 2, 3 ... of the trail
+  std::int64_t sequence = 0;  ///< 1, 2, 3 ... in the trail
   std::int64_t atUtc_us = 0;
   std::string actor{};  ///< id of a user or rater; "torsio" for the program itself
   std::string station{};
-  std::string action{};      ///< text of an AuditAction, known to this version or not
-  std::string objectKind{};  ///< text of an AuditObject, known to this version or not
+  std::string action{};      ///< stored text of an AuditAction, possibly unknown to this version
+  std::string objectKind{};  ///< stored text of an AuditObject, possibly unknown to this version
   std::string objectId{};
   std::string oldJson{};
   std::string newJson{};
   std::string reason{};
-  std::string objectHash{};    ///< seals the row that was written; empty: nothing sealed
+  std::string objectHash{};    ///< hash of the row that was written; empty: nothing is sealed
   std::string previousHash{};  ///< entryHash of the entry before
   std::string entryHash{};     ///< auditHash() of this entry
 };
 
-/// Which entries to list, newest first. What is empty does not restrict.
+/// Filter of audit entries, which are listed newest first. Empty members do not restrict.
 struct AuditFilter {
   std::optional<AuditObject> objectKind{};
   std::string objectId{};
@@ -50,9 +50,9 @@ struct AuditFilter {
   std::int64_t limit = 500;
 };
 
-/// Something that verifyAuditTrail() found.
+/// A fault found by verifyAuditTrail().
 struct AuditFinding {
-  std::int64_t sequence = 0;  ///< of the entry; 0: no entry
+  std::int64_t sequence = 0;  ///< of the entry; 0: concerns no single entry
   std::string objectKind{};
   std::string objectId{};
   std::string what{};

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// What an entry of the audit trail tells of. One row of kAuditActions each, in the same order.
+/// Actions of the audit trail. kAuditActions has one row each, in the same order.
 enum class AuditAction : std::uint8_t {
   kUserSignIn,
   kUserSignInPractice,
@@ -140,10 +140,10 @@ enum class AuditAction : std::uint8_t {
   kDutyConfirm,
   kDutyDecline,
   kSignatureGive,
-  kEnd,  ///< how many there are; noted by nobody and always the last
+  kEnd,  ///< number of actions; never stored, always last
 };
 
-/// The kind of thing an entry of the audit trail is about. One row of kAuditObjects each, in the same order.
+/// Kinds of objects in the audit trail. kAuditObjects has one row each, in the same order.
 enum class AuditObject : std::uint8_t {
   kAllocation,
   kAllocationDesign,
@@ -183,10 +183,10 @@ enum class AuditObject : std::uint8_t {
   kTrial,
   kTrialQuestion,
   kTrialRemark,
-  kEnd,  ///< how many there are; noted by nobody and always the last
+  kEnd,  ///< number of kinds; never stored, always last
 };
 
-/// The texts of the actions: in the database (released texts never change) and in English.
+/// Actions as stored in the database (released texts never change) and in English.
 inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kUserSignIn, "user.sign_in", Text::tr("Signed in")},
     {AuditAction::kUserSignInPractice, "user.sign_in_practice", Text::tr("Signed in to practise only")},
@@ -323,7 +323,8 @@ inline constexpr auto kAuditActions = std::to_array<Term<AuditAction>>({
     {AuditAction::kSignatureGive, "signature.give", Text::tr("Signed")},
 });
 
-/// The texts of the kinds of objects: in the database (mostly the table of the object) and in English.
+/// Kinds of objects as stored in the database (mostly the object's table; released texts never change) and in
+/// English.
 inline constexpr auto kAuditObjects = std::to_array<Term<AuditObject>>({
     {AuditObject::kAllocation, "allocation", Text::tr("group of a trainee")},
     {AuditObject::kAllocationDesign, "allocation_design", Text::tr("allocation")},
@@ -365,7 +366,7 @@ inline constexpr auto kAuditObjects = std::to_array<Term<AuditObject>>({
     {AuditObject::kTrialRemark, "trial_remark", Text::tr("remark")},
 });
 
-/// The table of each term.
+/// Returns the table of an enumeration.
 [[nodiscard]] constexpr const auto& termsOf(AuditAction) noexcept {
   return kAuditActions;
 }
@@ -377,11 +378,11 @@ static_assert(isWholeTable(kAuditActions, AuditAction::kEnd), "each action has o
 static_assert(isWholeTable(kAuditObjects, AuditObject::kEnd),
               "each kind of object has one row, at its own place");
 
-/// Tells in plain words what an entry read from the database is about: "Mark submitted" for "mark.submit". An
-/// action that only an older or newer version knows is told by its text in the database.
+/// Returns the label of a stored action: "Mark submitted" for "mark.submit". Actions unknown to this version
+/// return their stored text.
 [[nodiscard]] Text auditActionLabel(std::string_view storedAction);
-/// Tells in plain words to what kind of thing it was done: "mark" for "training_mark". A kind that only an
-/// older or newer version knows is told by its text in the database.
+/// Returns the label of a stored kind of object: "mark" for "training_mark". Kinds unknown to this version
+/// return their stored text.
 [[nodiscard]] Text auditObjectLabel(std::string_view storedObject);
 
 }  // namespace torsio

@@ -12,10 +12,10 @@ namespace torsio {
 
 namespace {
 
-/// Letters that are a password's own, below which it is no more than its common words.
+/// Minimum number of letters left after the common words are removed.
 constexpr std::size_t kMinOwnLetters = 6;
 
-/// Words of the passwords that leaked lists have most often, and what is near at hand here. Not a dictionary:
+/// Words from lists of leaked passwords, and words that suggest themselves in this program. Not a dictionary:
 /// a sentence of plain words is a good password.
 constexpr std::string_view kWords[] = {
     "password",   "passwort", "passwords", "passw0rd",   "passphrase", "passcode",      "pass",
@@ -41,7 +41,7 @@ constexpr std::string_view kWords[] = {
     "physician",  "trainee",  "torsio",
 };
 
-/// As letters alone.
+/// Well-known passphrases, letters only.
 constexpr std::string_view kSentences[] = {
     "correcthorsebatterystaple",
     "thequickbrownfoxjumpsoverthelazydog",
@@ -101,7 +101,7 @@ std::string lettersOf(const std::string& text) {
   return letters;
 }
 
-/// The longest words first, so that none leaves its own end behind.
+/// Returns the words, longest first, so that removing a shorter word never splits a longer one.
 const std::vector<std::string_view>& wordsByLength() {
   static const std::vector<std::string_view> kSorted = [] {
     std::vector<std::string_view> words(std::begin(kWords), std::end(kWords));
@@ -112,7 +112,7 @@ const std::vector<std::string_view>& wordsByLength() {
   return kSorted;
 }
 
-/// Hardly a letter is left once the common words are taken out; some of them were there.
+/// True if the text consists of common words with hardly a letter left.
 bool isMadeOfWords(std::string text) {
   bool found = false;
   for (const std::string_view word : wordsByLength()) {

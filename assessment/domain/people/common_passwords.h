@@ -5,9 +5,9 @@
 
 namespace torsio {
 
-/// Whether a password is one that is tried first: words of the most common passwords, years, digits and signs
-/// with hardly a letter of its own, also with 0 for o, @ for a and the like, or a sentence that everybody
-/// knows. Works without a network, by a list of its own.
+/// True for a password that an attacker tries first: common words, years, digits and signs with hardly a
+/// letter of its own, the same with 0 for o, @ for a and the like, or a well-known passphrase. Uses a
+/// built-in list, no network.
 [[nodiscard]] bool isCommonPassword(const std::string& password);
 
 }  // namespace torsio

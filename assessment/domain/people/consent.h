@@ -11,10 +11,10 @@
 
 namespace torsio {
 
-/// The purpose without which nothing is recorded.
+/// Purpose without whose consent nothing is recorded.
 inline constexpr const char* kTrainingRecord = "training_record";
 
-/// How a decision was given.
+/// Medium of a decision.
 enum class ConsentForm : std::uint8_t { kScreen, kPaper };
 inline constexpr std::array<Term<ConsentForm>, 2> kConsentForms{{
     {ConsentForm::kScreen, "screen", Text::tr("on the screen"), "decided by the person at a station"},
@@ -24,30 +24,30 @@ inline constexpr std::array<Term<ConsentForm>, 2> kConsentForms{{
   return kConsentForms;
 }
 
-/// What somebody agrees to, in the words that are shown.
+/// One purpose of consent with the text that is shown.
 struct ConsentText {
-  std::string purpose{};  ///< kTrainingRecord, "video", ... or one that the centre added
+  std::string purpose{};  ///< kTrainingRecord, "video", ... or one added by the centre
   std::string title{};
   std::string text{};
 };
 
-/// The words of one version in one language, in the order in which they are asked.
+/// The texts of one version in one language, in the order in which they are asked.
 struct ConsentWords {
-  std::string language{};  ///< "en", "zh_CN", or another that the centre writes for
+  std::string language{};  ///< "en", "zh_CN", or any other language that the centre provides
   std::vector<ConsentText> texts{};
 };
 
-/// What is asked of everybody until the next version. Never changes once published.
+/// A version of the consent texts, in force until the next one. Never changes once published.
 struct ConsentVersion {
-  std::string id{};  ///< stored with each decision: "2026-1" as it ships, "centre-1" of the centre's own
-  std::int64_t number = 0;                ///< 0: as it ships
+  std::string id{};  ///< stored with each decision: "2026-1" as shipped, "centre-1" for the centre's own
+  std::int64_t number = 0;                ///< 0: as shipped
   std::string note{};                     ///< what changed
-  std::vector<ConsentWords> languages{};  ///< each has the purposes of the others in their order
+  std::vector<ConsentWords> languages{};  ///< all with the same purposes in the same order
   std::string publishedBy{};
   std::int64_t publishedUtc_us = 0;
 };
 
-/// A person's decision about one purpose. Append-only: the newest one counts.
+/// A person's decision about one purpose. Append-only; the newest one counts.
 struct ConsentDecision {
   PersonId personId{};
   std::string purpose{};  ///< of a ConsentText
@@ -57,7 +57,7 @@ struct ConsentDecision {
   std::string recordedBy{};
   bool demonstration = false;
   ConsentForm form = ConsentForm::kScreen;
-  std::int64_t signedUtc_us = 0;  ///< on paper: the day beside the signature; else 0
+  std::int64_t signedUtc_us = 0;  ///< date of the signature on paper; otherwise 0
 };
 
 }  // namespace torsio

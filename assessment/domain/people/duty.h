@@ -10,16 +10,16 @@
 
 namespace torsio {
 
-/// What one person asks for and another one does.
+/// Acts that need two people: one requests, another confirms.
 enum class DutyAct : std::uint8_t {
-  kResetPassword,     ///< of somebody who scores or runs the study; subject: the user
-  kGrantRoles,        ///< any role but that of a trainee; subject: the user
+  kResetPassword,     ///< of an account with scoring or study rights; subject: the user
+  kGrantRoles,        ///< any role except trainee; subject: the user
   kErase,             ///< subject: the person
   kRestore,           ///< subject: the hash of the backup
   kRevealAllocation,  ///< subject: the design
-  kOnePerson,         ///< that none of this needs two people any more
-  kInvite,            ///< a link for an account of somebody who scores or runs the study; subject: the user
-  kEnd,               ///< how many there are
+  kOnePerson,         ///< switch off the two-person rule
+  kInvite,            ///< invitation link for an account with scoring or study rights; subject: the user
+  kEnd,               ///< number of acts
 };
 inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
     {DutyAct::kResetPassword, "reset_password", Text::tr("New start password")},
@@ -35,7 +35,7 @@ inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
 }
 static_assert(isWholeTable(kDutyActs, DutyAct::kEnd), "each act has one row, at its own place");
 
-/// What became of a request.
+/// Outcome of a request.
 enum class DutyDecision : std::uint8_t { kConfirmed, kRefused, kWithdrawn };
 inline constexpr std::array<Term<DutyDecision>, 3> kDutyDecisions{{
     {DutyDecision::kConfirmed, "confirmed", Text::tr("confirmed")},
@@ -46,7 +46,7 @@ inline constexpr std::array<Term<DutyDecision>, 3> kDutyDecisions{{
   return kDutyDecisions;
 }
 
-/// One person's request for such an act. Append-only.
+/// A request for an act that needs two people. Append-only.
 struct DutyRequest {
   std::string id{};
   DutyAct act = DutyAct::kResetPassword;

@@ -10,12 +10,12 @@
 
 namespace torsio {
 
-/// The purpose of consent without which no learning system hears of somebody.
+/// Purpose of consent required before events about a person leave for a learning system.
 inline constexpr const char* kLearningConsent = "xapi_export";
-/// Setting of the centre: "yes" while it sends.
+/// Centre setting; "yes": events are sent.
 inline constexpr const char* kLearningSetting = "learning_records";
 
-/// What a learning system is told of.
+/// Events reported to a learning system.
 enum class LearningEventKind : std::uint8_t {
   kRegistered,  ///< object: the enrolment
   kLaunched,    ///< object: the trial
@@ -23,7 +23,7 @@ enum class LearningEventKind : std::uint8_t {
   kJudged,      ///< passed or failed; object: the trial
   kRested,      ///< object: the exposure
   kRemarkRead,  ///< object: the remark
-  kEnd,         ///< how many there are
+  kEnd,         ///< number of kinds
 };
 inline constexpr auto kLearningEventKinds = std::to_array<Term<LearningEventKind>>({
     {LearningEventKind::kRegistered, "registered", Text::tr("Enrolled")},
@@ -48,21 +48,21 @@ inline constexpr std::array<Term<LearningEventState>, 3> kLearningEventStates{{
   return kLearningEventStates;
 }
 
-/// One entry of the outbox. `kind` and `objectId` are its key.
+/// One entry of the outbox, keyed by `kind` and `objectId`.
 struct LearningEvent {
   LearningEventKind kind = LearningEventKind::kRegistered;
   std::string objectId{};
   PersonId personId{};
   std::int64_t happenedUtc_us = 0;
-  std::string statement{};  ///< JSON as it is sent; empty: not made yet
+  std::string statement{};  ///< JSON as sent; empty: not built yet
   LearningEventState state = LearningEventState::kWaiting;
   std::int64_t tries = 0;
   std::int64_t nextTryUtc_us = 0;
-  std::string answer{};  ///< what came of the last try; empty: none was made
+  std::string answer{};  ///< answer to the last attempt; empty: none yet
   std::int64_t answeredUtc_us = 0;
 };
 
-/// How many entries of the outbox are in each state.
+/// Number of outbox entries in each state.
 struct LearningEventCounts {
   std::int64_t waiting = 0;
   std::int64_t delivered = 0;

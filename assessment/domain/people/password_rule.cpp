@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-/// UTF-8 characters: every byte that does not continue one.
+/// Counts UTF-8 characters: every byte that is not a continuation byte.
 std::ptrdiff_t charactersOf(const std::string& text) {
   return std::count_if(text.begin(), text.end(),
                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
@@ -25,7 +25,7 @@ std::string lowered(std::string text) {
   return text;
 }
 
-/// "aaaa...", "abcabcabc...": a short piece over and over.
+/// True for a short pattern repeated throughout: "aaaa...", "abcabcabc...".
 bool repeats(const std::string& text) {
   constexpr std::size_t kPiece = 5;
   for (std::size_t piece = 1; piece <= kPiece; ++piece) {
@@ -40,7 +40,7 @@ bool repeats(const std::string& text) {
   return false;
 }
 
-/// "123456789...", "qwertyuiop...": a run along the keyboard or the alphabet.
+/// True for a run along the keyboard or the alphabet: "123456789...", "qwertyuiop...".
 bool isRun(const std::string& text) {
   static constexpr std::array<const char*, 3> kRuns{"12345678901234567890123456789012345678901234567890",
                                                     "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyz",

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// The coded record of a person: a pseudonym and what groups are balanced by. Never a name. The code and the
+/// The pseudonymous record of a person with the attributes used to balance groups; never a name. Code and
 /// demonstration flag are frozen once stored. Empty texts mean "not known".
 struct Person {
   PersonId id{};       ///< UUID
@@ -24,7 +24,7 @@ struct Person {
   bool demonstration = false;
 };
 
-/// The link from code to name, kept in a table of its own.
+/// Link from code to name, kept in a table of its own.
 struct Identity {
   PersonId personId{};
   std::string fullName{};
@@ -32,7 +32,7 @@ struct Identity {
   std::string externalId{};  ///< staff or student number; unique
 };
 
-/// A person who is trained.
+/// A person who trains.
 struct Trainee {
   Person person{};
   std::string handedness{};  ///< "left", "right" or empty
@@ -45,7 +45,7 @@ struct SeniorityClass {
   std::int64_t position = 0;
 };
 
-/// A person who judges.
+/// A person who scores.
 struct Rater {
   Person person{};
   std::string classCode{};

@@ -11,11 +11,11 @@
 
 namespace torsio {
 
-/// What somebody may ask for about their own record.
+/// What people may request about their own record.
 enum class PersonRequestKind : std::uint8_t {
-  kExport,  ///< a copy of everything that is held
-  kErase,   ///< that name and recordings go
-  kEnd,     ///< how many there are
+  kExport,  ///< a copy of everything held about them
+  kErase,   ///< deletion of name and recordings
+  kEnd,     ///< number of kinds
 };
 inline constexpr auto kPersonRequestKinds = std::to_array<Term<PersonRequestKind>>({
     {PersonRequestKind::kExport, "export", Text::tr("a copy of everything kept")},
@@ -27,7 +27,7 @@ inline constexpr auto kPersonRequestKinds = std::to_array<Term<PersonRequestKind
 static_assert(isWholeTable(kPersonRequestKinds, PersonRequestKind::kEnd),
               "each kind has one row, at its own place");
 
-/// What became of it.
+/// Outcome of a request.
 enum class PersonRequestAnswer : std::uint8_t { kDone, kDeclined, kTakenBack };
 inline constexpr std::array<Term<PersonRequestAnswer>, 3> kPersonRequestAnswers{{
     {PersonRequestAnswer::kDone, "done", Text::tr("done")},
@@ -44,7 +44,7 @@ struct PersonRequest {
   PersonId personId{};
   PersonRequestKind kind = PersonRequestKind::kExport;
   std::int64_t askedUtc_us = 0;
-  std::optional<PersonRequestAnswer> answer{};  ///< empty: it waits
+  std::optional<PersonRequestAnswer> answer{};  ///< empty: pending
   std::string reason{};                         ///< of the answer
   std::int64_t answeredUtc_us = 0;
   std::string personCode{};  ///< filled when read

@@ -11,13 +11,13 @@
 
 namespace torsio {
 
-/// What holds the record, or a person of it, besides the record itself.
+/// Kinds of copies of the record, whole or of one person.
 enum class CopyKind : std::uint8_t {
   kBackup,
-  kBeforeRestore,  ///< the record as it was before a backup took its place
-  kBeforeSchema,   ///< the record as it was before a step of the schema
-  kPackage,        ///< all about one person
-  kMoved,          ///< the record at the other end of a move to another database
+  kBeforeRestore,  ///< the record before a backup was restored over it
+  kBeforeSchema,   ///< the record before a schema migration
+  kPackage,        ///< everything about one person
+  kMoved,          ///< the target of a move to another database
 };
 inline constexpr auto kCopyKinds = std::to_array<Term<CopyKind>>({
     {CopyKind::kBackup, "backup", Text::tr("backup")},
@@ -30,17 +30,16 @@ inline constexpr auto kCopyKinds = std::to_array<Term<CopyKind>>({
   return kCopyKinds;
 }
 
-/// "backup"
 [[nodiscard]] constexpr Phrase copyKindLabel(CopyKind kind) noexcept {
   return kCopyKinds[static_cast<std::size_t>(kind)].label;
 }
 
-/// One place where a copy was put.
+/// A copy and where it was put.
 struct RecordCopy {
   CopyKind kind = CopyKind::kBackup;
   std::string place{};    ///< file or folder; address of a server, without an account
-  std::string station{};  ///< machine whose disk it is, or that made it on a server
-  PersonId personId{};    ///< empty: everybody
+  std::string station{};  ///< machine whose disk holds it, or that made it on a server
+  PersonId personId{};    ///< empty: whole record
   std::int64_t madeUtc_us = 0;
   std::string id{};
 };

@@ -11,21 +11,22 @@
 
 namespace torsio {
 
-/// Why a person's record may be due.
-inline constexpr const char* kRetainTrainee = "trainee";              ///< since their last activity
-inline constexpr const char* kRetainRater = "rater";                  ///< since their last activity
-inline constexpr const char* kRetainLeft = "left";                    ///< left the centre; since the same
-inline constexpr const char* kRetainWithdrawn = "consent_withdrawn";  ///< since consent to the record ended
+/// Reasons why a person's record may be due for deletion.
+inline constexpr const char* kRetainTrainee = "trainee";  ///< since their last activity
+inline constexpr const char* kRetainRater = "rater";      ///< since their last activity
+inline constexpr const char* kRetainLeft = "left";        ///< left the centre; since their last activity
+inline constexpr const char* kRetainWithdrawn =
+    "consent_withdrawn";  ///< since consent to the record was withdrawn
 
-/// How long the records of a category are kept, and on what lawful basis.
+/// Retention period of a category and its lawful basis.
 struct RetentionRule {
-  std::string category{};  ///< one of the above
+  std::string category{};  ///< one of the constants above
   std::int64_t keep_days = 0;
   std::string basis{};
   std::int64_t changedUtc_us = 0;
 };
 
-/// How a reviewer decides about one person's record.
+/// A reviewer's decision about one person's record.
 enum class HoldKind : std::uint8_t { kLock, kExtend, kRelease };
 inline constexpr std::array<Term<HoldKind>, 3> kHoldKinds{{
     {HoldKind::kLock, "lock", Text::tr("locked"), "kept for good"},
@@ -36,7 +37,7 @@ inline constexpr std::array<Term<HoldKind>, 3> kHoldKinds{{
   return kHoldKinds;
 }
 
-/// What a reviewer decided about one person's record. Append-only; the newest counts.
+/// A stored decision of a reviewer about one person's record. Append-only; the newest one counts.
 struct RetentionHold {
   PersonId personId{};
   HoldKind kind = HoldKind::kLock;
@@ -46,16 +47,16 @@ struct RetentionHold {
   std::int64_t decidedUtc_us = 0;
 };
 
-/// One line of the review queue.
+/// One row of the review queue.
 struct RetentionItem {
   PersonId personId{};
   std::string code{};
-  std::string category{};  ///< the rule that fell due first
+  std::string category{};  ///< the rule that was due first
   std::string basis{};
   std::int64_t sinceUtc_us = 0;  ///< last activity, or withdrawal
   std::int64_t dueUtc_us = 0;
   std::optional<RetentionHold> hold{};  ///< the newest decision
-  bool held = false;                    ///< locked, or extended beyond the time of the review
+  bool held = false;                    ///< locked, or extended beyond the date of the review
 };
 
 }  // namespace torsio

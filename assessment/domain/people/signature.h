@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// What somebody says by signing.
+/// Meaning of a signature.
 enum class SignatureMeaning : std::uint8_t { kScored, kAmended, kFroze };
 inline constexpr std::array<Term<SignatureMeaning>, 3> kSignatureMeanings{{
     {SignatureMeaning::kScored, "scored", Text::tr("I scored this case")},
@@ -21,7 +21,7 @@ inline constexpr std::array<Term<SignatureMeaning>, 3> kSignatureMeanings{{
   return kSignatureMeanings;
 }
 
-/// What is signed.
+/// Kinds of signed objects.
 enum class SignedKind : std::uint8_t { kTrainingMark, kEvaluationMark, kFrozenDataset };
 inline constexpr std::array<Term<SignedKind>, 3> kSignedKinds{{
     {SignedKind::kTrainingMark, "training_mark", Text::tr("mark")},
@@ -32,16 +32,16 @@ inline constexpr std::array<Term<SignedKind>, 3> kSignedKinds{{
   return kSignedKinds;
 }
 
-/// A signature beside what was sealed: who, when, what it means, why. Append-only.
+/// A signature on a sealed object: who, when, meaning and reason. Append-only.
 struct Signature {
   SignedKind kind = SignedKind::kTrainingMark;
   std::string objectId{};
   UserId userId{};
-  PersonId personId{};  ///< empty: a user who is nobody of the record
+  PersonId personId{};  ///< empty: the user is not a person of the record
   SignatureMeaning meaning = SignatureMeaning::kScored;
   std::string reason{};
   std::int64_t signedUtc_us = 0;
-  std::int64_t passwordShownUtc_us = 0;  ///< when the signer's password was asked for last
+  std::int64_t passwordShownUtc_us = 0;  ///< when the signer last entered the password
   bool demonstration = false;
 };
 

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// One rater is asked for one sheet about one trainee at one occasion.
+/// A request to one rater for one sheet about one trainee at one occasion.
 struct Assignment {
   AssignmentId id{};
   RaterId raterId{};
@@ -26,7 +26,7 @@ struct Assignment {
   bool demonstration = false;
 };
 
-/// One line of a rater's queue: nothing in it tells who, which group or which stage.
+/// One row of a rater's queue. Blinded: reveals neither trainee nor group nor stage.
 struct QueueEntry {
   AssignmentId assignmentId{};
   std::string caseLabel{};
@@ -37,11 +37,11 @@ struct QueueEntry {
   std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
 };
 
-/// An assignment and how far its sheet has come; no marks.
+/// An assignment and the state of its sheet, without marks.
 struct AssignmentStatus {
   Assignment assignment{};
   SheetState state = SheetState::kOpen;
-  std::int64_t changedUtc_us = 0;  ///< of the draft or the newest mark; 0: neither
+  std::int64_t changedUtc_us = 0;  ///< of the draft or the newest mark; 0: neither exists
 };
 
 }  // namespace torsio

@@ -10,25 +10,25 @@
 
 namespace torsio {
 
-/// A model under test; raters see the hidden label only.
+/// A model under evaluation; raters see only the hidden label.
 struct CampaignModel {
   std::string code{};         ///< "PM", "FEM", "MSM"
   std::string label{};        ///< "proposed model"
   std::string hiddenLabel{};  ///< "X"
   std::int64_t position = 0;
-  /// The recording that was made with it and that the raters watch; empty: they have met it elsewhere.
+  /// Recording made with the model, which the raters watch; empty: they know the model from elsewhere.
   TrialId trialId{};
 };
 
-/// A rater of a campaign, with the class that counted then.
+/// A rater of a campaign with the seniority class valid at that time.
 struct CampaignRater {
   RaterId raterId{};
   std::string classCode{};
   std::string modelOrder{};  ///< "FEM,PM,MSM": the order in which this rater met the models
 };
 
-/// A nine-index evaluation (paper section 5.3). Fixed once stored. In `instrument`, RaterClass::id is the
-/// code of a stored rater class; the order of classes and indices is kept.
+/// A nine-index evaluation (paper section 5.3). Immutable once stored. In `instrument`, RaterClass::id is the
+/// code of a stored seniority class; the order of classes and indices is preserved.
 struct Campaign {
   CampaignId id{};
   std::string name{};  ///< unique
@@ -39,7 +39,7 @@ struct Campaign {
   bool demonstration = false;
 };
 
-/// One submitted mark: one rater, one model, one index. A correction is a new version with a reason.
+/// One submitted mark of one rater for one model and index. A correction is a new version with a reason.
 struct EvaluationMark {
   EvaluationMarkId id{};
   RaterId raterId{};

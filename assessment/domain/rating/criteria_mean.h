@@ -9,9 +9,9 @@
 
 namespace torsio {
 
-/// Weighs the criteria of a sheet: each as its place between the ends of its own scale, the mean of these on
-/// the scale of the overall mark, in points. It is shown beside the overall mark and takes its place nowhere.
-/// Empty: a criterion that has a weight was not scored.
+/// Mean of the criteria of a sheet in points: each score as its relative position on its own scale, weighted
+/// and mapped to the scale of the overall mark. Shown beside the overall mark, never in place of it. Empty if
+/// a criterion with a weight was not scored.
 [[nodiscard]] std::optional<double> criteriaMean(const RubricRevision& rubric,
                                                  std::span<const SheetRow> answers);
 

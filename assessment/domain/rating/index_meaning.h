@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// What an index of the evaluation asks, in one sentence, and what its lowest, middle and highest mark mean.
-/// The paper (section 5.3) names the nine indices and defines none: the wording is ours.
+/// Definition of an evaluation index in one sentence, with the meaning of its lowest, middle and highest
+/// mark. The paper (section 5.3) names the nine indices without defining them: the wording is ours.
 struct IndexMeaning {
   Text definition;
   Text lowest;
@@ -17,7 +17,7 @@ struct IndexMeaning {
   Text highest;
 };
 
-/// Returns the meaning of an index of paperInstrument(); empty for another one.
+/// Returns the meaning of an index of paperInstrument(); empty for any other index.
 [[nodiscard]] std::optional<IndexMeaning> indexMeaning(std::string_view indexId);
 
 }  // namespace torsio

@@ -13,7 +13,7 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kMaxSteps = 1'000'000;
-constexpr double kWeightTolerance = 1e-12;  // of the sum, when weights come as doubles
+constexpr double kWeightTolerance = 1e-12;  // of the sum, when weights are given as doubles
 
 std::string pointsText(std::int64_t steps, const ScoreScale& scale) {
   const bool negative = steps < 0;
@@ -45,7 +45,7 @@ std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const Sco
   return steps;
 }
 
-/// The value as numerator / 10^decimals, or nothing when the text is not [+-]digits[.digits].
+/// A value as numerator / 10^decimals; empty unless the text is [+-]digits[.digits].
 struct Decimal {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -121,7 +121,7 @@ std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale, const
   if (!value) {
     refuseScore(shown, Text::verbatim("is not a decimal number with a point"), scale, where);
   }
-  // Beyond any scale; the multiplication below could overflow.
+  // Beyond any scale, and the multiplication below could overflow.
   if (value->numerator / value->denominator > kMaxSteps ||
       value->numerator / value->denominator < -kMaxSteps) {
     refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);

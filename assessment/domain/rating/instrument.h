@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// The scale of an instrument. Marks are whole numbers of steps, so that sums are exact and a decimal such
-/// as 7.3 is not rounded on its way in: points = steps / stepsPerPoint.
+/// The scale of an instrument. Marks are whole steps, so sums are exact and decimals such as 7.3 are not
+/// rounded on input: points = steps / stepsPerPoint.
 struct ScoreScale {
   std::int64_t lo = 0;    ///< lowest score, steps
   std::int64_t hi = 100;  ///< highest score, steps
@@ -20,18 +20,18 @@ struct ScoreScale {
 /// 1e6.
 void validateScale(const ScoreScale& scale);
 
-/// Says whether a scale has a score of so many steps.
+/// True if `steps` lies on the scale.
 [[nodiscard]] constexpr bool isOnScale(std::int64_t steps, const ScoreScale& scale) noexcept {
   return steps >= scale.lo && steps <= scale.hi;
 }
 
-/// A decimal number in points ("7.5") as steps. Throws Error{kBadData} with `where` when the text is no plain
-/// decimal (a decimal comma, "nan", an exponent), lies between two steps, or lies outside the scale.
+/// Converts a decimal number of points ("7.5") to steps. Throws Error{kBadData} with `where` if the text is
+/// not a plain decimal (a decimal comma, "nan", an exponent), lies between two steps, or is off the scale.
 [[nodiscard]] std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale,
                                          const std::string& where);
 
-/// Converts a number in points to steps. Throws Error{kBadData} as stepsFromText. The value must be the
-/// double nearest to a step.
+/// Converts points to steps. The value must be the double nearest to a step. Throws Error{kBadData} like
+/// stepsFromText.
 [[nodiscard]] std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::string& where);
 
 [[nodiscard]] inline double pointsFromSteps(std::int64_t steps, const ScoreScale& scale) {
@@ -45,7 +45,7 @@ struct RaterClass {
   std::int64_t weight_milli = 0;
 };
 
-/// One evaluated property of a model: effectiveness, force feedback ...
+/// One property of a model that raters score: effectiveness, force feedback ...
 struct EvaluationIndex {
   std::string id;
   std::string name;
@@ -54,15 +54,16 @@ struct EvaluationIndex {
 
 inline constexpr std::int64_t kWeightSum_milli = 1000;
 
-/// Questions to the raters, and the weights of their answers. Weights in 1/1000 sum to 1000 exactly.
+/// The indices put to the raters, and the weights of classes and indices. Weights in 1/1000 sum to exactly
+/// 1000.
 struct EvaluationInstrument {
   ScoreScale scale;
   std::vector<RaterClass> classes;
   std::vector<EvaluationIndex> indices;
 };
 
-/// Checks an instrument. Throws Error{kBadParameter} naming the weight, class or index that breaks a rule.
-/// Never rescales.
+/// Checks an instrument. Throws Error{kBadParameter} naming the invalid weight, class or index. Never
+/// rescales.
 void validateInstrument(const EvaluationInstrument& instrument);
 
 /// Converts weights given as numbers (0.15) to 1/1000. Throws Error{kBadParameter} when one is negative,

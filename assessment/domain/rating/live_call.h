@@ -9,8 +9,7 @@
 
 namespace torsio {
 
-/// One trainee called to the real arm at one occasion: from then on the raters' live sheets of this case are
-/// open.
+/// A trainee called to the real arm at one occasion, which opens the raters' live sheets of this case.
 struct LiveCall {
   LiveCallId id{};
   EnrolmentId enrolmentId{};
@@ -19,10 +18,10 @@ struct LiveCall {
   std::string calledBy{};  ///< user id
   std::int64_t calledUtc_us = 0;
   std::optional<std::int64_t> endedUtc_us{};  ///< empty: the trainee is at the arm
-  bool cancelled = false;                     ///< somebody else stood there: the sheets are closed again
+  bool cancelled = false;                     ///< called by mistake: the sheets are closed again
 };
 
-/// What a rater is told of a call: nothing says who, which group or which stage.
+/// A call as shown to a rater. Blinded: reveals neither trainee nor group nor stage.
 struct CallNotice {
   AssignmentId assignmentId{};
   std::string room{};

@@ -13,7 +13,8 @@
 
 namespace torsio {
 
-/// One row of the sheet behind a mark: a score on the scale of its rubric row, or why there is none.
+/// One row of the sheet behind a mark: a score on the scale of its rubric row, or the reason for a missing
+/// one.
 struct MarkRow {
   RubricRevisionId rubricRevisionId{};
   std::string rowCode{};
@@ -23,21 +24,21 @@ struct MarkRow {
 };
 
 /// One submitted mark of the training study: one rater, one trainee, one occasion. Sealed by the
-/// database: a correction is a new version with a reason.
+/// database; a correction is a new version with a reason.
 struct SubmittedMark {
   MarkId id{};
   EnrolmentId enrolmentId{};
   RaterId raterId{};
   std::string occasionCode{};  ///< "pre", "mid", "post"
   std::int64_t version = 1;
-  TrialId trialId{};                          ///< the recording that was judged; empty: live, on the real arm
+  TrialId trialId{};                          ///< the recording that was scored; empty: live, on the real arm
   std::optional<std::int64_t> score_steps{};  ///< empty: not assessable, with a reason
   ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};  ///< paper section 6: 1 to 10
   std::string notAssessableReason{};
   std::string comment{};
-  AssignmentId assignmentId{};  ///< the request that it answers; empty: entered without one
+  AssignmentId assignmentId{};  ///< the assignment it fulfils; empty: entered without one
   std::vector<MarkRow> rows{};  ///< written by submit(); read by SheetRepository::submitted()
-  std::string amendReason{};    ///< from version 2 on
+  std::string amendReason{};    ///< required from version 2 on
   std::int64_t submittedUtc_us = 0;
   bool demonstration = false;
   std::string traineeCode{};       ///< filled when read
@@ -46,7 +47,7 @@ struct SubmittedMark {
   std::int64_t numberInGroup = 0;  ///< filled when read
 };
 
-/// The newest version of one rater's mark about a case, with its rows.
+/// The newest version of a rater's mark for a case, with its rows.
 struct CaseMark {
   MarkId markId{};
   AssignmentId assignmentId{};
@@ -57,7 +58,7 @@ struct CaseMark {
   std::vector<SheetRow> rows{};
 };
 
-/// What was decided about a mark that lies apart from the others.
+/// The decision about a mark that differs strongly from the others.
 struct DiscrepancyDecision {
   AssignmentId assignmentId{};
   std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment

@@ -16,7 +16,7 @@ SheetAnswer answerIn(const Sheet& sheet, const std::string& code) {
   return row == sheet.rows.end() ? SheetAnswer{} : SheetAnswer{row->score_steps, row->notAssessableReason};
 }
 
-/// Rows that somebody has to look at again, in the order of the sheet.
+/// Codes of the rows for which `wrong` is true, in the order of the sheet.
 template <class Wrong>
 std::vector<std::string> rowsWhere(const RubricRevision& rubric, const Wrong& wrong) {
   std::vector<std::string> codes;

@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// A sheet on paper as one person typed it.
+/// A paper sheet as typed in by one person.
 struct PaperEntry {
   AssignmentId assignmentId{};
   UserId enteredBy{};
@@ -20,11 +20,11 @@ struct PaperEntry {
   std::int64_t enteredUtc_us = 0;
 };
 
-/// Codes of the rows (kOverallRow: the overall mark) at which two typed sheets say different things. Words
-/// are not compared: a reason or a comment is typed by hand.
+/// Returns the codes of the rows (kOverallRow: the overall mark) in which two typed copies differ. Free text
+/// (reasons, comments) is not compared.
 [[nodiscard]] std::vector<std::string> differencesOf(const RubricRevision& rubric, const Sheet& first,
                                                      const Sheet& second);
-/// Codes of the rows that no sheet may leave like this: unanswered, contradicting, outside the scale.
+/// Returns the codes of the rows with invalid answers: unanswered, contradictory, off the scale.
 [[nodiscard]] std::vector<std::string> faultyRows(const RubricRevision& rubric, const Sheet& sheet);
 
 }  // namespace torsio

@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-/// A run with the mark of a panel, for rater calibration.
+/// A run scored by a panel, used to calibrate raters.
 struct ReferenceRun {
   TrialId trialId{};
   std::int64_t position = 0;
@@ -21,7 +21,7 @@ struct ReferenceRun {
   bool demonstration = false;
 };
 
-/// A reference run that is given to nobody any more.
+/// Withdrawal of a reference run, which is then no longer handed out.
 struct ReferenceWithdrawal {
   TrialId trialId{};
   std::string reason{};
@@ -29,7 +29,7 @@ struct ReferenceWithdrawal {
   std::int64_t withdrawnUtc_us = 0;
 };
 
-/// A rater's score of a reference trial before the real ones. Append-only.
+/// A rater's calibration score of a reference run, given before real ones. Append-only.
 struct CalibrationScore {
   CalibrationScoreId id{};
   RaterId raterId{};

@@ -10,16 +10,16 @@
 
 namespace torsio {
 
-/// What a score of a row means, in words.
+/// Description of what one score of a row means.
 struct RubricAnchor {
   std::int64_t score_steps = 0;
   std::string meaning{};
 };
 
-/// Of a row whose weight nobody chose.
+/// Weight of a row unless the author chooses another.
 inline constexpr std::int64_t kDefaultWeight_milli = 1000;
 
-/// One line of a rubric.
+/// One row of a rubric.
 struct RubricLine {
   std::string code{};  ///< "proficiency"
   std::string label{};
@@ -28,7 +28,7 @@ struct RubricLine {
   std::int64_t weight_milli = kDefaultWeight_milli;  ///< in the mean of the criteria; 0: left out
 };
 
-/// A rubric as it was at one time. Never changes once stored.
+/// A version of a rubric. Immutable once stored.
 struct RubricRevision {
   RubricRevisionId id{};
   RubricId rubricId{};
@@ -40,7 +40,7 @@ struct RubricRevision {
   std::int64_t createdUtc_us = 0;
 };
 
-/// A rubric in a list.
+/// A rubric as listed.
 struct Rubric {
   RubricId id{};
   std::string name{};  ///< unique

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// One row of a trainee's own sheet.
+/// One row of a self-assessment.
 struct SelfScoreLine {
   RubricRevisionId rubricRevisionId{};
   std::string rowCode{};
@@ -18,7 +18,7 @@ struct SelfScoreLine {
   friend bool operator==(const SelfScoreLine&, const SelfScoreLine&) = default;
 };
 
-/// How a trainee judges a trial of their own. Append-only: a change of mind is the next version.
+/// A trainee's self-assessment of one of their trials. Append-only; a correction is the next version.
 struct SelfScore {
   SelfScoreId id{};
   TrialId trialId{};

@@ -8,16 +8,16 @@
 
 namespace torsio {
 
-/// One row of a sheet: a score, or why there is none. Both empty: not answered yet (drafts only).
+/// One row of a sheet: a score, or the reason for a missing one. Both empty: unanswered (drafts only).
 struct SheetRow {
   std::string code{};
   std::optional<std::int64_t> score_steps{};
   std::string notAssessableReason{};
 };
 
-/// What a rater has filled in.
+/// A rater's answers.
 struct Sheet {
-  std::int64_t revision = 0;  ///< of the draft: counts the saves; 0: never saved
+  std::int64_t revision = 0;  ///< of the draft: number of saves; 0: never saved
   std::optional<std::int64_t> overall_steps{};
   std::string notAssessableReason{};
   std::string comment{};
@@ -25,11 +25,12 @@ struct Sheet {
   std::int64_t changedUtc_us = 0;
 };
 
-/// How a sheet came about: what of the recording was played, how fast, and how long the rater worked.
+/// How a recording was watched: which parts, at what speed, and how long the rater worked.
 struct SheetViewing {
-  std::string watched{};  ///< "0-1200;1500-1600": stretches in hundredths of a second; drafts only
-  std::optional<std::int64_t> watched_permille{};  ///< of the recording; empty: live. Sealed marks only
-  std::int64_t slowest_permille = 1000;            ///< speed, 1000 is as it happened
+  std::string watched{};  ///< "0-1200;1500-1600": watched intervals in hundredths of a second; drafts only
+  std::optional<std::int64_t>
+      watched_permille{};                ///< share of the recording; empty: live. Submitted marks only
+  std::int64_t slowest_permille = 1000;  ///< playback speed; 1000 is real time
   std::int64_t fastest_permille = 1000;
   std::int64_t worked_us = 0;
 };

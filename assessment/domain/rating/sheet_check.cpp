@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kSpeedTolerance = 1e-3;  // stored in thousandths
 constexpr double kFarApart = 0.7;         // of the scale, between the lowest and the highest row
-constexpr std::size_t kMinRows = 3;       // that tell a pattern from chance
+constexpr std::size_t kMinRows = 3;       // needed to tell a pattern from chance
 
 double shareOfScale(std::int64_t steps, const ScoreScale& scale) {
   return static_cast<double>(steps - scale.lo) / static_cast<double>(scale.hi - scale.lo);
 }
 
-/// Finds answers that suggest a slip, not a judgement.
+/// Flags patterns of answers that suggest a slip.
 void lookForSlips(std::span<const SheetLine> lines, SheetCheck& check) {
   std::vector<double> shares;
   std::optional<double> overall;

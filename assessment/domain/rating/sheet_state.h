@@ -3,19 +3,19 @@
 
 namespace torsio {
 
-/// How far the sheet of one assignment has come.
+/// State of the sheet of an assignment.
 enum class SheetState {
-  kOpen,       ///< asked for, nothing written
-  kDraft,      ///< begun, not sealed
+  kOpen,       ///< assigned, nothing entered
+  kDraft,      ///< begun, not submitted
   kSubmitted,  ///< sealed in at least one version
-  kWithdrawn,  ///< taken back from its rater
+  kWithdrawn,  ///< assignment withdrawn from the rater
 };
 
-/// Gives the state of a sheet from the three facts that the record holds of it. Withdrawal counts before
-/// submission, submission before the draft.
+/// Derives the state from the three stored facts. Withdrawal takes precedence over submission, submission
+/// over the draft.
 [[nodiscard]] SheetState sheetStateOf(bool withdrawn, bool submitted, bool drafted) noexcept;
 
-/// Says whether somebody is still waited for: the sheet is open or a draft.
+/// True while a submission is expected: open or draft.
 [[nodiscard]] bool isOutstanding(SheetState state) noexcept;
 
 }  // namespace torsio

@@ -10,13 +10,13 @@ namespace torsio {
 
 namespace {
 
-/// One character of UTF-8 and how many bytes it takes.
+/// One UTF-8 character and its length in bytes.
 struct Utf8Character {
   char32_t code = 0;
   std::size_t bytes = 1;
 };
 
-/// Reads the first character (RFC 3629); nothing for bytes that are none: cut off, overlong, a surrogate.
+/// Decodes the first character (RFC 3629); empty for invalid bytes: truncated, overlong, a surrogate.
 std::optional<Utf8Character> firstOf(std::string_view bytes) {
   const auto lead = static_cast<std::uint8_t>(bytes.front());
   if (lead < 0x80) {

@@ -57,7 +57,7 @@ std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance meas
     const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
     return *high - *low;
   }
-  // k sum x^2 - (sum x)^2 orders like the variance and stays whole.
+  // k sum x^2 - (sum x)^2 orders like the variance but stays an integer.
   std::int64_t sum = 0;
   std::int64_t squares = 0;
   for (const std::int64_t x : counts) {

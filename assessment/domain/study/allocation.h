@@ -24,14 +24,14 @@ enum class AllocationMethod {
   kMinimisation,      ///< Pocock and Simon 1975: the arm that leaves the margins most even, with chance
 };
 
-/// Says whether a method balances by factors: strata, or margins of minimisation.
+/// True if a method balances by factors: strata, or margins of minimisation.
 [[nodiscard]] bool usesFactors(AllocationMethod method) noexcept;
-/// Says whether a method draws block by block and so needs block sizes.
+/// True if a method draws blocks and therefore needs block sizes.
 [[nodiscard]] bool usesBlocks(AllocationMethod method) noexcept;
 
 enum class Imbalance { kRange, kVariance };
 
-/// Something known of a person before allocation: sex, experience.
+/// An attribute of a person known before allocation: sex, experience.
 struct AllocationFactor {
   std::string name;
   std::vector<std::string> levels;
@@ -41,44 +41,45 @@ struct AllocationDesign {
   std::string studyId;
   AllocationMethod method = AllocationMethod::kCompletePermutation;
   std::vector<std::string> arms;
-  std::size_t participants = 0;           ///< kCompletePermutation
+  std::size_t participants = 0;           ///< kCompletePermutation only
   std::vector<std::size_t> blockSizes;    ///< multiples of the number of arms
   std::vector<AllocationFactor> factors;  ///< strata, or the margins of minimisation
   std::int64_t bestArm_tenths = 8;        ///< kMinimisation: probability of the best arm in tenths, 5 to 9
   Imbalance imbalance = Imbalance::kRange;
-  /// With kStratifiedBlocks: persons in each stratum, when all are known. Blocks then fill a stratum up to
-  /// less than the smallest one, of which the others are multiples; the rests of all strata share one
-  /// permutation, so that the arms come out even. Empty: closed blocks.
+  /// For kStratifiedBlocks: number of persons in each stratum, if all are known. Blocks then fill each
+  /// stratum up to a multiple of the smallest block; the remainders of all strata share one permutation, so
+  /// that the arms come out even. Empty: complete blocks only.
   std::map<std::string, std::size_t> stratumTotals;
 };
 
-/// Throws Error{kBadParameter}: no block sizes, or one that is no multiple of the arms.
+/// Checks block sizes. Throws Error{kBadParameter} if there are none or one is not a multiple of `arms`.
 void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms);
 
-/// Checks a design. Throws Error{kBadParameter}: fewer than two arms, one named twice, block sizes that are
-/// no multiple of the arms or, with known strata, of the smallest, a factor without levels, a probability of
-/// 1, a permutation for nobody.
+/// Checks a design. Throws Error{kBadParameter}: fewer than two arms, a duplicate arm, block sizes that are
+/// not multiples of the number of arms (with known strata, of the smallest block), a factor without levels, a
+/// probability of 1, a permutation of nobody.
 void validateDesign(const AllocationDesign& design);
 
-/// Writes everything that decides the allocation except the seed as one line of text.
+/// Serialises everything that determines the allocation, except the seed, as one line of text.
 [[nodiscard]] std::string designText(const AllocationDesign& design);
 
-/// Computes the commitment that is published before the first person is enrolled: BLAKE2b-256 over study,
-/// design, seed and salt. Whoever is given seed and salt at the end can check that they were not chosen
-/// afterwards; without the salt, 256 random bits as 64 hexadecimal digits, no seed can be guessed from it.
-/// `salt` empty: a commitment made before there were salts.
+/// Computes the commitment that is published before the first person is enrolled: BLAKE2b-256 of study,
+/// design, seed and salt. Anybody given seed and salt at the end can verify that they were not chosen
+/// afterwards. The salt (256 random bits as 64 hexadecimal digits) keeps the seed from being guessed. `salt`
+/// empty: a commitment from before salts were introduced.
 [[nodiscard]] std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed,
                                          const std::string& salt = {});
 
-/// Whether a text is a salt: 64 hexadecimal digits in lower case.
+/// True if a text has the form of a salt: 64 lower-case hexadecimal digits.
 [[nodiscard]] bool isSalt(const std::string& text) noexcept;
 
 struct AllocationPerson {
   std::string code;                 ///< pseudonym
-  std::vector<std::size_t> levels;  ///< one a factor
+  std::vector<std::size_t> levels;  ///< one per factor
 };
 
-/// Who, when and with what, as given by the caller; enters the record and its hash.
+/// Context of one allocation as given by the caller: who, when, with what version. Part of the record and its
+/// hash.
 struct AllocationStamp {
   std::int64_t utc_us = 0;
   std::string enrolledBy;
@@ -93,10 +94,10 @@ struct AllocationRecord {
   std::string person;
   std::vector<std::size_t> levels;
   std::string stratum;
-  std::uint64_t drawsBefore = 0;  ///< numbers asked from the generator
+  std::uint64_t drawsBefore = 0;  ///< numbers drawn from the generator so far
   std::uint64_t drawsAfter = 0;
   std::vector<std::int64_t> countsBefore;  ///< persons in each arm
-  std::vector<std::int64_t> scores;        ///< kMinimisation: imbalance if the person went there
+  std::vector<std::int64_t> scores;        ///< kMinimisation: imbalance if the person joined that arm
   std::size_t arm = 0;
   AllocationStamp stamp;
   std::string previousHash;
@@ -105,15 +106,15 @@ struct AllocationRecord {
 
 [[nodiscard]] std::string recordHash(const AllocationRecord& record);
 
-/// Assigns study arms one by one. The sequence depends on design, seed, and the order and factor levels of
-/// the persons; later assignments cannot be read from outside. One thread.
+/// Assigns study arms one by one. The sequence depends only on design, seed, and the order and factor levels
+/// of the persons; it cannot be predicted from outside. Not thread-safe.
 class Allocator {
  public:
-  /// Makes an allocator. Throws Error{kBadParameter} for a design that breaks its rules.
+  /// Throws Error{kBadParameter} if the design is invalid.
   Allocator(AllocationDesign design, std::uint64_t seed);
 
-  /// Assigns a person. Throws Error{kBadData} when the person is already allocated, has no level for a
-  /// factor, or the list is used up.
+  /// Assigns a person to an arm. Throws Error{kBadData} if the person is already allocated, lacks a level of
+  /// a factor, or the list is exhausted.
   AllocationRecord assign(const AllocationPerson& person, const AllocationStamp& stamp = {});
 
   [[nodiscard]] const AllocationDesign& design() const noexcept { return design_; }
@@ -124,9 +125,9 @@ class Allocator {
 
   [[nodiscard]] std::uint64_t draw(std::uint64_t n);
   [[nodiscard]] std::vector<std::size_t> shuffled(std::vector<std::size_t> labels);
-  // Labels for `persons` of whom no arm gets two more than another.
+  // Shuffled arms for `persons`, their counts differing by at most one.
   [[nodiscard]] std::vector<std::size_t> shuffledRest(std::size_t persons);
-  // `room`: persons that the block may hold at most; at least the smallest size.
+  // `room`: maximum size of the block; at least the smallest block size.
   [[nodiscard]] std::vector<std::size_t> nextBlock(std::size_t room);
   [[nodiscard]] std::size_t fromBlocks(const std::string& stratum, std::size_t room = kNoLimit);
   [[nodiscard]] std::size_t fromStratum(const std::string& stratum);
@@ -136,45 +137,44 @@ class Allocator {
   AllocationDesign design_;
   Random random_;
   std::uint64_t draws_ = 0;
-  std::map<std::string, std::vector<std::size_t>> waiting_;  // arms not yet handed out, next one last
+  std::map<std::string, std::vector<std::size_t>> waiting_;  // arms not yet assigned, next one last
   std::map<std::string, std::size_t> served_;
   std::vector<std::int64_t> counts_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::int64_t>> margins_;  // factor, level -> arms
   std::vector<AllocationRecord> records_;
 };
 
-/// A whole study: design, seed and what came of it.
+/// A complete allocation: design, seed and records.
 struct Allocation {
   AllocationDesign design;
   std::uint64_t seed = 0;
   std::string salt{};  ///< sealed with the seed
   std::string commitment;
   std::vector<AllocationRecord> records;
-  std::string head{};  ///< as it was kept; empty: none was
+  std::string head{};  ///< stored head of the chain; empty: none was stored
 };
 
-/// Returns the head of the chain as one line to be kept elsewhere: "torsio-allocation 1 RECORDS HASH", where
-/// the hash covers salt, commitment, how many records and persons in each arm there are, and the last record.
-/// Records that were cut off or added, and a chain that was written anew with other persons, give another
-/// one.
+/// Returns the head of the chain as one line to be kept elsewhere: "torsio-allocation 1 RECORDS HASH". The
+/// hash covers salt, commitment, number of records, persons in each arm, and the last record, so truncating,
+/// extending or rewriting the chain changes it.
 [[nodiscard]] std::string allocationHead(const Allocation& allocation);
 
-/// Allocates all persons in order; fills in the numbers that are known when everybody is (participants,
-/// stratum totals when `jointLeftovers`), commitment and head.
+/// Allocates all persons in order; fills in participants, stratum totals (with `jointLeftovers`), commitment
+/// and head.
 [[nodiscard]] Allocation allocate(AllocationDesign design, std::uint64_t seed,
                                   const std::vector<AllocationPerson>& persons, bool jointLeftovers = true,
                                   const std::string& salt = {});
 
-/// What a replay from the seed found. `sound` when every arm, every draw count, the commitment, the chain and
-/// its head agree.
+/// Result of a replay from the seed. `sound` if every arm and draw count, the commitment, the chain and its
+/// head agree.
 struct ReplayFinding {
   bool sound = true;
   std::optional<std::size_t> firstWrongPosition;
   std::string reason;
 };
 
-/// Repeats the allocation from seed and recorded factor levels and compares. `keptHead`: a head that was kept
-/// elsewhere, which nobody who rewrites the whole allocation can change; empty: the one of the allocation.
+/// Repeats the allocation from the seed and the recorded factor levels, and compares. `keptHead`: a head
+/// stored elsewhere, out of reach of whoever rewrites the allocation; empty: the allocation's own.
 [[nodiscard]] ReplayFinding replayAllocation(const Allocation& allocation, const std::string& keptHead = {});
 
 }  // namespace torsio

@@ -8,7 +8,7 @@
 
 namespace torsio {
 
-/// How a cohort is divided, fixed before the first allocation.
+/// The allocation design of a cohort, fixed before the first allocation.
 struct LockedDesign {
   DesignId id{};
   CohortId cohortId{};
@@ -16,14 +16,14 @@ struct LockedDesign {
   std::string algorithmVersion{};
   std::string parametersJson{};
   std::string generator{};       ///< "mt19937_64"
-  std::string seedCommitment{};  ///< hash of the seed, published beforehand
-  std::string seed{};            ///< kept in a table of its own; empty when read before it was revealed
+  std::string seedCommitment{};  ///< published before the first allocation
+  std::string seed{};            ///< in a table of its own; empty until revealed
   std::string salt{};            ///< of the commitment; sealed and revealed with the seed
   std::int64_t lockedUtc_us = 0;
   bool demonstration = false;
 };
 
-/// One person put into one group. Append-only and hash-chained: a mistake or an override is a new record.
+/// One person allocated to one group. Append-only and hash-chained: a correction or override is a new record.
 struct AllocationEntry {
   AllocationId id{};
   DesignId designId{};
@@ -34,7 +34,7 @@ struct AllocationEntry {
   std::string covariatesJson = "{}";    ///< stratum as used
   std::string countsBeforeJson = "{}";  ///< people in each group before
   std::string scoresJson = "{}";        ///< minimisation: score of each group
-  std::int64_t drawBefore = 0;          ///< draws of the generator so far
+  std::int64_t drawBefore = 0;          ///< numbers drawn from the generator so far
   std::int64_t drawAfter = 0;
   std::string enrolledBy{};
   std::string allocatedBy{};

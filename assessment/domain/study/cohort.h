@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// The centre that owns this record; one row.
+/// The centre that owns this database; one row.
 struct Centre {
   CentreId id{};
   std::string name{};
@@ -25,9 +25,9 @@ struct Cohort {
   std::string description{};
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
-  CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: follows none yet
+  CurriculumVersionId curriculumVersionId{};  ///< filled when read; empty: none assigned yet
   CohortState state = CohortState::kDraft;    ///< filled when read
-  /// Planned: smaller differences of scores, in points, do not matter; above 0. Empty: none was planned.
+  /// Planned equivalence margin in points, above 0. Empty: none was planned.
   std::optional<double> equivalenceMargin{};
 };
 
@@ -38,7 +38,7 @@ struct StudyGroup {
   std::int64_t number = 0;  ///< 1, 2, 3
   std::string code{};       ///< "G1"
   std::string label{};      ///< "40 min virtual"
-  ArmId armId{};            ///< filled when read: what it goes through; empty: no curriculum yet
+  ArmId armId{};            ///< filled when read: arm of the curriculum; empty: no curriculum yet
 };
 
 /// One person in one cohort, with the group they were allocated to.
@@ -55,7 +55,7 @@ struct Enrolment {
   std::string groupCode{};    ///< filled when read; empty before allocation
 };
 
-/// Time that was spent training or resting. Append-only.
+/// Time spent training or resting. Append-only.
 struct Exposure {
   ExposureId id{};
   EnrolmentId enrolmentId{};
@@ -67,7 +67,7 @@ struct Exposure {
   bool demonstration = false;
 };
 
-/// Something that did not go by the protocol. Append-only.
+/// A deviation from the protocol. Append-only.
 struct ProtocolDeviation {
   DeviationId id{};
   CohortId cohortId{};
@@ -80,7 +80,7 @@ struct ProtocolDeviation {
   bool demonstration = false;
 };
 
-/// A trial of a cohort that has no closing row: it is running, or was interrupted and not closed yet.
+/// A trial without a closing row: still running, or interrupted and not yet closed.
 struct RunningTrial {
   TrialId trialId{};
   EnrolmentId enrolmentId{};
@@ -89,12 +89,12 @@ struct RunningTrial {
   std::int64_t startedUtc_us = 0;
 };
 
-/// A named state of a cohort's data. Append-only.
+/// A named snapshot of a cohort's data. Append-only.
 struct DataFreeze {
   FreezeId id{};
   CohortId cohortId{};
   std::string name{};         ///< unique in the record
-  std::string contentHash{};  ///< BLAKE2b-256 over what went into it
+  std::string contentHash{};  ///< BLAKE2b-256 of the contents
   std::string manifestJson{};
   std::string createdBy{};
   std::int64_t createdUtc_us = 0;

@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// "The metric reaches the threshold in so many attempts in a row."
+/// "The metric meets the threshold in so many attempts in a row."
 struct MasteryCriterion {
   std::string metric{};
   std::string comparison = "at_least";  ///< "at_least", "at_most"
@@ -31,15 +31,15 @@ struct TrainingModule {
   double targetAngle_rad = 0.0;
   double tolerance_rad = 0.1;
   std::int64_t hold_us = 0;
-  std::int64_t leastTwists = 1;  ///< that a run must complete to pass
+  std::int64_t leastTwists = 1;  ///< completed twists that a run needs to pass
   std::optional<double> maxForce_N{};
   std::optional<double> maxTorque_Nm{};
   std::optional<std::int64_t> attemptLimit{};
-  std::vector<ModuleId> requires_{};  ///< ids of modules of the same version that must be mastered first
+  std::vector<ModuleId> requires_{};  ///< modules of the same version that must be mastered first
   std::vector<MasteryCriterion> mastery{};
 };
 
-/// A stretch of training on the virtual or the real arm.
+/// A training phase on the virtual or the real arm.
 struct TrainingPhase {
   PhaseId id{};
   PhaseKind kind = PhaseKind::kVirtual;
@@ -48,7 +48,7 @@ struct TrainingPhase {
   ModuleId moduleId{};  ///< empty: any module
 };
 
-/// What one group of a study goes through (paper section 6). Rest stops the clock of the phases.
+/// The phases of one study group (paper section 6). Rest stops their clock.
 struct StudyArm {
   ArmId id{};
   std::string code{};
@@ -58,13 +58,13 @@ struct StudyArm {
   std::vector<TrainingPhase> phases{};
 };
 
-/// When a curriculum asks for marks.
+/// A point of the curriculum at which marks are due.
 struct PlannedOccasion {
   std::string code{};                 ///< "pre", "mid", "post"
   std::int64_t afterExposure_us = 0;  ///< 0: before training
 };
 
-/// A version of a curriculum with all its parts, in their order. Never changes once stored.
+/// A version of a curriculum with all its parts, in order. Immutable once stored.
 struct CurriculumVersion {
   CurriculumVersionId id{};
   CurriculumId curriculumId{};
@@ -77,7 +77,7 @@ struct CurriculumVersion {
   CurriculumState state = CurriculumState::kDraft;  ///< filled when read
 };
 
-/// A curriculum in a list; what it says stands in its versions.
+/// A curriculum as listed; its content is in its versions.
 struct Curriculum {
   CurriculumId id{};
   std::string name{};  ///< unique

@@ -10,7 +10,7 @@ namespace torsio {
 
 using DaySlotId = Id<struct DaySlotIdTag>;
 
-/// Who is expected when and where.
+/// An appointment: trainee, place and time.
 struct DaySlot {
   DaySlotId id{};
   EnrolmentId enrolmentId{};
@@ -22,7 +22,7 @@ struct DaySlot {
   [[nodiscard]] std::int64_t endsUtc_us() const noexcept { return startsUtc_us + duration_us; }
 };
 
-/// Whoever has not begun so long after the start of their slot is overdue.
+/// A trainee who has not begun by this time after the start of the slot is overdue.
 inline constexpr std::int64_t kSlotGrace_us = 5LL * 60 * 1'000'000;
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMicrosecondsPerMinute = 60e6;
 
-/// "20", "12.5": whole minutes without a decimal.
+/// Formats minutes: "20", "12.5".
 std::string minutesText(std::int64_t us) {
   const double minutes = static_cast<double>(us) / kMicrosecondsPerMinute;
   std::array<char, 64> text{};
@@ -26,7 +26,7 @@ std::string minutesText(std::int64_t us) {
   return std::string(text.data(), end.ptr);
 }
 
-/// "before", "after 20 min", or the label where no time is known.
+/// "before", "after 20 min", or the label if no time is known.
 Text occasionText(const Occasion& occasion) {
   if (!occasion.afterExposure_us) {
     return Text(occasion.label);

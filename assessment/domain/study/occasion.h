@@ -14,18 +14,18 @@ namespace torsio {
 /// A point in time of a study at which the raters score everybody.
 struct Occasion {
   std::string code{};   ///< "pre": in the record and in files
-  std::string label{};  ///< what the centre calls it
-  /// After so much training, by the curriculum of a study; empty: the study follows none.
+  std::string label{};  ///< the centre's own name
+  /// Training time before it, from the study's curriculum; empty: the study follows none.
   std::optional<std::int64_t> afterExposure_us{};
   friend bool operator==(const Occasion&, const Occasion&) = default;
 };
 
-/// The occasions of a record or of one study, in order of time: a later one has more training behind it, or
-/// as much where only days or weeks have passed (a follow-up). How many there are is data.
+/// The occasions of a database or study in chronological order: training time never decreases, and stays
+/// equal where only days or weeks pass (a follow-up). Their number is data.
 class Occasions {
  public:
   Occasions() = default;
-  /// Throws Error{kBadParameter} when a code is empty or stands twice.
+  /// Throws Error{kBadParameter} if a code is empty or duplicate.
   explicit Occasions(std::vector<Occasion> inOrder);
 
   [[nodiscard]] std::size_t size() const noexcept { return list_.size(); }
@@ -34,19 +34,19 @@ class Occasions {
   [[nodiscard]] auto end() const noexcept { return list_.end(); }
   /// `position` must be below size().
   [[nodiscard]] const Occasion& at(std::size_t position) const;
-  /// Gives the position of a code; empty: there is no such occasion.
+  /// Returns the position of a code; empty if unknown.
   [[nodiscard]] std::optional<std::size_t> positionOf(const std::string& code) const noexcept;
   [[nodiscard]] bool contains(const std::string& code) const noexcept { return positionOf(code).has_value(); }
-  /// Gives the occasion with this code; of an unknown code one that is called by its code.
+  /// Returns the occasion with this code; for an unknown code, one labelled with the code itself.
   [[nodiscard]] Occasion named(const std::string& code) const;
 
  private:
   std::vector<Occasion> list_;
 };
 
-/// Names each occasion in reports: "before", "after 20 min", or its label where no time is known. One that
-/// comes after as much training as an earlier one has its label beside it: "after 40 min (six weeks later)".
-/// No two are called the same while their labels differ.
+/// Returns the names of the occasions for reports: "before", "after 20 min", or the label if no time is
+/// known. An occasion with as much training as an earlier one adds its label: "after 40 min (six weeks
+/// later)". Names are unique as long as labels are.
 [[nodiscard]] std::vector<Text> occasionTexts(const Occasions& occasions);
 
 }  // namespace torsio

@@ -11,16 +11,16 @@
 
 namespace torsio {
 
-/// One value of a term of the protocol, with the texts that stand for it.
+/// One value of a protocol enumeration with its stored text and label.
 template <typename Value>
 struct Term {
   Value value;
   std::string_view stored;     ///< in the database and in files; released texts never change
   Phrase label;                ///< English label, the key of its translation
-  std::string_view meaning{};  ///< one line for documents; empty where the label says it all
+  std::string_view meaning{};  ///< one line for documents; empty where the label suffices
 };
 
-/// Tells whether `table` has one row for each value below `end`, at the place of the value.
+/// True if `table` has one row for each value below `end`, in order.
 template <typename Value, std::size_t Size>
 [[nodiscard]] constexpr bool isWholeTable(const std::array<Term<Value>, Size>& table, Value end) noexcept {
   for (std::size_t i = 0; i < Size; ++i) {
@@ -40,26 +40,26 @@ inline constexpr std::array<Term<AttemptMode>, 2> kAttemptModes{{
      "counts towards every module and may be limited in number"},
 }};
 
-/// On what the time of a phase of the study is spent.
+/// Where the time of a study phase is spent.
 enum class PhaseKind : std::uint8_t { kVirtual, kReal };
 inline constexpr std::array<Term<PhaseKind>, 2> kPhaseKinds{{
     {PhaseKind::kVirtual, "virtual", Text::tr("virtual"), "on the simulator; its runs are recorded"},
     {PhaseKind::kReal, "real", Text::tr("real"), "on the real forearm; its time is entered by hand"},
 }};
 
-/// What time was spent on. Rest stops the clock of the phases.
+/// Activity of an exposure. Rest stops the clock of the phases.
 enum class ExposureKind : std::uint8_t { kVirtual, kReal, kRest };
 inline constexpr std::array<Term<ExposureKind>, 3> kExposureKinds{{
     {ExposureKind::kVirtual, "virtual", Text::tr("on the simulator"), "counts towards a virtual phase"},
     {ExposureKind::kReal, "real", Text::tr("on the real arm"), "counts towards a real phase"},
     {ExposureKind::kRest, "rest", Text::tr("rest"), "counts towards the rest that an arm allows"},
 }};
-/// Returns what time in a phase of this kind is spent on.
+/// Returns the exposure that a phase of this kind produces.
 [[nodiscard]] constexpr ExposureKind exposureIn(PhaseKind phase) noexcept {
   return phase == PhaseKind::kVirtual ? ExposureKind::kVirtual : ExposureKind::kReal;
 }
 
-/// Whether somebody can be chosen for anything new.
+/// State of a person; only active people can be chosen for anything new.
 enum class PersonState : std::uint8_t { kActive, kLeft, kErased };
 inline constexpr std::array<Term<PersonState>, 3> kPersonStates{{
     {PersonState::kActive, "active", Text::tr("active"), "can be chosen"},
@@ -67,7 +67,7 @@ inline constexpr std::array<Term<PersonState>, 3> kPersonStates{{
     {PersonState::kErased, "erased", Text::tr("erased"), "the identity is gone for good; marks stay"},
 }};
 
-/// Where somebody stands in a cohort.
+/// State of an enrolment.
 enum class EnrolmentState : std::uint8_t { kEnrolled, kCompleted, kWithdrawn };
 inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
     {EnrolmentState::kEnrolled, "enrolled", Text::tr("enrolled"), "takes part"},
@@ -76,7 +76,7 @@ inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
      "takes part no more; what was recorded stays"},
 }};
 
-/// Where a cohort stands. It is a draft until somebody is allocated or trains; the rest is decided by hand.
+/// State of a cohort: draft until the first allocation or training; later changes are made by hand.
 enum class CohortState : std::uint8_t { kDraft, kRunning, kClosed, kArchived };
 inline constexpr std::array<Term<CohortState>, 4> kCohortStates{{
     {CohortState::kDraft, "draft", Text::tr("draft"), "nobody is allocated and nobody has trained"},
@@ -87,7 +87,7 @@ inline constexpr std::array<Term<CohortState>, 4> kCohortStates{{
      "closed, and left out of the lists to choose from"},
 }};
 
-/// Where a version of a curriculum stands. It moves forward only.
+/// State of a curriculum version. It only moves forward.
 enum class CurriculumState : std::uint8_t { kDraft, kRunning, kClosed };
 inline constexpr std::array<Term<CurriculumState>, 3> kCurriculumStates{{
     {CurriculumState::kDraft, "draft", Text::tr("published, not begun"), "nobody trains by it yet"},
@@ -95,7 +95,7 @@ inline constexpr std::array<Term<CurriculumState>, 3> kCurriculumStates{{
     {CurriculumState::kClosed, "closed", Text::tr("closed"), "no cohort is given it any more"},
 }};
 
-/// What a rater decides about an own mark that lies apart from the others.
+/// A rater's decision about their own mark that differs strongly from the others.
 enum class DiscrepancyChoice : std::uint8_t { kKeep, kMove, kThird };
 inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
     {DiscrepancyChoice::kKeep, "keep", Text::tr("kept"), "the mark stays"},
@@ -104,7 +104,7 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
      "somebody else scores the case as well"},
 }};
 
-/// The table of each term.
+/// Returns the table of an enumeration.
 [[nodiscard]] constexpr const auto& termsOf(AttemptMode) noexcept {
   return kAttemptModes;
 }
@@ -130,13 +130,13 @@ inline constexpr std::array<Term<DiscrepancyChoice>, 3> kDiscrepancyChoices{{
   return kDiscrepancyChoices;
 }
 
-/// Returns the text that stands for `value` in the database.
+/// Returns the stored text of `value`.
 template <typename Value>
 [[nodiscard]] constexpr std::string_view storedText(Value value) noexcept {
   return termsOf(value)[static_cast<std::size_t>(value)].stored;
 }
 
-/// Finds the value for which `stored` stands; empty: none.
+/// Finds the value with this stored text; empty if unknown.
 template <typename Value>
 [[nodiscard]] constexpr std::optional<Value> fromStoredText(std::string_view stored) noexcept {
   for (const Term<Value>& term : termsOf(Value{})) {

@@ -12,7 +12,7 @@ constexpr const char* kColumns =
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
     " object_hash, previous_hash, entry_hash";
 constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
-constexpr const char* kActs = " AND action <> 'record.seal'";  // seals of rows tell of no act of anybody
+constexpr const char* kActs = " AND action <> 'record.seal'";  // seals of rows are nobody's acts
 
 AuditEntry entryOf(RowReader& row) {
   return {.sequence = row.int64(),
@@ -30,7 +30,7 @@ AuditEntry entryOf(RowReader& row) {
           .entryHash = row.text()};
 }
 
-/// The line of the trail that `added` becomes behind the entry `previous`, still without its own hash.
+/// Returns the entry that `added` becomes after `previous`, without its own hash.
 AuditEntry following(const NewAuditEntry& added, std::int64_t sequence, const std::string& previous) {
   return {.sequence = sequence,
           .atUtc_us = added.atUtc_us,
@@ -65,7 +65,7 @@ std::string auditHash(const AuditEntry& entry) {
 std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
   Transaction transaction(connection_);
   if (connection_.engine() == Engine::kPostgresql) {
-    // SQLite holds its one write lock already. No table lock: who may only add rows may not take one.
+    // SQLite already holds its only write lock. No table lock: a role that may only insert may not take one.
     connection_.executeVerbatim("SELECT pg_advisory_xact_lock(1414484563, hashtext(current_schema()::text))");
   }
   auto [sequence, previous] = head();
@@ -83,8 +83,8 @@ std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
 }
 
 std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
-  // Many entries of a time are not sorted for the newest of them: the chain is walked backwards to the limit.
-  // The sign keeps the index of the times out of the plan. Few are found by that index, wherever they lie.
+  // For a large time range, walk the chain backwards up to the limit instead of sorting for the newest; the
+  // unary plus keeps the time index out of the plan. For a small range, use that index.
   const bool walk = !filter.objectKind && filter.objectId.empty() && moreThanLimit(connection_, filter);
   std::string where = walk ? " WHERE +at_utc_us >= ? AND +at_utc_us <= ?" : kInTime;
   std::vector<Value> values{filter.fromUtc_us, filter.toUtc_us};

@@ -14,38 +14,38 @@
 
 namespace torsio {
 
-/// How long the trail is, and the hash of its newest entry; both empty: nothing was noted yet.
+/// Length of the trail and hash of its newest entry; both empty for an empty trail.
 struct TrailHead {
   std::int64_t length = 0;
   std::string hash{};
 };
 
-/// The hash-chained trail. append() belongs into the transaction of the change that it tells of.
+/// The hash-chained audit trail. Call append() in the transaction of the change that it records.
 class AuditRepository {
  public:
   explicit AuditRepository(Connection& connection) : connection_(connection) {}
 
-  /// One transaction, or part of the one that is open. Stations wait for each other here. Returns the
-  /// number of the newest entry.
+  /// Appends in one transaction, or joins the open one; stations serialise here. Returns the sequence number
+  /// of the newest entry.
   std::int64_t append(std::span<const NewAuditEntry> entries);
   std::int64_t append(const NewAuditEntry& entry) { return append(std::span(&entry, 1)); }
-  /// Newest first; without the seals of rows (AuditAction::kRecordSeal), which tell of no act of anybody.
+  /// Newest first; without row seals (AuditAction::kRecordSeal), which are nobody's acts.
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
-  /// Entries of a time, both ends included; without the seals of rows.
+  /// Number of entries in a time range, both ends included; without row seals.
   [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX) const;
 
-  /// Gives every entry of the chain to `take`, oldest first, one at a time.
+  /// Calls `take` with every entry of the chain, oldest first.
   void forEach(const std::function<void(const AuditEntry&)>& take) const;
-  /// The newest entry: what a head that is kept elsewhere names.
+  /// Returns the newest entry as a head to be stored elsewhere.
   [[nodiscard]] TrailHead head() const;
-  /// Entries in the chain.
+  /// Number of entries in the chain.
   [[nodiscard]] std::int64_t length() const;
 
  private:
   Connection& connection_;
 };
 
-/// BLAKE2b-256 over the previous hash and every field but the entry hash.
+/// BLAKE2b-256 of the previous hash and every field except the entry hash.
 [[nodiscard]] std::string auditHash(const AuditEntry& entry);
 
 }  // namespace torsio

@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Walks a statement from left to right.
+/// Scans a statement from left to right.
 class Reader {
  public:
   explicit Reader(std::string_view text) : rest_(trimmed(text)) {}
@@ -36,7 +36,7 @@ class Reader {
     rest_ = trimmed(rest_.substr(end));
     return word;
   }
-  /// Items divided by commas outside brackets and quotes, up to a bracket that closes, or to `stop`.
+  /// Returns the comma-separated items outside brackets and quotes, up to a closing bracket or `stop`.
   std::vector<std::string_view> items(std::string_view stop) {
     std::vector<std::string_view> found;
     std::size_t begin = 0;
@@ -67,7 +67,7 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Gives each expression its placeholder; `next`: the number of the next one.
+/// Returns the placeholder of an expression; `next`: index of the next one.
 int placeholderIn(std::string_view expression, int& next) {
   if (expression == "?") {
     return next++;

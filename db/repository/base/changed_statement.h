@@ -8,32 +8,32 @@
 
 namespace torsio {
 
-/// What an INSERT, UPDATE or DELETE of the repositories changes, as far as its text tells.
+/// The effect of a repository's INSERT, UPDATE or DELETE as far as its text shows.
 struct ChangedStatement {
   enum class Kind { kInsert, kUpdate, kDelete };
   enum class OnConflict { kRefuse, kNothing, kUpdate };
   struct Column {
     std::string name;
-    int placeholder = -1;  ///< position of the `?` that gives its value; -1: the database computes it
+    int placeholder = -1;  ///< index of the `?` with its value; -1: computed by the database
   };
 
   Kind kind = Kind::kInsert;
   std::string table;
-  std::vector<Column> columns{};  ///< that it adds or sets
+  std::vector<Column> columns{};  ///< that it inserts or sets
   OnConflict onConflict = OnConflict::kRefuse;
-  std::vector<std::string> replaced{};  ///< columns that kUpdate takes from the row that was given
+  std::vector<std::string> replaced{};  ///< columns that an upsert takes from the given row
 
-  std::string where{};  ///< of kUpdate: condition of the rows that it changes; empty: all of the table
-  int whereFrom = 0;    ///< position of the first `?` in it
+  std::string where{};  ///< kUpdate: condition of the changed rows; empty: the whole table
+  int whereFrom = 0;    ///< index of the first `?` in it
 
-  /// Position of the `?` of a column; -1: none.
+  /// Returns the index of a column's `?`; -1: none.
   [[nodiscard]] int placeholderOf(std::string_view column) const;
 };
 
-/// Empty: changes nothing. Keywords are in capitals, as everywhere in the repositories.
+/// Parses a statement; empty: it changes nothing. Keywords must be upper-case, as in all repositories.
 [[nodiscard]] std::optional<ChangedStatement> changedBy(std::string_view sql);
 
-/// "a, b" as a list.
+/// Splits "a, b".
 [[nodiscard]] std::vector<std::string> columnsOf(std::string_view list);
 
 }  // namespace torsio

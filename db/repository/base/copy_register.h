@@ -11,17 +11,17 @@
 
 namespace torsio {
 
-/// The register of copies. Belongs to the thread of its connection; every function may throw DbError.
+/// The register of copies of the record. Confined to its connection's thread; every function may throw
+/// DbError.
 class CopyRegister {
  public:
   explicit CopyRegister(Connection& connection) : connection_(connection) {}
 
-  /// Gives it an id, and returns that. A copy at the place of an older one of the same station takes its
-  /// place here too.
+  /// Adds a copy and returns its new id. It replaces an older copy by the same station at the same place.
   std::string add(const RecordCopy& copy);
-  /// Those not known to be gone, newest first.
+  /// Copies not known to be deleted, newest first.
   [[nodiscard]] std::vector<RecordCopy> all() const;
-  /// Of these, the ones that hold this person: made since the person was entered.
+  /// Those of all() that contain this person: made since the person was added.
   [[nodiscard]] std::vector<RecordCopy> holding(const PersonId& personId) const;
   void setGone(const std::string& id, std::int64_t utc_us);
 

@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// Hash over a row: every text goes in with its length, so that no two rows run together into the same bytes.
+/// Hash of a row. Every text is hashed with its length, so that different rows never yield the same bytes.
 class FieldDigest {
  public:
   /// `purpose`: what is hashed, with the version of the field list ("torsio allocation 1").

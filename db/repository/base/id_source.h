@@ -8,22 +8,22 @@
 
 namespace torsio {
 
-/// Where new record ids come from. The application makes them, never the database, so that records of several
-/// stations can be merged. One thread.
+/// Source of new record ids. The application makes them, never the database, so that records of several
+/// stations can be merged. Not thread-safe.
 class IdSource {
  public:
   virtual ~IdSource() = default;
-  /// A UUID (RFC 9562, version 4) in lower-case text, 36 characters.
+  /// Returns a UUID (RFC 9562, version 4) in lower-case text, 36 characters.
   [[nodiscard]] virtual std::string newUuid() = 0;
 };
 
-/// From the operating system's random numbers (libsodium): for everything real.
+/// Ids from the operating system's random numbers (libsodium): for all real data.
 class SystemIdSource final : public IdSource {
  public:
   [[nodiscard]] std::string newUuid() override;
 };
 
-/// Gives the same ids for the same seed: for the demonstration and tests only.
+/// Reproducible ids from a seed: for the demonstration and tests only.
 class SeededIdSource final : public IdSource {
  public:
   explicit SeededIdSource(std::uint64_t seed) : random_(seed) {}

@@ -16,7 +16,7 @@ void appendListed(std::string& text, std::string_view item) {
   text += item;
 }
 
-/// Whether the stored row with the key of `columns` has their content.
+/// True if the stored row with this key has this content.
 bool isThere(Connection& connection, std::string_view table, std::span<const IdempotentColumn> columns) {
   std::string select;
   std::string where;

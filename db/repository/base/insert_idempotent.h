@@ -11,13 +11,13 @@
 
 namespace torsio {
 
-/// One column of a row that is added by insertIdempotent().
+/// A column of a row for insertIdempotent().
 struct IdempotentColumn {
-  /// What a retry must find again.
+  /// Role of a column when a row is inserted again.
   enum class Kind {
-    kKey,      ///< with the other key columns: which row
-    kContent,  ///< must be the same
-    kIgnored,  ///< when it was stored: may differ
+    kKey,      ///< part of the key that identifies the row
+    kContent,  ///< must be equal
+    kIgnored,  ///< may differ, such as the time of storing
   };
   std::string_view name;
   Value value;
@@ -26,16 +26,16 @@ struct IdempotentColumn {
 
 enum class Inserted { kNew, kThereAlready };
 
-/// Adds a row; the same row once more is no error. A server whose answer was lost may have kept what it was
-/// given: whoever gives it again must neither double it nor be refused. `what` names the row in the message
-/// ("this second of the trial"). Throws DbError (kUnique) when a row of that key is there with other content.
+/// Inserts a row; inserting the same row again is no error, since a server whose answer was lost may have
+/// stored it. `what` names the row in the message ("this second of the trial"). Throws DbError (kUnique) if a
+/// row with that key and other content exists.
 Inserted insertIdempotent(Connection& connection, std::string_view table,
                           std::span<const IdempotentColumn> columns, const Text& what);
 
-/// The DbError (kUnique) for a row that is stored already with other content.
+/// Throws the DbError (kUnique) for a row that is stored with other content.
 [[noreturn]] void refuseOtherContent(Connection& connection, std::string_view table, const Text& what);
 
-/// Whether a value that was read is the one that was given: SQLite gives booleans back as integers.
+/// True if a value read back equals the given one: SQLite returns booleans as integers.
 [[nodiscard]] bool sameStored(const Value& given, const Value& read);
 
 }  // namespace torsio

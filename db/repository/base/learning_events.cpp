@@ -8,12 +8,12 @@ namespace torsio {
 
 namespace {
 
-/// What a row of one kind is made of.
+/// How to build an event of one kind.
 struct EventSource {
   const char* object;
   const char* person;
-  const char* time;  ///< when it happened
-  const char* from;  ///< tables, and which row: one `?`, the object
+  const char* time;  ///< SQL of its time
+  const char* from;  ///< SQL of its tables and condition, with one `?`: the object
 };
 
 constexpr const char* kTrialEnd_us = "t.started_utc_us + x.sample_count * t.tick_period_us";

@@ -10,13 +10,13 @@
 
 namespace torsio {
 
-/// Puts what has just been stored into the outbox for the learning system; call it in the transaction of the
-/// event. Nothing happens while the centre sends nothing, when the person has not agreed, for demonstration
-/// data, for what is nobody's, or when it is there already. `objectIds`: as LearningEventKind says.
+/// Adds outbox entries for the learning system about what was just stored; call it in the same transaction.
+/// No effect if sending is off, the person has not agreed, the data are demonstration data or nobody's, or
+/// the entry exists. `objectIds`: as in LearningEventKind.
 void noteLearningEvents(Connection& connection, LearningEventKind kind,
                         std::span<const std::string> objectIds);
 
-/// Whether the newest decision of a person lets a learning system hear of them.
+/// True if the person's newest decision permits reporting to a learning system.
 [[nodiscard]] bool agreesToLearningRecords(Connection& connection, const PersonId& personId);
 
 }  // namespace torsio

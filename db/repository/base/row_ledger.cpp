@@ -36,7 +36,7 @@ class RowLedger : public ChangeWatch {
   }
 
   void changing(Connection& connection, const Plan& plan, std::span<const Value> bound) override {
-    const auto& ledger = dynamic_cast<const LedgerPlan&>(plan);  // planOf() makes no other
+    const auto& ledger = dynamic_cast<const LedgerPlan&>(plan);  // planOf() makes no other type
     if (ledger.sealRule == nullptr) {
       return;
     }
@@ -51,7 +51,7 @@ class RowLedger : public ChangeWatch {
 
   void changed(const std::shared_ptr<const Plan>& plan, std::span<const Value> bound, const Rows& returned,
                std::int64_t rows) override {
-    const auto known = std::static_pointer_cast<const LedgerPlan>(plan);  // planOf() makes no other
+    const auto known = std::static_pointer_cast<const LedgerPlan>(plan);  // planOf() makes no other type
     const LedgerPlan& ledger = *known;
     if (ledger.sealRule == nullptr) {
       noteEntry(ledger.change, bound);
@@ -174,10 +174,10 @@ class RowLedger : public ChangeWatch {
     std::string station{};
   };
 
-  std::map<std::string, std::shared_ptr<const Plan>, std::less<>> plans_;  // of statements heard before
+  std::map<std::string, std::shared_ptr<const Plan>, std::less<>> plans_;  // of statements seen before
   std::vector<TouchedRow> touched_;
   std::unordered_map<std::string, std::size_t> places_;
-  std::int64_t entries_ = 0;  // of the audit trail, in this transaction
+  std::int64_t entries_ = 0;  // audit entries of this transaction
   Author last_;
 };
 

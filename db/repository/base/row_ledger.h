@@ -8,12 +8,12 @@
 
 namespace torsio {
 
-/// From now on every change of a sealed row (kSealRules) on this connection is followed by its seal in the
-/// audit trail, in the same transaction. What was added or set is compared with what the statement gave, so
-/// that nothing between the program and the table can alter it: Error (kVerifyFailed), and nothing is kept.
+/// From now on, seals every change of a sealed row (kSealRules) on this connection in the audit trail, in the
+/// same transaction. Stored rows are compared with the bound values, so that nothing between program and
+/// table can alter them unnoticed: otherwise Error (kVerifyFailed) and rollback.
 void sealChanges(Connection& connection);
 
-/// No seals while it lives: for a copy that brings the seals of its rows along.
+/// Suspends sealing while it lives: for copying rows together with their seals.
 class UnsealedCopy {
  public:
   explicit UnsealedCopy(Connection& connection);
@@ -26,8 +26,8 @@ class UnsealedCopy {
   std::shared_ptr<ChangeWatch> watch_;
 };
 
-/// Seals every row that has no seal yet, in one entry with this reason: after a step of the schema. Returns
-/// how many. One transaction, or part of the one that is open. Throws DbError.
+/// Seals every row that has no seal yet in one entry with this reason, after a migration. Returns their
+/// number. One transaction, or part of the open one. Throws DbError.
 std::int64_t sealUnsealed(Connection& connection, const std::string& reason, std::int64_t utc_us);
 
 }  // namespace torsio

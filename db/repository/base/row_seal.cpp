@@ -75,7 +75,7 @@ void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const
                                              .reason = author.reason,
                                              .objectHash = digest.hex()});
   Statement insert = connection.prepare(insertInto("row_seal", kSealColumns));
-  std::optional<Statement> salt;  // few tables hold anything personal
+  std::optional<Statement> salt;  // few tables hold personal data
   std::optional<Statement> forget;
   position = 0;
   for (const RowSeal& seal : seals) {

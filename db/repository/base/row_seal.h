@@ -13,22 +13,22 @@
 
 namespace torsio {
 
-/// What a transaction made of one row. No personal data: what an erase takes is hashed with a salt that goes
-/// with it.
+/// The state of one row after a transaction. Contains no personal data: what an erase removes is hashed with
+/// a salt that is removed with it.
 struct RowSeal {
   std::string table;
   std::string key;             ///< SealShape::keyOf()
-  bool removed = false;        ///< the row is gone
-  std::string rowHash{};       ///< over what an erase leaves; empty: removed
-  std::string personalHash{};  ///< over what an erase takes; empty: nothing of it
+  bool removed = false;        ///< the row was deleted
+  std::string rowHash{};       ///< of the columns that an erase keeps; empty: removed
+  std::string personalHash{};  ///< of the columns that an erase removes; empty: the row has none
   bool simulated = false;
-  /// `rowHash` and `personalHash` as the row was right before it was changed; empty: it was not there, or
-  /// nobody looked. Another one than the seal before says tells of a change behind the trail.
+  /// `rowHash` and `personalHash` right before the change; empty: the row was new, or not checked. A
+  /// difference from the previous seal reveals a change outside the audit trail.
   std::string before{};
-  std::string salt{};  ///< of personalHash; kept apart
+  std::string salt{};  ///< of personalHash; stored apart
 };
 
-/// Hash over the seals of one transaction, which its entry in the audit trail carries.
+/// Hash of the seals of one transaction, stored in its entry of the audit trail.
 class SealDigest {
  public:
   void add(std::int64_t position, const RowSeal& seal) {
@@ -46,29 +46,29 @@ class SealDigest {
   FieldDigest digest_{"torsio seals 1"};
 };
 
-/// Who changed the rows that are sealed.
+/// Author of a sealed change.
 struct SealAuthor {
   std::int64_t atUtc_us = 0;
   std::string actor{};
   std::string station{};
-  std::int64_t entries = 0;  ///< of the audit trail that tell of the same change and stand just before
+  std::int64_t entries = 0;  ///< audit entries about the same change, immediately before this one
   std::string reason{};
 };
 
-/// Hears every stored seal in the order of the trail: number of its entry, position in it, the seal without
-/// its salt. Throws DbError.
+/// Calls back with every stored seal in the order of the trail: number of its entry, position in it, the seal
+/// without its salt. Throws DbError.
 void forEachSeal(
     Connection& connection,
     const std::function<void(std::int64_t sequence, std::int64_t position, const RowSeal& seal)>& hear);
 
 [[nodiscard]] RowSeal sealedRow(const SealShape& shape, std::span<const Value> row, const std::string& seal);
 
-/// Adds the entry and its seals; belongs into the transaction of the change.
+/// Appends the entry and its seals; call it in the transaction of the change.
 void writeSeals(Connection& connection, const std::vector<RowSeal>& seals, const SealAuthor& author);
 
-/// {"entries":1,"rows":2}
+/// Returns {"entries":1,"rows":2}.
 [[nodiscard]] std::string sealedJson(std::int64_t entries, std::size_t rows);
-/// How many entries before it belong to the same change; 0 when that cannot be read.
+/// Returns the number of preceding entries about the same change; 0 if unreadable.
 [[nodiscard]] std::int64_t entriesOf(const std::string& sealedJson);
 
 }  // namespace torsio

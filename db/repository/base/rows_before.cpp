@@ -11,7 +11,7 @@ namespace torsio {
 
 namespace {
 
-/// Which rows a statement changes, as a condition with its values.
+/// Condition, with its values, of the rows that a statement changes.
 struct RowChoice {
   std::string condition;
   std::vector<Value> values;

@@ -11,15 +11,15 @@
 
 namespace torsio {
 
-/// A row right before a statement changes it.
+/// A row as it was right before a statement changed it.
 struct RowBefore {
   std::vector<Value> key;
-  std::string hash;  ///< as RowSeal::before has it
+  std::string hash;  ///< see RowSeal::before
 };
 
-/// The rows of a table with Sealing::kEachChange that an UPDATE, or an INSERT that may replace a row, is
-/// about to change; on a server nobody else changes them until the transaction ends. `bound`: values of the
-/// statement's placeholders. None for other statements. Throws DbError.
+/// Returns the rows of a table with Sealing::kEachChange that an UPDATE, or an INSERT that may replace a row,
+/// is about to change; on a server they are locked until the transaction ends. `bound`: values of the
+/// statement's placeholders. Empty for other statements. Throws DbError.
 [[nodiscard]] std::vector<RowBefore> rowsBefore(Connection& connection, const SealRule& rule,
                                                 const ChangedStatement& change, std::span<const Value> bound);
 

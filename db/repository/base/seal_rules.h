@@ -6,24 +6,24 @@
 
 namespace torsio {
 
-/// How the rows of a table are guarded against change.
+/// How the rows of a table are protected against tampering.
 enum class Sealing {
-  kOnce,        ///< each row is sealed when it is added; a second seal needs an erase or the demonstration
-  kEachChange,  ///< what a row says now is sealed with every change
-  kWithParent,  ///< goes into the seal of the row that its first key column names
-  kElsewhere,   ///< another check finds a change; `reason` says which
-  kNot,         ///< carries nothing that anybody relies on; `reason` says why
+  kOnce,        ///< each row is sealed when it is added; a second seal requires an erase or the demonstration
+  kEachChange,  ///< each change is sealed
+  kWithParent,  ///< part of the seal of the row named by its first key column
+  kElsewhere,   ///< another check detects changes; see `reason`
+  kNot,         ///< nothing relies on it; see `reason`
 };
 
-/// What of one table is sealed. Every table of the schema has exactly one rule, and each of its columns that
-/// no rule names otherwise is sealed (tested).
+/// Seal rule of one table. Every table of the schema has exactly one rule, and columns not named by it are
+/// sealed (tested).
 struct SealRule {
   std::string_view table;
   Sealing sealing = Sealing::kOnce;
   std::string_view key;         ///< primary key: "a, b"
-  std::string_view personal{};  ///< columns that an erase clears or deletes: hashed with a salt
+  std::string_view personal{};  ///< columns that an erase clears or deletes; hashed with a salt
   std::string_view parent{};    ///< kWithParent
-  std::string_view unsealed{};  ///< columns that are left out, for `reason`
+  std::string_view unsealed{};  ///< columns that are left out; see `reason`
   std::string_view reason{};
 };
 
@@ -35,7 +35,7 @@ inline constexpr std::string_view kSchema =
 inline constexpr std::string_view kChain = "the chain of the audit trail and its seals are walked";
 }  // namespace seal_reasons
 
-/// The rules of every table, parents before what goes into their seals.
+/// The rules of all tables, parents before the tables that are part of their seals.
 inline constexpr std::array kSealRules{
     SealRule{"centre", Sealing::kEachChange, "id"},
     SealRule{"setting", Sealing::kEachChange, "name"},
@@ -231,10 +231,10 @@ inline constexpr std::array kSealRules{
              .parent = "assessment_run"},
 };
 
-/// Tables whose first rows come with the schema, and to which a centre adds.
+/// Tables whose first rows come with the schema and that centres extend.
 inline constexpr std::array<std::string_view, 2> kGrowingSeeds{"occasion", "consent_purpose"};
 
-/// The rule of a table; null: none, or nothing of it is sealed by rows.
+/// Returns the rule of a table; null: none, or its rows are not sealed.
 [[nodiscard]] constexpr const SealRule* sealRuleOf(std::string_view table) {
   for (const SealRule& rule : kSealRules) {
     if (rule.table == table) {

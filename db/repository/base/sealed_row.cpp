@@ -30,7 +30,7 @@ void addText(Digest& digest, std::string_view text) {
 
 void addNamed(Digest& digest, const std::string& name, const Value& value) {
   addText(digest, name);
-  // A truth value is a number in SQLite.
+  // SQLite stores booleans as integers.
   const auto* flag = std::get_if<bool>(&value.storage());
   addValue(digest, flag != nullptr ? Value(std::int64_t{*flag ? 1 : 0}) : value, false);
 }
@@ -199,7 +199,7 @@ void forEachSelected(Connection& connection, const std::string& select,
     }
     return;
   }
-  // The driver would fetch the whole table at once.
+  // Without a cursor the driver would fetch the whole table at once.
   connection.executeVerbatim("DECLARE torsio_rows NO SCROLL CURSOR FOR " + select);
   for (bool more = true; more;) {
     Statement row = connection.selectVerbatim("FETCH 200 FROM torsio_rows");

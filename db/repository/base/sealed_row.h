@@ -15,27 +15,27 @@
 
 namespace torsio {
 
-/// Hashes of the rows that go into the seal of another, by the key of that one.
+/// Hashes of the rows that are part of another row's seal, by that row's key.
 using SealedParts = std::unordered_map<std::string, std::vector<Digest::Value>>;
 
-/// The columns of one table, sorted into what its rule says of them. A column without a value adds nothing,
-/// so that a step of the schema may add one.
+/// The columns of one table, classified by its rule. Null columns add nothing to the hash, so that a
+/// migration may add a column.
 class SealShape {
  public:
-  /// `columns`: as a SELECT of the whole row gives them. Throws Error (kVerifyFailed) when one of the key is
-  /// not among them.
+  /// `columns`: in the order of a SELECT of the whole row. Throws Error (kVerifyFailed) if a key column is
+  /// missing.
   SealShape(const SealRule& rule, std::vector<std::string> columns);
 
   [[nodiscard]] const SealRule& rule() const { return *rule_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
-  /// Which row it is: the values of its key, divided by "/".
+  /// Returns the key of a row: its values joined by "/".
   [[nodiscard]] std::string keyOf(std::span<const Value> row) const;
   [[nodiscard]] std::vector<Value> keyValuesOf(std::span<const Value> row) const;
-  /// The first value of the key: the row whose seal a row with Sealing::kWithParent goes into.
+  /// Returns the first value of the key: the row whose seal includes this one (Sealing::kWithParent).
   [[nodiscard]] std::string parentKeyOf(std::span<const Value> row) const;
-  /// Over what an erase leaves.
+  /// Hashes the columns that an erase keeps.
   [[nodiscard]] Digest::Value kept(std::span<const Value> row) const;
-  /// Over what an erase takes, with the salt; empty when the row holds nothing of it.
+  /// Hashes the columns that an erase removes, with the salt; empty if the row has none.
   [[nodiscard]] std::string personal(std::span<const Value> row, std::string_view salt) const;
   [[nodiscard]] bool hasPersonal(std::span<const Value> row) const;
   [[nodiscard]] bool simulated(std::span<const Value> row) const;
@@ -50,30 +50,29 @@ class SealShape {
   int flag_ = -1;                 ///< position of "demonstration"
 };
 
-/// 64 hexadecimal digits over a row and those that go into its seal.
+/// Returns the hash of a row and the rows in its seal as 64 hexadecimal digits.
 [[nodiscard]] std::string sealOf(const Digest::Value& kept, std::vector<Digest::Value> parts);
 
-/// "a/7/0.25"
+/// Formats a key: "a/7/0.25".
 [[nodiscard]] std::string keyText(std::span<const Value> key);
 
-/// The values of the current row.
+/// Returns the values of the current row.
 [[nodiscard]] std::vector<Value> valuesOf(const Statement& row);
 [[nodiscard]] std::vector<std::string> columnNamesOf(const Statement& row);
 
-/// Rules of the rows that go into the seals of a table.
+/// Returns the rules of the tables whose rows are part of a table's seals.
 [[nodiscard]] std::vector<const SealRule*> rulesOfParts(std::string_view parent);
 
-/// Calls `take` for every row of a SELECT without placeholders; holds only some hundred of them. Inside a
+/// Calls `take` for every row of a SELECT without placeholders, fetching some hundred at a time. Inside a
 /// transaction only.
 void forEachSelected(Connection& connection, const std::string& select,
                      const std::function<void(const Statement&)>& take);
 
-/// Hashes of all rows of the tables that go into the seals of this one. Inside a transaction only.
+/// Returns the hashes of all rows that are part of this table's seals. Inside a transaction only.
 [[nodiscard]] SealedParts partsOf(Connection& connection, std::string_view parent);
 
-/// Calls `take` for every row of a table that has a seal of its own, with its shape and with the hash over
-/// the row and its parts, and `orphan` for the key of each row that is not there although it has parts.
-/// Inside a transaction only.
+/// Calls `take` for every row with a seal of its own, with its shape and the hash of the row and its parts,
+/// and `orphan` for the key of each missing row that has parts. Inside a transaction only.
 using TakeSealable =
     std::function<void(const SealShape& shape, std::span<const Value> row, const std::string& seal)>;
 void forEachSealable(Connection& connection, const SealRule& rule, const TakeSealable& take,

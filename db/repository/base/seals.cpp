@@ -11,9 +11,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kBatch = 500;  // placeholders a statement; SQLite allows 32766
+constexpr std::size_t kBatch = 500;  // placeholders per statement; SQLite allows 32766
 
-/// Calls `read` for every row of `sql` whose `column` is one of `ids`, or for all rows when there are none.
+/// Calls `read` for every row of `sql` whose `column` is among `ids`, or for all rows if `ids` is empty.
 template <typename Kind, typename Read>
 void forEachRow(Connection& connection, const std::string& sql, const std::string& column,
                 std::span<const Kind> ids, const std::string& order, Read&& read) {
@@ -41,7 +41,7 @@ void addMaybe(FieldDigest& digest, const std::optional<std::int64_t>& number) {
   digest.add(number ? 1 : 0).add(number.value_or(0));
 }
 
-/// Adds the three columns of a scale: its ends and its steps a point.
+/// Adds the three columns of a scale: its ends and its steps per point.
 void addScale(FieldDigest& digest, RowReader& row) {
   for (int part = 0; part < 3; ++part) {
     digest.add(row.int64());
@@ -66,8 +66,8 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
     digest.add(mark.text());          // trial
     addMaybe(digest, mark.maybeInt64());
     addScale(digest, mark);
-    digest.add(mark.text());  // why it is not assessable
-    digest.add(mark.text());  // why it was amended
+    digest.add(mark.text());  // reason: not assessable
+    digest.add(mark.text());  // reason of the amendment
     digest.add(mark.int64());
     digest.add(mark.boolean());
     digest.add(mark.text());  // assignment
@@ -83,7 +83,7 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
     found->second.add(row.text());  // revision of the rubric
     found->second.add(row.text());  // row of the rubric
     addMaybe(found->second, row.maybeInt64());
-    found->second.add(row.text());  // why it is not assessable
+    found->second.add(row.text());  // reason: not assessable
   });
   std::map<std::string, std::string> hashes;
   for (const auto& [id, digest] : digests) {
@@ -107,7 +107,7 @@ std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
     digest.add(mark.int64());         // index
     digest.add(mark.int64());         // version
     digest.add(mark.int64());         // score
-    digest.add(mark.text());          // why it was amended
+    digest.add(mark.text());          // reason of the amendment
     digest.add(mark.int64());
     digest.add(mark.boolean());
     hashes[id] = digest.hex();

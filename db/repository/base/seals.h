@@ -10,13 +10,13 @@
 
 namespace torsio {
 
-/// What frozen data name a row by: the hash of every submitted training mark with its rows, as the tables
-/// have them now; `ids` empty: of all. Without the comment, which may be erased.
+/// Hashes of the submitted training marks with their rows as currently stored, by which frozen data reference
+/// them; `ids` empty: all. Excludes the comment, which may be erased.
 [[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
                                                             std::span<const MarkId> ids = {});
 [[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(
     Connection& connection, std::span<const EvaluationMarkId> ids = {});
-/// Of every trial that has ended: its closing row with the content hash.
+/// Hashes of ended trials: the closing row with its content hash.
 [[nodiscard]] std::map<std::string, std::string> trialHashes(Connection& connection,
                                                              std::span<const TrialId> ids = {});
 

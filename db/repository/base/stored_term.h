@@ -9,17 +9,17 @@
 
 namespace torsio {
 
-/// Throws DbError (kCheck): a column holds a text that stands for none of its values.
+/// Throws DbError (kCheck): a column holds a text that matches none of its values.
 [[noreturn]] void refuseStoredTerm(const std::string& column, const std::string& stored);
 
-/// What goes into the column of a term; empty: null.
+/// Returns the stored text of a term; empty: null.
 template <typename TermValue>
 [[nodiscard]] Value termOrNull(const std::optional<TermValue>& value) {
   return value ? Value(storedText(*value)) : Value();
 }
 
-/// Reads the column of a term that may be null. `column`: its name, for the message. Throws DbError (kCheck)
-/// for a text that stands for none of its values.
+/// Reads a nullable term column. `column`: its name, for the message. Throws DbError (kCheck) for an unknown
+/// text.
 template <typename TermValue>
 [[nodiscard]] std::optional<TermValue> readMaybeTerm(RowReader& row, const std::string& column) {
   const std::optional<std::string> stored = row.maybeText();
@@ -33,8 +33,8 @@ template <typename TermValue>
   return value;
 }
 
-/// Reads the column of a term. `column`: its name, for the message. Throws DbError (kCheck) for null and for
-/// a text that stands for none of its values.
+/// Reads a term column. `column`: its name, for the message. Throws DbError (kCheck) for null and for an
+/// unknown text.
 template <typename TermValue>
 [[nodiscard]] TermValue readTerm(RowReader& row, const std::string& column) {
   const std::optional<TermValue> value = readMaybeTerm<TermValue>(row, column);

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-/// Reads whole rows of one table by their key.
+/// Reads whole rows of a table by key.
 class RowByKey {
  public:
   RowByKey(Connection& connection, const SealRule& rule)
@@ -38,7 +38,7 @@ class RowByKey {
     return values;
   }
   [[nodiscard]] const std::vector<const SealRule*>& parts() const { return parts_; }
-  /// After a row was read.
+  /// Valid after a row was read.
   [[nodiscard]] const SealShape& shape() const { return *shape_; }
 
  private:
@@ -69,12 +69,12 @@ bool sameGiven(const Value& given, const Value& read) {
               std::string(touched.rule->table), Text::tr("Run torsio audit verify: a trigger may do this"));
 }
 
-/// Compares rows with what was given for them.
+/// Compares stored rows with the values given for them.
 class GivenRows {
  public:
   void require(const TouchedRow& touched, const SealShape& shape, std::span<const Value> row) {
     static const Value kNull;
-    static const Value kComputed;  // only its place counts
+    static const Value kComputed;  // placeholder; its value is not compared
     expected_.assign(row.size(), touched.whole ? &kNull : &kComputed);
     for (const GivenValues& given : touched.given) {
       const std::vector<ChangedStatement::Column>& columns = given.plan->change.columns;
@@ -95,7 +95,7 @@ class GivenRows {
   }
 
  private:
-  /// Where the columns of a statement stand in a row; behind its end: the statement keeps what is there.
+  /// Positions of a statement's columns in a row; past the end: the statement leaves the stored value.
   const std::vector<std::size_t>& placesOf(const LedgerPlan& plan, const SealShape& shape) {
     const auto [found, first] = places_.try_emplace(&plan);
     if (first) {
@@ -116,12 +116,12 @@ class GivenRows {
   std::unordered_map<const LedgerPlan*, std::vector<std::size_t>> places_;
 };
 
-/// Makes the seals of the rows that one transaction touched.
+/// Seals the rows touched by one transaction.
 class Sealer {
  public:
   explicit Sealer(Connection& connection) : connection_(connection) {}
 
-  /// Compares a row with what was given. What is sealed with its parent names that one.
+  /// Compares a row with the values given. A row sealed with its parent adds that parent.
   void take(const TouchedRow& touched) {
     RowByKey& reader = readerOf(*touched.rule);
     const std::optional<std::vector<Value>> row = reader.read(touched.key);
@@ -156,7 +156,7 @@ class Sealer {
 
   void add(const SealRule& rule, std::span<const Value> key, const std::optional<std::vector<Value>>& row) {
     std::string text = keyText(key);
-    // A row that others go into is named by each of them.
+    // A row with parts may be named by each of them; seal it once.
     if (!readerOf(rule).parts().empty() && !sealed_[&rule].insert(text).second) {
       return;
     }

@@ -15,7 +15,7 @@
 
 namespace torsio {
 
-/// A statement that changes rows of one table, as row_ledger.cpp makes it.
+/// A statement that changes rows of one table; made by row_ledger.cpp.
 class LedgerPlan : public ChangeWatch::Plan {
  public:
   /// `rule`: null for an entry of the audit trail.
@@ -25,28 +25,28 @@ class LedgerPlan : public ChangeWatch::Plan {
 
   ChangedStatement change;
   const SealRule* sealRule;  ///< null: an entry of the audit trail
-  std::vector<int> keys;     ///< placeholders of the key
+  std::vector<int> keys;     ///< indices of the key's placeholders
   std::string keyColumns;    ///< empty: the statement gives the key
 };
 
-/// What one statement gave for a row.
+/// Values that one statement gave for a row.
 struct GivenValues {
   std::shared_ptr<const LedgerPlan> plan;
   std::vector<Value> bound;
 };
 
-/// One row that the transaction touched.
+/// A row touched by the transaction.
 struct TouchedRow {
   const SealRule* rule = nullptr;
   std::vector<Value> key;
-  std::vector<GivenValues> given{};  ///< in their order
-  bool whole = false;                ///< added: what was not given is null
+  std::vector<GivenValues> given{};  ///< in order of execution
+  bool whole = false;                ///< inserted: columns not given are null
   bool gone = false;
   std::string before{};  ///< RowSeal::before
 };
 
-/// Seals of the rows that one transaction touched, inside it, before its commit. Throws Error (kVerifyFailed)
-/// when a row that is stored is not what was given for it.
+/// Seals the rows touched by a transaction, inside it and before its commit. Throws Error (kVerifyFailed) if
+/// a stored row differs from the values given.
 [[nodiscard]] std::vector<RowSeal> sealsOf(Connection& connection, std::span<const TouchedRow> touched);
 
 }  // namespace torsio

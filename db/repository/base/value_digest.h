@@ -6,8 +6,8 @@
 
 namespace torsio {
 
-/// Adds a value with its kind, so that null, 0 and an empty text differ. `boolean`: the column holds truth
-/// values, which SQLite gives back as 0 and 1.
+/// Adds a value with its type, so that null, 0 and empty text differ. `boolean`: the column holds booleans,
+/// which SQLite returns as 0 and 1.
 void addValue(Digest& digest, const Value& value, bool boolean);
 
 }  // namespace torsio

@@ -23,10 +23,10 @@ void insertRoles(Connection& connection, const UserId& userId, const std::vector
   }
 }
 
-/// After so many failures in a row.
+/// Returns the wait after a number of consecutive failures.
 std::int64_t waitAfter(std::int64_t failures) {
   constexpr std::int64_t kFirstWait_us = 1'000'000;
-  constexpr std::int64_t kDoublings = 6;  // 2^6 s is beyond the longest wait
+  constexpr std::int64_t kDoublings = 6;  // 2^6 s exceeds the longest wait
   if (failures <= kFreeFailures) {
     return 0;
   }
@@ -36,7 +36,7 @@ std::int64_t waitAfter(std::int64_t failures) {
 }  // namespace
 
 struct AccessRepository::Account {
-  UserId id;  ///< empty: nobody has that name
+  UserId id;  ///< empty: no such login
   std::int64_t bucket = 0;
   std::string passwordHash;
   std::string pinHash;
@@ -104,7 +104,7 @@ std::vector<UserAccount> AccessRepository::users() const {
       " ORDER BY u.login, r.role_code");
   statement.execute();
   std::vector<UserAccount> users;
-  while (statement.step()) {  // one row a role
+  while (statement.step()) {  // one row per role
     RowReader row(statement);
     UserAccount user{.id = row.text(),
                      .login = row.text(),
@@ -181,7 +181,7 @@ void AccessRepository::setFailures(const Account& account, std::int64_t failures
 
 std::optional<std::int64_t> AccessRepository::waitOf(const Account& account, std::int64_t now_us) {
   if (account.lockedUntilUtc_us > now_us + kLongestWait_us) {
-    // The clock was set back since. The wait begins anew, and is no longer than any other.
+    // The clock was set back since. Restart the wait, which never exceeds the maximum.
     setFailures(account, account.failures, now_us + kLongestWait_us);
     return now_us + kLongestWait_us;
   }
@@ -196,7 +196,7 @@ SignInResult AccessRepository::check(const std::string& login, const std::string
   }
   const std::string& hash = pin ? found.pinHash : found.passwordHash;
   if (hash.empty()) {
-    // The same work as for a known login, so that the time does not tell which logins exist.
+    // Does the same work as for a known login, so that timing does not reveal which logins exist.
     (void)hashPassword(secret, cost_);
   }
   if (hash.empty() || !passwordMatches(hash, secret)) {

@@ -10,20 +10,19 @@
 
 namespace torsio {
 
-/// What people are asked to agree to, in the centre's own words, version by version. One call, one
-/// transaction.
+/// The centre's own consent texts, by version. Each call is one transaction.
 class ConsentRepository {
  public:
   explicit ConsentRepository(Connection& connection) : connection_(connection) {}
 
-  /// Codes of the purposes, in the order in which they are asked.
+  /// Returns the codes of the purposes in the order in which they are asked.
   [[nodiscard]] std::vector<std::string> purposes() const;
-  /// Adds a purpose after all others. Throws DbError{kUnique} when the code is taken.
+  /// Adds a purpose as the last one. Throws DbError{kUnique} if the code is taken.
   void addPurpose(const std::string& code);
 
-  /// Oldest first; empty: the centre uses the words that ship.
+  /// Oldest first; empty: the centre uses the texts as shipped.
   [[nodiscard]] std::vector<ConsentVersion> versions() const;
-  /// Throws DbError{kUnique} when another station published this number first.
+  /// Throws DbError{kUnique} if another station published this number first.
   void add(const ConsentVersion& version);
 
  private:

@@ -11,15 +11,15 @@
 
 namespace torsio {
 
-/// Requests for acts that need two people, and what became of them. Both are append-only.
+/// Requests for acts that need two people, and the decisions. Both are append-only.
 class DutyRepository {
  public:
   explicit DutyRepository(Connection& connection) : connection_(connection) {}
 
   void add(const DutyRequest& request);
-  /// Nobody has decided about them, and they were made at or after `sinceUtc_us`. Oldest first.
+  /// Undecided requests made at or after `sinceUtc_us`, oldest first.
   [[nodiscard]] std::vector<DutyRequest> open(std::int64_t sinceUtc_us) const;
-  /// Throws DbError (kUnique) when somebody was faster.
+  /// Throws DbError (kUnique) if it was decided already.
   void decide(const std::string& requestId, DutyDecision decision, const UserId& decidedBy,
               std::int64_t utc_us);
 

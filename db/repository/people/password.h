@@ -7,8 +7,8 @@
 
 namespace torsio {
 
-/// Salted hash with its parameters, as one text. Runs off the GUI thread. Throws Error (kInternal) without
-/// memory.
+/// Returns a salted hash with its parameters as one text. Slow: call it off the GUI thread. Throws Error
+/// (kInternal) without memory.
 [[nodiscard]] std::string hashPassword(const std::string& password, PasswordCost cost);
 
 [[nodiscard]] bool passwordMatches(const std::string& hash, const std::string& password);

@@ -14,7 +14,7 @@
 
 namespace torsio {
 
-/// People. All writes of one call are one transaction; every call throws DbError when the database refuses.
+/// People. All writes of a call are one transaction; every call throws DbError.
 class PeopleRepository {
  public:
   explicit PeopleRepository(Connection& connection) : connection_(connection) {}
@@ -24,19 +24,19 @@ class PeopleRepository {
 
   void addTrainees(std::span<const Trainee> trainees);
   void addRaters(std::span<const Rater> raters);
-  /// Gives a person who is stored already (an intern, say) the second part of a rater.
+  /// Makes a stored person (an intern, say) a rater as well.
   void makeRater(const PersonId& personId, const std::string& classCode);
 
-  /// Gives a person who is stored already (a physician, say) the second part of a trainee.
+  /// Makes a stored person (a physician, say) a trainee as well.
   void makeTrainee(const PersonId& personId, const std::string& handedness);
 
-  /// Sex, level, experience, age and state; code and demonstration flag are frozen.
+  /// Updates sex, level, experience, age and state; code and demonstration flag are frozen.
   void updatePerson(const Person& person);
   void setHandedness(const PersonId& personId, const std::string& handedness);
   void setRaterClass(const PersonId& personId, const std::string& classCode);
-  /// Whatever parts the person has; erased ones too.
+  /// Finds any person, including erased ones.
   [[nodiscard]] std::optional<Person> find(const PersonId& personId) const;
-  /// Codes of all people, erased ones included: a code is never given twice.
+  /// Returns the codes of all people, including erased ones: codes are never reused.
   [[nodiscard]] std::vector<std::string> codes() const;
 
   /// Ordered by code.
@@ -48,19 +48,19 @@ class PeopleRepository {
 
   [[nodiscard]] std::optional<Identity> identity(const PersonId& personId) const;
 
-  /// Adds the identity, or replaces the one that is there.
+  /// Adds or replaces the identity.
   void setIdentity(const Identity& identity);
-  /// Whose staff or student number this is.
+  /// Finds a person by staff or student number.
   [[nodiscard]] std::optional<Identity> identityByExternalId(const std::string& externalId) const;
-  /// Of everybody who has one, in no order.
+  /// All identities, unordered.
   [[nodiscard]] std::vector<Identity> identities() const;
 
   void recordConsent(const ConsentDecision& consent);
-  /// Every decision, oldest first.
+  /// All decisions of a person, oldest first.
   [[nodiscard]] std::vector<ConsentDecision> consents(const PersonId& personId) const;
   /// The newest decision of every person about every purpose, by person and purpose.
   [[nodiscard]] std::vector<ConsentDecision> newestConsents() const;
-  /// Whether the newest decision grants it; without one: false.
+  /// True if the newest decision grants consent; false without one.
   [[nodiscard]] bool hasConsent(const PersonId& personId, const std::string& purpose) const;
 
  private:

@@ -18,7 +18,7 @@ namespace torsio {
 
 namespace {
 
-/// The person's id for every `?` of the condition.
+/// Repeats the person's id for every `?` of the condition.
 std::vector<Value> valuesFor(const PersonRule& rule, const PersonId& personId) {
   const auto marks = std::count(rule.condition.begin(), rule.condition.end(), '?');
   return std::vector<Value>(static_cast<std::size_t>(marks), Value(personId));
@@ -35,7 +35,7 @@ void applyRule(Connection& connection, const PersonRule& rule, const PersonId& p
   connection.prepare(act + " WHERE " + std::string(rule.condition)).execute(valuesFor(rule, personId));
 }
 
-/// The sealed rows that an erase will touch, by their keys.
+/// Keys of the sealed rows that an erase will touch.
 struct TouchedRows {
   const PersonRule* rule;
   std::vector<std::vector<Value>> keys;
@@ -64,7 +64,8 @@ std::vector<TouchedRows> rowsToErase(Connection& connection, const PersonId& per
   return all;
 }
 
-/// By the function of a prepared server, whose changes nobody hears: the ledger of seals is told of them.
+/// Erases through the function of a prepared server. Its changes are not observed, so they are reported to
+/// the ledger.
 bool eraseThroughServer(Connection& connection, const PersonId& personId, const std::string& requestedBy,
                         const std::string& reason, std::int64_t utc_us) {
   std::vector<TouchedRows> touched = rowsToErase(connection, personId);
@@ -73,14 +74,14 @@ bool eraseThroughServer(Connection& connection, const PersonId& personId, const 
   }
   for (TouchedRows& rows : touched) {
     for (std::vector<Value>& key : rows.keys) {
-      connection.tellChanged(rows.rule->table, std::move(key), rows.rule->onErase == OnErase::kDelete);
+      connection.reportChange(rows.rule->table, std::move(key), rows.rule->onErase == OnErase::kDelete);
     }
   }
-  connection.tellChanged("erasure", {Value(personId)}, false);
+  connection.reportChange("erasure", {Value(personId)}, false);
   return true;
 }
 
-/// As the owner of the tables. The function of a prepared server does the same (server_roles.cpp).
+/// Erases as owner of the tables. The function of a prepared server does the same (server_roles.cpp).
 void eraseRows(Connection& connection, const PersonId& personId, const std::string& requestedBy,
                const std::string& reason, std::int64_t utc_us) {
   connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});

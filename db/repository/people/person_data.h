@@ -12,20 +12,20 @@
 
 namespace torsio {
 
-/// One table of a person's own data.
+/// A person's rows in one table.
 struct PersonTable {
   std::string table;
   std::vector<std::string> columns;
   std::vector<std::vector<Value>> rows;
 };
 
-/// All that the record holds about a person; tables without such rows are left out. Recordings are listed by
-/// trial and chunk; load them with TrialRepository.
+/// Returns everything stored about a person, without empty tables. Recordings are listed by trial and chunk;
+/// load them with TrialRepository.
 [[nodiscard]] std::vector<PersonTable> exportPerson(Connection& connection, const PersonId& personId);
 
-/// Erases a person: identity, demographics, recordings, comments, sign-in and drafts go; the code, marks,
-/// results and the audit trail stay as a tombstone, so that statistics keep their numbers. One transaction.
-/// Throws Error (kBadData) when there is no such person or they were erased already.
+/// Erases a person: removes identity, demographics, recordings, comments, sign-in and drafts; keeps code,
+/// marks, results and audit trail, so that statistics do not change. One transaction. Throws Error (kBadData)
+/// if the person is unknown or already erased.
 void erasePerson(Connection& connection, const PersonId& personId, const std::string& requestedBy,
                  const std::string& reason, std::int64_t utc_us);
 

@@ -6,21 +6,21 @@
 
 namespace torsio {
 
-/// What an erase does with the rows that concern a person.
+/// What an erase does with a person's rows.
 enum class OnErase {
-  kKeep,    ///< coded rows on which statistics and the audit trail rest
-  kClear,   ///< the named columns become null
-  kDelete,  ///< the rows go
+  kKeep,    ///< pseudonymous rows needed for statistics and audit trail
+  kClear,   ///< the named columns are set to null
+  kDelete,  ///< the rows are deleted
 };
 
-/// How one table concerns a person. Every table of the schema has exactly one rule (tested).
+/// How a table relates to a person. Every table of the schema has exactly one rule (tested).
 struct PersonRule {
   std::string_view table;
   std::string_view
-      condition;  ///< over the person's id, one `?` or more; empty: the table holds nobody's data
+      condition;  ///< selects a person's rows, with one `?` or more for the id; empty: no personal data
   OnErase onErase = OnErase::kKeep;
   std::string_view cleared{};      ///< kClear: "a = NULL, b = NULL"
-  std::string_view columns = "*";  ///< what an export shows: no secrets, no bytes of recordings
+  std::string_view columns = "*";  ///< exported columns: no secrets, no bytes of recordings
 };
 
 namespace person_conditions {
@@ -52,7 +52,7 @@ inline constexpr std::string_view kOwnUser = "user_id IN (SELECT id FROM app_use
 
 }  // namespace person_conditions
 
-/// The rules of every table, in the order in which an erase may proceed.
+/// The rules of all tables, in an order in which an erase may proceed.
 inline constexpr std::array kPersonRules{
     PersonRule{"person_identity", "person_id = ?", OnErase::kDelete},
     PersonRule{"person", "id = ?", OnErase::kClear,
@@ -114,7 +114,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"learning_event", "person_id = ?", OnErase::kDelete},
     PersonRule{"erasure", "person_id = ?"},
     PersonRule{"record_copy", "person_id = ?"},
-    // Nobody's data: what the centre plans, names and computes over many.
+    // No personal data: plans, names and aggregates.
     PersonRule{"allocation_design", ""},
     PersonRule{"allocation_seed", ""},
     PersonRule{"assessment_run", ""},

@@ -10,13 +10,13 @@
 
 namespace torsio {
 
-/// What people asked for about their own records. One call, one transaction.
+/// People's requests about their own records. Each call is one transaction.
 class RequestRepository {
  public:
   explicit RequestRepository(Connection& connection) : connection_(connection) {}
 
   void add(const PersonRequest& request);
-  /// Throws Error{kBadData} when it was answered already.
+  /// Throws Error{kBadData} if it was already answered.
   void answer(const std::string& requestId, PersonRequestAnswer answer, const std::string& reason,
               std::int64_t utc_us);
   /// Newest first.

@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 4> kCategories{kRetainTrainee, kRetainRat
                                                       kRetainWithdrawn};
 constexpr std::int64_t kLongest_days = 36'500;
 
-/// State and creation; whether trainee and rater; kActivityTimes times of what they did; since when consent
-/// to the record is withdrawn.
+/// State and creation; whether trainee and rater; kActivityTimes times of activity; since when consent to the
+/// record is withdrawn.
 constexpr int kActivityTimes = 6;
 constexpr const char* kPeople =
     "SELECT p.id, p.code, p.state, p.created_utc_us,"
@@ -43,7 +43,7 @@ constexpr const char* kPeople =
 constexpr const char* kHolds =
     "SELECT person_id, kind, until_utc_us, reason, decided_by, decided_utc_us FROM retention_hold";
 
-/// What kPeople gives for one person.
+/// One row of kPeople.
 struct Activity {
   PersonId personId;
   std::string code;
@@ -68,7 +68,7 @@ Activity activityOf(RowReader& row) {
   return activity;
 }
 
-/// Since when `category` counts for a person; empty: not at all.
+/// Returns the start of the retention period in a category; empty: does not apply.
 std::optional<std::int64_t> since(const Activity& activity, std::string_view category) {
   if (category == kRetainWithdrawn) {
     return activity.withdrawn_us;
@@ -88,7 +88,7 @@ RetentionHold holdOf(RowReader& row) {
           .decidedUtc_us = row.int64()};
 }
 
-/// The newest decision about each person about whom there is one.
+/// Returns the newest decision about each person who has one.
 std::map<std::string, RetentionHold> newestHolds(Connection& connection) {
   std::map<std::string, RetentionHold> newest;
   for (RetentionHold& hold :

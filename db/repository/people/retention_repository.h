@@ -12,23 +12,22 @@
 
 namespace torsio {
 
-/// Retention rules, what is due, and what was decided about it. Erases nothing: erasePerson does. Simulated
-/// people are never due; they go with the demonstration.
+/// Retention rules, due records, and decisions about them. Erases nothing (erasePerson does). Simulated
+/// people are never due; they are removed with the demonstration.
 class RetentionRepository {
  public:
   explicit RetentionRepository(Connection& connection) : connection_(connection) {}
 
-  /// Adds or replaces the rule of its category. Throws Error (kBadParameter) for an unknown category, less
-  /// than one day or more than a hundred years.
+  /// Adds or replaces the rule of its category. Throws Error (kBadParameter) for an unknown category or a
+  /// period below one day or above a hundred years.
   void setRule(const RetentionRule& rule);
   void removeRule(const std::string& category);
   [[nodiscard]] std::vector<RetentionRule> rules() const;
 
-  /// Throws DbError: kForeignKey (no such person), kCheck (kExtend without its end).
+  /// Throws DbError: kForeignKey (no such person), kCheck (kExtend without an end).
   void addHold(const RetentionHold& hold);
 
-  /// Everybody whose record is due at `utc_us` by some rule, those who are held among them; longest due
-  /// first.
+  /// Returns everybody whose record is due at `utc_us`, including those on hold; longest overdue first.
   [[nodiscard]] std::vector<RetentionItem> due(std::int64_t utc_us) const;
 
  private:

@@ -15,11 +15,11 @@ namespace torsio {
 
 namespace {
 
-/// What a roster itself says about somebody, and an account that nobody has used.
+/// Tables filled by the roster itself, or by an unused account.
 constexpr std::array<std::string_view, 11> kOfTheRoster{
     "person",   "person_identity", "trainee",    "rater",       "roster_import_person", "user_role",
     "app_user", "kiosk_code",      "invitation", "audit_entry", "station_state"};
-/// What names one part of a person.
+/// Tables that refer to a person as a trainee.
 constexpr std::array<std::string_view, 3> kOnTrainee{"enrolment", "self_score", "trial"};
 constexpr std::array<std::string_view, 4> kOnRater{"assignment", "evaluation_rater", "rater_warmup",
                                                    "trial_question"};

@@ -14,32 +14,31 @@ namespace torsio {
 /// What makes a person a trainee or a rater.
 enum class PersonPart { kTrainee, kRater };
 
-/// A roster that was imported.
+/// An imported roster.
 struct StoredRosterImport {
   std::string id{};
   std::string kind{};        ///< "trainees", "raters"
   std::string importedBy{};  ///< id of a user
   std::int64_t importedUtc_us = 0;
-  std::int64_t added = 0;    ///< people
-  std::int64_t changed = 0;  ///< people who were known before
+  std::int64_t added = 0;    ///< people added
+  std::int64_t changed = 0;  ///< known people changed
   std::optional<std::int64_t> takenBackUtc_us{};
 };
 
-/// What an import did to one person.
+/// Effect of an import on one person.
 struct StoredRosterPerson {
   PersonId personId{};
-  std::optional<std::string> beforeJson{};  ///< none: the import added this person
+  std::optional<std::string> beforeJson{};  ///< empty: the import added this person
   std::string afterJson{};
 };
 
-/// Something in the record that hangs on a person.
+/// A row that refers to a person.
 struct HangingRow {
   std::string personCode{};
   std::string table{};
 };
 
-/// Rosters that were imported. One call, one transaction; every call throws DbError when the database
-/// refuses.
+/// Imported rosters. Each call is one transaction and throws DbError.
 class RosterImportRepository {
  public:
   explicit RosterImportRepository(Connection& connection) : connection_(connection) {}
@@ -47,16 +46,16 @@ class RosterImportRepository {
   void add(const StoredRosterImport& import, const std::vector<StoredRosterPerson>& people);
   /// Newest first.
   [[nodiscard]] std::vector<StoredRosterImport> all() const;
-  /// In the order of their codes, without those who were erased since.
+  /// By code, without those erased since.
   [[nodiscard]] std::vector<StoredRosterPerson> people(const std::string& importId) const;
-  /// The first person whom the import added and on whom something hangs. What a roster says about somebody,
-  /// and an account that nobody has used yet, does not count.
+  /// Returns the first reference to a person added by the import, apart from what the roster itself wrote and
+  /// unused accounts; empty: none.
   [[nodiscard]] std::optional<HangingRow> firstHanging(const std::string& importId) const;
-  /// A table that names this part of a person; empty: none.
+  /// Returns a table that refers to the person as trainee or rater; empty: none.
   [[nodiscard]] std::string tableNaming(PersonPart part, const PersonId& personId) const;
-  /// Throws Error{kBadData} when it was taken back already, or there is no such import.
+  /// Marks an import as undone. Throws Error{kBadData} if it already is, or does not exist.
   void takeBack(const std::string& importId, std::int64_t utc_us);
-  /// Takes a part away again that an import gave a person. Throws DbError when a row of the record names it.
+  /// Removes the trainee or rater part that an import gave a person. Throws DbError if it is referenced.
   void removePart(PersonPart part, const PersonId& personId);
 
  private:

@@ -19,31 +19,31 @@ constexpr std::string_view kChange = "SELECT, INSERT, UPDATE";
 constexpr std::string_view kRemove = "SELECT, INSERT, DELETE";
 constexpr std::string_view kAll = "SELECT, INSERT, UPDATE, DELETE";
 
-/// What the station role may do besides adding rows to what is append-only: in tables of drafts and states.
+/// Rights of the station role beyond inserting into append-only tables: drafts and states.
 struct StationRight {
   std::string_view table;
   std::string_view rights;
 };
 constexpr std::array kStationRights{
-    // What only the owner fills, or a function with the owner's rights.
+    // Filled only by the owner or by functions with the owner's rights.
     StationRight{"erasure_gate", kRead},  // an open gate is a finding
     StationRight{"erasure", kRead},
     StationRight{"role", kRead},
     StationRight{"operation", kRead},
     StationRight{"role_operation", kRead},
     StationRight{"schema_migration", kRead},
-    // What is named once.
+    // Named once.
     StationRight{"rater_class", kAdd},
     StationRight{"occasion", kAdd},
     StationRight{"consent_purpose", kAdd},
     StationRight{"curriculum", kAdd},
     StationRight{"rubric", kAdd},
-    // What has a state; frozen columns stay frozen.
+    // With a state; frozen columns stay frozen.
     StationRight{"centre", kAll},
     StationRight{"setting", kChange},
     StationRight{"person", kChange},
     StationRight{"person_identity", kChange},
-    StationRight{"trainee", kAll},  // a part that nothing hangs on goes with the import that added it
+    StationRight{"trainee", kAll},  // removed with the import that added it, unless referenced
     StationRight{"rater", kAll},
     StationRight{"roster_import", kChange},
     StationRight{"roster_import_person", kAdd},
@@ -76,7 +76,7 @@ constexpr std::array kStationRights{
 
 constexpr std::string_view kActor = "current_setting('torsio.actor', true)";
 
-/// Whoever may see all marks: one of these operations is enough.
+/// Operations that permit seeing all marks; one is enough.
 constexpr std::string_view kSeesAllMarks =
     "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
     " JOIN role_operation o ON o.role_code = r.role_code"
@@ -84,7 +84,7 @@ constexpr std::string_view kSeesAllMarks =
     " ('mark.view_coded', 'mark.release', 'results.compute', 'evaluation.setup', 'audit.view',"
     " 'database.restore'))";
 
-/// Whoever types sheets of paper and takes in the marks of other data sets adds those of all raters.
+/// Operations that permit adding other raters' marks: typing paper sheets, importing data sets.
 constexpr std::string_view kAddsMarksOfOthers =
     "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
     " JOIN role_operation o ON o.role_code = r.role_code"
@@ -94,8 +94,7 @@ constexpr std::string_view kAddsMarksOfOthers =
 constexpr std::string_view kActorPerson =
     "SELECT person_id FROM app_user WHERE id = current_setting('torsio.actor', true) AND state = 'active'";
 
-/// A rater sees the marks of the others once everybody who was asked has submitted: the view of
-/// disagreements.
+/// A rater sees the others' marks once every assigned rater has submitted, to compare disagreements.
 constexpr std::string_view kCaseIsCommitted =
     "SELECT EXISTS (SELECT 1 FROM assignment a WHERE a.enrolment_id = case_enrolment AND a.occasion ="
     " case_occasion AND a.rater_id = actor_person()) AND NOT EXISTS (SELECT 1 FROM assignment a WHERE"
@@ -105,13 +104,13 @@ constexpr std::string_view kCaseIsCommitted =
     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal v WHERE v.assignment_id = w.assignment_id"
     " AND v.sequence > w.sequence)))";
 
-/// A trainee sees the own marks once they are released.
+/// A trainee sees their own marks once released.
 constexpr std::string_view kIsReleasedToActor =
     "SELECT coalesce((SELECT r.released FROM enrolment e JOIN mark_release r ON r.cohort_id = e.cohort_id"
     " WHERE e.id = case_enrolment AND e.trainee_id = actor_person() AND r.occasion = case_occasion"
     " ORDER BY r.sequence DESC LIMIT 1), FALSE)";
 
-/// One statement of an erase, with the person's id in place of each `?`.
+/// Replaces each `?` of an erase statement by the person's id.
 std::string withPerson(std::string condition) {
   for (std::size_t at = condition.find('?'); at != std::string::npos; at = condition.find('?', at)) {
     condition.replace(at, 1, "erased_id");
@@ -119,7 +118,7 @@ std::string withPerson(std::string condition) {
   return condition;
 }
 
-/// What erasePerson() does to the rows, for an administrator who may erase.
+/// Body of the server function that does what erasePerson() does, for administrators permitted to erase.
 std::string eraseBody() {
   std::string body =
       "\n#variable_conflict use_variable\nBEGIN\n"
@@ -149,7 +148,7 @@ std::string eraseBody() {
 
 struct ServerFunction {
   std::string_view name;
-  std::string_view arguments;  ///< as CREATE FUNCTION takes them
+  std::string_view arguments;  ///< in CREATE FUNCTION syntax
   std::string_view result;
   std::string_view language;
 };
@@ -163,11 +162,11 @@ constexpr std::array kServerFunctions{
     ServerFunction{"erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void",
                    "plpgsql"}};
 
-/// Whose rows are whose. `SELECT` inside parentheses is asked once a statement, not once a row.
+/// Row policy of a table. A `SELECT` in parentheses is evaluated once per statement, not once per row.
 struct RowPolicy {
   std::string_view table;
-  std::string_view seen;     ///< rows that whoever asks may read
-  std::string_view changed;  ///< rows that whoever asks may add, change or remove
+  std::string_view seen;     ///< rows that the current user may read
+  std::string_view changed;  ///< rows that the current user may add, change or remove
 };
 constexpr std::string_view kSeesAll = "(SELECT sees_all_marks())";
 constexpr std::string_view kAddsOthers = "(SELECT adds_marks_of_others())";
@@ -297,7 +296,7 @@ void writeServerRoles(Connection& connection, std::span<const std::string> table
   requireRole(connection, role);
   Transaction transaction(connection);
   waitForRightsOfDatabase(connection);
-  connection.executeVerbatim("SET LOCAL client_min_messages = warning");  // no word on what was not there yet
+  connection.executeVerbatim("SET LOCAL client_min_messages = warning");  // no notices about missing objects
   const std::string schema =
       selectFirst(connection, "SELECT current_schema()::text", {}, readText).value_or("public");
   const std::string database =
@@ -352,7 +351,7 @@ void requireEveryRow(Connection& connection) {
               Text::tr("Give the address with the account that owns the record, or do it at the window"));
 }
 
-void sayWhoAsks(Connection& connection, const std::string& userId) {
+void setCurrentUser(Connection& connection, const std::string& userId) {
   if (connection.engine() != Engine::kPostgresql) {
     return;
   }
@@ -368,7 +367,7 @@ bool eraseOnServer(Connection& connection, const std::string& personId, const st
   if (connection.engine() != Engine::kPostgresql || isOwnerOfTables(connection)) {
     return false;
   }
-  // Reads a row, of no column: the function returns nothing.
+  // Selects a row without columns: the function returns nothing.
   (void)selectFirst(connection, "SELECT count(*) FROM (SELECT erase_person(?, ?, ?, ?)) AS done",
                     {personId, requestedBy, reason, utc_us}, readInt64);
   return true;

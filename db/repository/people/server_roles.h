@@ -13,45 +13,44 @@ namespace torsio {
 
 class Connection;
 
-// Rights on a PostgreSQL server. The owner of the tables brings the schema up to date and prepares the
-// station role; stations work as that role. docs/server.md says what this protects against.
+// Rights on a PostgreSQL server. The owner of the tables migrates the schema and prepares the station role,
+// as which stations work. docs/server.md explains what this protects against.
 
-/// The rights of the station role on a table that is not only added to, as GRANT takes them: "SELECT, INSERT,
-/// UPDATE". No value: the table has no line here, so it must be append-only.
+/// Returns the station role's rights on a table in GRANT syntax: "SELECT, INSERT, UPDATE". Empty: not listed,
+/// so the table must be append-only.
 [[nodiscard]] std::optional<std::string_view> declaredRightsOn(std::string_view table);
 
-/// What a prepared server has besides the schema, as schemaFindings() names it: the bodies of its functions,
-/// which run with the rights of the owner and only look up who asks, but for erase_person, and which tables
-/// have row policies.
+/// Returns what a prepared server has besides the schema, named as by schemaFindings(): bodies of its
+/// functions, which run with the owner's rights but, except for erase_person, only look up the current user,
+/// and the tables with row policies.
 [[nodiscard]] std::map<std::string, std::string> serverParts();
 
-/// Makes the station role unless it exists, takes all rights from it and from everybody else, and gives it
-/// those of `tables`: the declared ones, else SELECT and INSERT where the table is among `appendOnly`; makes
-/// the functions, and the policies by which rows of marks and drafts are seen by
-/// whom they concern, in place of all others. May be repeated. All or nothing. Throws DbError when the
-/// account may not, Error (kBadParameter) for a role that is not made of lower-case letters, digits and
-/// underscores or is the owner itself, (kUsage) for SQLite; ContractError for a table that is neither
-/// declared nor append-only.
+/// Creates the station role if missing, revokes all rights from it and everybody else, and grants those of
+/// `tables`: the declared ones, or SELECT and INSERT for tables in `appendOnly`. Creates the functions, and
+/// the policies that restrict rows of marks and drafts to the users concerned, replacing all others.
+/// Repeatable and atomic. Throws DbError if the account lacks permission, Error (kBadParameter) for a role
+/// name with other characters than lower-case letters, digits and underscores or that of the owner, (kUsage)
+/// for SQLite; ContractError for a table that is neither declared nor append-only.
 void writeServerRoles(Connection& connection, std::span<const std::string> tables,
                       const std::set<std::string>& appendOnly, const std::string& role);
 
-/// Whoever changes roles or rights in the database of this connection waits here for whoever does so already,
-/// until the end of the transaction. PostgreSQL keeps them in rows that all records of a database share, and
-/// refuses the second of two who change one at once.
+/// Serialises changes of roles and rights in this connection's database until the end of the transaction.
+/// PostgreSQL keeps them in rows shared by all records of a database and rejects concurrent changes of one.
 void waitForRightsOfDatabase(Connection& connection);
 
-/// Whether the account of this connection owns the tables of the record.
+/// True if the account of this connection owns the record's tables.
 [[nodiscard]] bool isOwnerOfTables(Connection& connection);
 
-/// For whatever reads all marks: throws Error (kPermission) where the policies hide some of them from whoever
-/// asks, who would be told that they are gone, or get means without them.
+/// Throws Error (kPermission) if row policies hide some marks from the current user. Call it before reading
+/// all marks, which would otherwise seem deleted, or yield wrong means.
 void requireEveryRow(Connection& connection);
 
-/// On a server: says who asks from now on, so that the policies let this user see what concerns them. Empty:
-/// nobody. Lost when the transaction in which it was said is rolled back.
-void sayWhoAsks(Connection& connection, const std::string& userId);
+/// Sets the current user for the row policies of a server; empty: nobody. Reverted if the transaction in
+/// which it was set is rolled back.
+void setCurrentUser(Connection& connection, const std::string& userId);
 
-/// Erases on a prepared server through its function. False: there is none, so the account does it itself.
+/// Erases through the function of a prepared server. Returns false without one: the account then does it
+/// itself.
 [[nodiscard]] bool eraseOnServer(Connection& connection, const std::string& personId,
                                  const std::string& requestedBy, const std::string& reason,
                                  std::int64_t utc_us);

@@ -9,14 +9,14 @@
 
 namespace torsio {
 
-/// Signatures beside what was sealed. Append-only.
+/// Signatures of sealed objects. Append-only.
 class SignatureRepository {
  public:
   explicit SignatureRepository(Connection& connection) : connection_(connection) {}
 
-  /// Throws DbError (kUnique) when the object is signed already.
+  /// Throws DbError (kUnique) if the object is already signed.
   void add(const Signature& signature);
-  /// All of a kind, by what was signed.
+  /// All signatures of a kind, by signed object.
   [[nodiscard]] std::map<std::string, Signature> all(SignedKind kind) const;
 
  private:

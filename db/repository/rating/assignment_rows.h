@@ -13,18 +13,17 @@
 
 namespace torsio {
 
-/// "SELECT ... FROM assignment a" with the columns that readAssignment() takes and then `more`, which begins
-/// with a comma or is empty.
+/// Returns "SELECT ... FROM assignment a" with the columns of readAssignment(), followed by `more`, which
+/// starts with a comma or is empty.
 [[nodiscard]] std::string selectAssignments(std::string_view more = {});
 
-/// A condition: the sheet of the assignment that the query calls `alias` is asked for, not taken back from
-/// its rater.
+/// Returns the condition that the assignment `alias` is not withdrawn.
 [[nodiscard]] std::string isAskedFor(std::string_view alias);
 
 /// Reads the columns of selectAssignments().
 [[nodiscard]] Assignment readAssignment(RowReader& row);
 
-/// Reads the rows of a sheet, by their code: those of a draft or of a sealed mark. Throws DbError.
+/// Reads the rows of a sheet, by code: of a draft or of a sealed mark. Throws DbError.
 [[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId);
 [[nodiscard]] std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId);
 

@@ -13,23 +13,23 @@
 
 namespace torsio {
 
-/// Who was called to the real arm, when, into which room. One call, one transaction.
+/// Calls of trainees to the real arm. Each call is one transaction.
 class CallRepository {
  public:
   explicit CallRepository(Connection& connection) : connection_(connection) {}
 
-  /// Throws DbError{kUnique} when another call is open in a room.
+  /// Throws DbError{kUnique} if another call is open in a room.
   void add(std::span<const LiveCall> calls);
-  /// Once. Throws Error{kBadData} when the call is unknown or has ended already.
+  /// Ends a call, once. Throws Error{kBadData} if it is unknown or has ended.
   void end(const LiveCallId& callId, bool cancelled, std::int64_t utc_us);
-  /// Of a cohort, oldest first, cancelled ones too.
+  /// Calls of a cohort, oldest first, including cancelled ones.
   [[nodiscard]] std::vector<LiveCall> calls(const CohortId& cohortId) const;
-  /// In any cohort.
+  /// The open call in a room, of any cohort.
   [[nodiscard]] std::optional<LiveCall> openIn(const std::string& room) const;
 
-  /// Tells whether the case was ever called, cancelled calls apart.
+  /// True if the case was ever called; cancelled calls do not count.
   [[nodiscard]] bool wasCalled(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
-  /// The newest call of each case that a rater is asked about, cancelled calls apart, oldest first.
+  /// The newest call of each case assigned to a rater, without cancelled ones, oldest first.
   [[nodiscard]] std::vector<CallNotice> noticesFor(const RaterId& raterId) const;
 
  private:

@@ -18,44 +18,43 @@
 
 namespace torsio {
 
-/// What the physician's desk keeps beside sheets and marks. One call, one transaction.
+/// What the physician's desk stores besides sheets and marks. Each call is one transaction.
 class DeskRepository {
  public:
   explicit DeskRepository(Connection& connection) : connection_(connection) {}
 
   [[nodiscard]] std::optional<Assignment> assignment(const AssignmentId& assignmentId) const;
   [[nodiscard]] bool isWithdrawn(const AssignmentId& assignmentId) const;
-  /// Everybody's newest mark about one trainee at one occasion, ordered by rater.
+  /// All raters' newest marks of one trainee at one occasion, ordered by rater.
   [[nodiscard]] std::vector<CaseMark> marksOfCase(const EnrolmentId& enrolmentId,
                                                   const std::string& occasionCode) const;
-  /// The rater's assignments about cases on which everybody has committed and more than one was asked, in the
-  /// rater's own order.
+  /// The rater's assignments whose panel of two or more has submitted completely, in the rater's own order.
   [[nodiscard]] std::vector<Assignment> committed(const RaterId& raterId) const;
   /// Length of a trial that has ended, microseconds; empty: unknown trial or still open.
   [[nodiscard]] std::optional<std::int64_t> trialLength_us(const TrialId& trialId) const;
-  /// Hash of what was recorded; empty: unknown trial or still open.
+  /// Hash of the recording; empty: unknown trial or still open.
   [[nodiscard]] std::optional<std::string> contentHash(const TrialId& trialId) const;
 
   void saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing);
   [[nodiscard]] std::optional<SheetViewing> draftViewing(const AssignmentId& assignmentId) const;
-  /// Seals it with the mark and removes the draft's.
+  /// Seals the viewing data with the mark and deletes those of the draft.
   void sealViewing(const AssignmentId& assignmentId, const MarkId& markId, const SheetViewing& viewing);
   /// Working times of a rater's first versions, newest first, at most `limit`.
   [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const RaterId& raterId, std::int64_t limit) const;
 
-  /// Recordings that somebody is or was asked to score, each once.
+  /// Recordings that are or were assigned for scoring, without duplicates.
   [[nodiscard]] std::vector<TrialId> assignedTrials() const;
 
   void addReferenceRuns(std::span<const ReferenceRun> runs);
-  /// Reference runs that raters are given, by position.
+  /// Reference runs in use, by position.
   [[nodiscard]] std::vector<ReferenceRun> referenceRuns() const;
-  /// All reference runs, the withdrawn ones too, by position.
+  /// All reference runs, including withdrawn ones, by position.
   [[nodiscard]] std::vector<ReferenceRun> allReferenceRuns() const;
-  /// Once a run. Throws Error{kDatabase} for a run that is none or is withdrawn already.
+  /// Withdraws a reference run, once. Throws Error{kDatabase} if it is unknown or already withdrawn.
   void withdrawReferenceRun(const ReferenceWithdrawal& withdrawal);
   [[nodiscard]] std::vector<ReferenceWithdrawal> referenceWithdrawals() const;
 
-  /// Empty score: removes the mark from the draft.
+  /// An empty score removes the mark from the draft.
   void saveEvaluationDraft(const CampaignId& campaignId, const RaterId& raterId, const std::string& modelCode,
                            std::int64_t indexNumber, std::optional<std::int64_t> score_steps,
                            std::int64_t utc_us);

@@ -13,7 +13,8 @@
 
 namespace torsio {
 
-/// Decisions about marks that lie apart. Append-only; the newest counts. Each is told of in the audit trail
+/// Decisions about marks that differ strongly. Append-only; the newest counts. Each is recorded in the audit
+/// trail
 /// in the same transaction.
 class DiscrepancyRepository {
  public:
@@ -26,7 +27,7 @@ class DiscrepancyRepository {
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const AssignmentId& assignmentId) const;
   [[nodiscard]] std::optional<DiscrepancyDecision> latest(const AssignmentId& assignmentId) const;
-  /// The newest of every assignment of a cohort, oldest first.
+  /// The newest decision of every assignment of a cohort, oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const CohortId& cohortId) const;
 
  private:

@@ -80,7 +80,7 @@ std::vector<CampaignRater> ratersOf(Connection& connection, const CampaignId& ca
                    });
 }
 
-/// Id, name, scale, time and flag; the parts come from tables of their own.
+/// Reads id, name, scale, time and flag; the parts come from tables of their own.
 Campaign campaignOf(RowReader& row) {
   Campaign campaign;
   campaign.id = row.text();
@@ -108,7 +108,7 @@ ScoreScale scaleOf(Connection& connection, const CampaignId& campaignId) {
               Text::tr("Choose an existing one"));
 }
 
-/// Whether a mark is there already; refuses another one under its id.
+/// True if the mark is already stored; throws for another mark with its id.
 bool isStored(Connection& connection, const CampaignId& campaignId, const EvaluationMark& mark) {
   using Kind = IdempotentColumn::Kind;
   if (!selectFirst(connection, "SELECT id FROM evaluation_mark WHERE id = ?", {mark.id}, readText)) {

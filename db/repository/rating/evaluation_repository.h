@@ -16,7 +16,7 @@
 
 namespace torsio {
 
-/// Eqs. 25 and 26 for one index of one model, with what stands beside them. In points.
+/// Eqs. 25 and 26 for one index of one model, with accompanying statistics. In points.
 struct EvaluationResultRow {
   std::string modelCode{};
   std::int64_t indexNumber = 0;
@@ -47,26 +47,28 @@ struct EvaluationRunRows {
   std::vector<CompositeRow> composites{};
 };
 
-/// Campaigns, their marks and results. One call, one transaction.
+/// Campaigns, their marks and results. Each call is one transaction.
 class EvaluationRepository {
  public:
   /// `station`: for the audit trail.
   explicit EvaluationRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Throws Error (kBadParameter) when the instrument breaks its rules (weights that do not sum to 1).
+  /// Throws Error (kBadParameter) for an invalid instrument (weights that do not sum to 1).
   void addCampaign(const Campaign& campaign);
   /// Id and name, oldest first.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns() const;
   [[nodiscard]] std::optional<Campaign> campaign(const CampaignId& campaignId) const;
 
   /// Seals marks, each with an entry in the audit trail. Throws Error (kBadData) naming rater, model and
-  /// index when a score lies outside the campaign's scale, DbError when a mark exists already or belongs to
-  /// no rater, model or index of the campaign.
+  /// index if a
+  /// score is off the campaign's scale, DbError if a mark already exists or names no rater, model or index of
+  /// the
+  /// campaign.
   void submit(const CampaignId& campaignId, std::span<const EvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
   [[nodiscard]] std::vector<EvaluationMark> marks(const CampaignId& campaignId) const;
-  /// Whether anybody has submitted a mark.
+  /// True if anybody has submitted a mark.
   [[nodiscard]] bool hasMarks(const CampaignId& campaignId) const;
 
   void storeRun(const CampaignId& campaignId, const EvaluationRunRows& run);

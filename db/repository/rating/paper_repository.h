@@ -9,16 +9,16 @@
 
 namespace torsio {
 
-/// Sheets on paper while they are typed in. One call, one transaction.
+/// Paper sheets being typed in. Each call is one transaction.
 class PaperRepository {
  public:
   explicit PaperRepository(Connection& connection) : connection_(connection) {}
 
-  /// Takes the place of what the same person typed before.
+  /// Replaces what the same person typed before.
   void put(const PaperEntry& entry);
-  /// Of one sheet, oldest first.
+  /// Entries of one sheet, oldest first.
   [[nodiscard]] std::vector<PaperEntry> of(const AssignmentId& assignmentId) const;
-  /// Of a cohort, without rows.
+  /// Entries of a cohort, without rows.
   [[nodiscard]] std::vector<PaperEntry> ofCohort(const CohortId& cohortId) const;
   void remove(const AssignmentId& assignmentId);
 

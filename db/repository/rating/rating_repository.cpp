@@ -23,7 +23,7 @@ const std::string kMarkColumns =
     " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
     " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration";
 
-/// Everything but the codes of its people.
+/// Reads a mark without the codes of its people.
 SubmittedMark markOf(RowReader& row) {
   return {.id = row.text(),
           .enrolmentId = row.text(),
@@ -51,8 +51,8 @@ SubmittedMark markWithCodes(RowReader& row) {
   return mark;
 }
 
-/// Names the people of marks and orders these by occasion, group, number, trainee, rater. The lists are
-/// short and asked for once: a join would look each up for every mark.
+/// Adds people's codes to marks and orders these by occasion, group, number, trainee, rater. The lists are
+/// short and read once: a join would look up each code for every mark.
 class MarkedPeople {
  public:
   MarkedPeople(Connection& connection, const CohortId& cohortId)
@@ -123,7 +123,7 @@ class MarkedPeople {
   ByKey<Enrolled> enrolled_;
 };
 
-/// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count.
+/// Throws if a stored mark with this id has other content; the time of submission is ignored.
 void requireSameMark(Connection& connection, const SubmittedMark& mark) {
   using Kind = IdempotentColumn::Kind;
   const std::array<IdempotentColumn, 16> columns{
@@ -157,7 +157,7 @@ void requireSameMark(Connection& connection, const SubmittedMark& mark) {
   }
 }
 
-/// Those that the database does not have yet.
+/// Returns the marks that are not stored yet.
 std::vector<SubmittedMark> newMarks(Connection& connection, std::span<const SubmittedMark> marks) {
   std::vector<SubmittedMark> missing;
   Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");

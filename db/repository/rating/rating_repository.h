@@ -17,7 +17,7 @@
 
 namespace torsio {
 
-/// A trainee's score at one occasion: mean over the raters.
+/// A trainee's score at one occasion: the mean over the raters.
 struct TrainingResultRow {
   EnrolmentId enrolmentId{};
   std::string occasionCode{};
@@ -45,21 +45,21 @@ struct TrainingRunRows {
   std::vector<GroupResultRow> groups{};
 };
 
-/// Marks and results of the training study. One call, one transaction.
+/// Marks and results of the training study. Each call is one transaction.
 class RatingRepository {
  public:
   /// `station`: for the audit trail.
   explicit RatingRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Seals first versions and amendments alike, each with an entry in the audit trail. A mark that is stored
-  /// already under its id with the same content is no error (a retry after a lost answer). Throws DbError:
-  /// kUnique when this version exists (another station was faster: nothing is overwritten) or the id with
-  /// other content, kCheck for a score outside its scale.
+  /// Seals first versions and amendments, each with an entry in the audit trail. Submitting the same mark
+  /// again is no error (a retry after a lost answer). Throws DbError: kUnique if this version exists (another
+  /// station was faster; nothing is overwritten) or the id has other content, kCheck for a score off its
+  /// scale.
   void submit(std::span<const SubmittedMark> marks);
   /// The newest version of every mark of a cohort, ordered by occasion, group, number, rater code.
   [[nodiscard]] std::vector<SubmittedMark> marks(const CohortId& cohortId) const;
-  /// What the sheets behind the marks of a cohort answered for each criterion, by mark, all versions.
+  /// Scores by criterion of the sheets behind a cohort's marks, by mark, all versions.
   [[nodiscard]] std::map<MarkId, std::vector<MarkRow>> criteria(const CohortId& cohortId) const;
   /// All versions of one mark, oldest first.
   [[nodiscard]] std::vector<SubmittedMark> history(const EnrolmentId& enrolmentId, const RaterId& raterId,

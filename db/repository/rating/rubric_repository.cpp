@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// One row a row of the rubric and an anchor of it.
+/// Reads the rows of a rubric joined with their anchors.
 std::vector<RubricLine> rowsOf(Connection& connection, const RubricRevisionId& revisionId) {
   Statement statement = connection.prepare(
       "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point,"

@@ -12,14 +12,14 @@
 
 namespace torsio {
 
-/// Rubrics and their revisions, which are never changed. One call, one transaction.
+/// Rubrics and their immutable revisions. Each call is one transaction.
 class RubricRepository {
  public:
   explicit RubricRepository(Connection& connection) : connection_(connection) {}
 
   void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
                  bool demonstration);
-  /// By name.
+  /// All rubrics, by name.
   [[nodiscard]] std::vector<Rubric> rubrics() const;
   void addRevision(const RubricRevision& revision);
   [[nodiscard]] std::optional<RubricRevision> revision(const RubricRevisionId& revisionId) const;

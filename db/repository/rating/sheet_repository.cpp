@@ -27,7 +27,7 @@ Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId
   return std::move(*found);
 }
 
-/// The beginning of a query for statusOf().
+/// Returns the start of a query for statusOf().
 std::string selectStatus() {
   return selectAssignments(
       ", CASE WHEN " + isAskedFor("a") +
@@ -68,7 +68,7 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
   }
 }
 
-/// A sheet may be sealed when every row of its rubric, and no other, has an answer on its scale.
+/// Throws unless every row of the rubric, and no other, has an answer on its scale.
 void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::string& caseLabel) {
   const std::string where = "case " + caseLabel;
   checkAnswer(sheet.overall_steps, sheet.notAssessableReason, rubric.overall, where + ", overall mark");
@@ -91,7 +91,7 @@ void checkComplete(const Sheet& sheet, const RubricRevision& rubric, const std::
   }
 }
 
-/// Of a mark that is stored already.
+/// Returns the version of a stored mark.
 std::optional<std::int64_t> versionOf(Connection& connection, const MarkId& markId) {
   return selectFirst(connection, "SELECT version FROM training_mark WHERE id = ?", {markId}, readInt64);
 }
@@ -244,7 +244,7 @@ void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& mar
                              const std::string& amendReason, std::int64_t submittedUtc_us) {
   Transaction transaction(connection_);
   const Assignment assignment = assignmentOf(connection_, assignmentId);
-  const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // a retry
+  const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // not empty: a retry
   if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
     throw Error(ErrorCode::kBadData, Text::tr("the sheet was withdrawn"), assignment.caseLabel,
                 Text::tr("Read the queue again"));
@@ -314,7 +314,7 @@ std::optional<std::int64_t> SheetRepository::panelOpenedUtc_us(const EnrolmentId
                 "SELECT MIN(m.submitted_utc_us) FROM training_mark m"
                 " WHERE m.enrolment_id = ? AND m.occasion = ? GROUP BY m.rater_id",
                 {enrolmentId, occasionCode}, readInt64);
-  // Once somebody has decided about a discrepancy the marks stay open, whoever else is asked to rate.
+  // Once a discrepancy has been decided, the marks stay visible even if further raters are assigned.
   const std::vector<std::int64_t> decided = selectAll(
       connection_,
       "SELECT d.decided_utc_us FROM alignment_decision d JOIN assignment a ON a.id = d.assignment_id"

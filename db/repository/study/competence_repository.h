@@ -9,15 +9,15 @@
 
 namespace torsio {
 
-/// Registered competence designs. They are only added to, and never change.
+/// Registered competence designs. Append-only.
 class CompetenceRepository {
  public:
   explicit CompetenceRepository(Connection& connection) : connection_(connection) {}
 
-  /// Stores `design` as the next version of its module and returns it with that number. Throws DbError when
-  /// there is no such module.
+  /// Stores `design` as the next version of its module and returns it with its number. Throws DbError if the
+  /// module does not exist.
   CompetenceDesign add(CompetenceDesign design);
-  /// Reads the designs of a module, oldest first.
+  /// Returns the designs of a module, oldest first.
   [[nodiscard]] std::vector<CompetenceDesign> ofModule(const ModuleId& moduleId) const;
 
  private:

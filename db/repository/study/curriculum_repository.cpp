@@ -20,7 +20,7 @@ const TrainingModule* moduleWithId(const CurriculumVersion& version, const std::
   return found == version.modules.end() ? nullptr : &*found;
 }
 
-/// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
+/// Repeatedly removes modules without remaining prerequisites; whatever stays is part of a cycle.
 void checkPrerequisites(const CurriculumVersion& version) {
   std::map<ModuleId, std::vector<ModuleId>> open;
   for (const TrainingModule& module : version.modules) {
@@ -193,8 +193,7 @@ std::int64_t CurriculumRepository::saveDraft(const CurriculumId& curriculumId,
                                              const CurriculumDraftRow& draft) {
   Transaction transaction(connection_);
   const std::int64_t next = draft.revision + 1;
-  // Inserting revision 1 twice, or updating a revision that has moved on, changes no row: somebody was
-  // faster.
+  // No row changes if revision 1 is inserted twice or the revision has moved on: somebody saved in between.
   const std::int64_t changed =
       draft.revision == 0
           ? connection_.execute(

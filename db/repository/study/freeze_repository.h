@@ -13,18 +13,18 @@
 
 namespace torsio {
 
-/// Frozen data sets. Each is told of in the audit trail in the same transaction.
+/// Frozen data sets. Each is recorded in the audit trail in the same transaction.
 class FreezeRepository {
  public:
   /// `station`: for the audit trail.
   explicit FreezeRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Stores a frozen data set; storing it once more is no error. Throws DbError (kUnique) when the name is
-  /// taken or the id has other content.
+  /// Stores a frozen data set; storing it again is no error. Throws DbError (kUnique) if the name is taken or
+  /// the id has other content.
   void add(const DataFreeze& freeze);
   [[nodiscard]] std::optional<DataFreeze> findByName(const std::string& name) const;
-  /// Of one cohort, oldest first.
+  /// Frozen data sets of a cohort, oldest first.
   [[nodiscard]] std::vector<DataFreeze> list(const CohortId& cohortId) const;
 
  private:

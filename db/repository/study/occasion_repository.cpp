@@ -35,7 +35,7 @@ bool OccasionRepository::cameFromElsewhere(const CohortId& cohortId) const {
 std::set<std::string> OccasionRepository::usedBy(const CohortId& cohortId) const {
   const std::vector<std::string> codes =
       selectAll(connection_,
-                // The first sheet or mark of each occasion is enough: a large study has a hundred thousand.
+                // The first sheet or mark of each occasion is enough; a large study has a hundred thousand.
                 "SELECT s.code FROM occasion s WHERE"
                 " EXISTS (SELECT 1 FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id"
                 " WHERE e.cohort_id = ? AND a.occasion = s.code)"

@@ -10,19 +10,19 @@
 
 namespace torsio {
 
-/// The occasions that the record knows, and which of them a cohort uses. One call, one transaction.
+/// All occasions, and which of them a cohort uses. Each call is one transaction.
 class OccasionRepository {
  public:
   explicit OccasionRepository(Connection& connection) : connection_(connection) {}
 
-  /// Lists all occasions in order of time, without times of exposure: those belong to curricula.
+  /// Returns all occasions in chronological order, without training times: those belong to curricula.
   [[nodiscard]] Occasions all() const;
-  /// Adds an occasion after all others. Throws DbError{kUnique} when the code is taken.
+  /// Adds an occasion as the last one. Throws DbError{kUnique} if the code is taken.
   void add(const Occasion& occasion);
-  /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
+  /// Returns the codes of occasions with marks or assignments in a cohort.
   [[nodiscard]] std::set<std::string> usedBy(const CohortId& cohortId) const;
-  /// Tells whether a cohort was imported with recordings of other equipment (sim/core/foreign_recording.h);
-  /// those of a tracker belong to a phase of its own curriculum.
+  /// True if a cohort was imported with foreign recordings (sim/core/foreign_recording.h); a tracker's
+  /// recordings belong to a phase of their own curriculum.
   [[nodiscard]] bool cameFromElsewhere(const CohortId& cohortId) const;
 
  private:

@@ -11,16 +11,16 @@
 
 namespace torsio {
 
-/// The plan of the days. One call, one transaction.
+/// Appointments. Each call is one transaction.
 class SlotRepository {
  public:
   explicit SlotRepository(Connection& connection) : connection_(connection) {}
 
   void add(std::span<const DaySlot> slots);
   void remove(const DaySlotId& slotId);
-  /// Somebody else comes in this slot.
+  /// Gives a slot to another trainee.
   void give(const DaySlotId& slotId, const EnrolmentId& enrolmentId);
-  /// Of a cohort (empty: of all), those that touch [from, to), by start and place.
+  /// Slots of a cohort (empty: of all) that overlap [from, to), by start and place.
   [[nodiscard]] std::vector<DaySlot> between(const CohortId& cohortId, std::int64_t fromUtc_us,
                                              std::int64_t toUtc_us) const;
 

@@ -9,7 +9,7 @@ namespace torsio {
 
 namespace {
 
-/// Each: the ids of one kind of thing and what they are called; ends where a condition on `x.id` follows.
+/// One query per kind of object for its display text; a condition on `x.id` is appended.
 constexpr std::array kSubjects{
     "SELECT x.id, x.code FROM person x WHERE x.id",
     "SELECT x.id, x.login FROM app_user x WHERE x.id",
@@ -32,7 +32,7 @@ constexpr std::array kSubjects{
     "SELECT x.id, p.code FROM evaluation_mark x JOIN person p ON p.id = x.rater_id WHERE x.id",
     "SELECT x.id, p.code FROM rater_warmup x JOIN person p ON p.id = x.rater_id WHERE x.id",
     "SELECT x.id, p.code FROM trial_remark x JOIN trial t ON t.id = x.trial_id"
-    " JOIN person p ON p.id = t.trainee_id WHERE x.id",  // questions bear the id of their remark
+    " JOIN person p ON p.id = t.trainee_id WHERE x.id",  // a question has the id of its remark
     "SELECT x.id, p.code FROM duty_request x JOIN person p ON p.id = x.subject WHERE x.id",
     "SELECT x.id, u.login FROM duty_request x JOIN app_user u ON u.id = x.subject WHERE x.id",
     "SELECT x.id, c.name FROM allocation_design x JOIN cohort c ON c.id = x.cohort_id WHERE x.id",

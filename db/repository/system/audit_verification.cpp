@@ -46,15 +46,15 @@ void checkChain(Connection& connection, SealVerification& seals, std::vector<Aud
   });
 }
 
-/// The gate of an erase is open within its transaction only.
+/// Reports a committed row in erasure_gate: the gate may be open only within the transaction of an erase.
 void checkGate(Connection& connection, std::vector<AuditFinding>& findings) {
   for (const std::string& id : selectAll(connection, "SELECT id FROM erasure_gate", {}, readText)) {
     findings.push_back({0, "erasure_gate", id, "is open: sealed rows can be changed"});
   }
 }
 
-/// SQLite keeps any kind of value in any column, and a text of bytes reads as a text. Rows with a hash of
-/// their own tell; the others must hold what their columns say.
+/// Reports values of the wrong type: SQLite accepts any type in any column, and bytes read as text. Rows with
+/// a hash of their own are checked by it.
 void checkKinds(Connection& connection, std::vector<AuditFinding>& findings) {
   if (connection.engine() != Engine::kSqlite) {
     return;
@@ -82,7 +82,7 @@ void checkKinds(Connection& connection, std::vector<AuditFinding>& findings) {
   }
 }
 
-/// Ids of trials that have ended, with their trainee (empty: nobody's).
+/// An ended trial and its trainee (empty: none).
 struct EndedTrial {
   std::string id;
   std::string traineeId;

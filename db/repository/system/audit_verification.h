@@ -11,12 +11,12 @@
 
 namespace torsio {
 
-/// Hears how far verifyAuditTrail() is: recordings read, of all. May throw to give up.
+/// Receives the progress of verifyAuditTrail(): recordings read, and their total. May throw to cancel.
 using VerifyProgress = std::function<void(std::int64_t done, std::int64_t all)>;
 
-/// Walks the whole chain of the audit trail, then compares every sealed mark and trial with its row, and
-/// looks for rows that no entry tells of. Trials are decoded down to their chunk digests. Empty: nothing was
-/// tampered with. Throws Error (kPermission: requireEveryRow()), DbError.
+/// Verifies the chain of the audit trail, compares every sealed mark and trial with its row, and looks for
+/// rows without an entry. Trials are decoded and checked chunk by chunk. Empty: no tampering was found.
+/// Throws Error (kPermission: requireEveryRow()), DbError.
 [[nodiscard]] std::vector<AuditFinding> verifyAuditTrail(Connection& connection,
                                                          const VerifyProgress& progress = {});
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kNone = "FALSE";
 constexpr const char* kFlag = "demonstration";
-/// What a station shows now belongs to the station, not to the trial.
+/// The current display of a station belongs to the station, not to the trial.
 constexpr const char* kStations = "station_state";
 
 using Conditions = std::map<std::string, std::string>;
@@ -28,7 +28,7 @@ std::string listOf(const std::vector<std::string>& columns) {
   return "(" + list + ")";
 }
 
-/// Rows that name a row of the parent on which `condition` holds.
+/// Returns the condition for rows that refer to a parent row satisfying `condition`.
 std::string refersTo(const TableReference& reference, const std::string& condition) {
   const std::string parents = listOf(reference.parentColumns);
   return listOf(reference.columns) + " IN (SELECT " + parents.substr(1, parents.size() - 2) + " FROM " +
@@ -61,7 +61,7 @@ std::int64_t countOf(Connection& connection, const std::string& table, const std
       .value_or(0);
 }
 
-/// A real row that uses a simulated one, so that the latter cannot go.
+/// A real row that refers to a simulated one, which therefore cannot be removed.
 struct DemonstrationUse {
   std::string table;  // of the real rows
   std::string used;   // table of the simulated ones
@@ -103,7 +103,7 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
       connection.location(), Text::tr("Finish or move what uses them first; nothing was removed"));
 }
 
-/// A station of a prepared server may add rows and remove none.
+/// Throws on a station of a prepared server, which may add rows but not remove any.
 void requireOwner(Connection& connection) {
   if (connection.engine() != Engine::kPostgresql ||
       selectFirst(connection, "SELECT has_table_privilege('trial', 'DELETE')", {}, readBoolean)

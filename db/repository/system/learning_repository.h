@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// What an entry of the outbox tells of; empty texts where it has none.
+/// Data of an outbox entry's event; empty texts where not applicable.
 struct LearningFacts {
   EnrolmentId enrolmentId{};
   CohortId cohortId{};
@@ -27,31 +27,31 @@ class LearningRepository {
  public:
   explicit LearningRepository(Connection& connection) : connection_(connection) {}
 
-  /// Reads what waits and may be tried now, in the order in which it happened; at most `limit`.
+  /// Returns pending entries that may be sent now, oldest event first; at most `limit`.
   [[nodiscard]] std::vector<LearningEvent> due(std::int64_t now_us, std::int64_t limit) const;
-  /// Takes a waiting entry as it was read, so that no other station sends it before `until_us`. False:
+  /// Claims a pending entry as read, so that no other station sends it before `until_us`. Returns false if
   /// another one was faster.
   [[nodiscard]] bool claim(const LearningEvent& event, std::int64_t until_us);
-  /// Keeps the text that is sent; where one is kept already it stays. Returns the one that is kept.
+  /// Stores the statement to be sent unless there is one already. Returns the stored one.
   [[nodiscard]] std::string keepStatement(const LearningEvent& event, const std::string& statement);
-  /// Reads what an entry tells of; empty: it is gone.
+  /// Returns the data of an entry's event; empty: it no longer exists.
   [[nodiscard]] std::optional<LearningFacts> facts(const LearningEvent& event) const;
-  /// What came of a try.
+  /// Record the outcome of an attempt: delivered, refused for good, or to be retried at `nextTry_us`.
   void setDelivered(const LearningEvent& event, const std::string& answer, std::int64_t now_us);
   void setDead(const LearningEvent& event, const std::string& answer, std::int64_t now_us);
   void setLater(const LearningEvent& event, const std::string& answer, std::int64_t now_us,
                 std::int64_t nextTry_us);
-  /// There is nothing to tell.
+  /// Removes an entry whose event no longer exists.
   void forget(const LearningEvent& event);
 
   [[nodiscard]] LearningEventCounts counts() const;
-  /// Reads entries in a state, those answered last first; at most `limit`.
+  /// Returns entries in a state, most recently answered first; at most `limit`.
   [[nodiscard]] std::vector<LearningEvent> inState(LearningEventState state, std::int64_t limit) const;
-  /// Reads the newest answer to what waits; empty: nothing that waits was tried.
+  /// Returns the newest answer to a pending entry; empty: none was tried.
   [[nodiscard]] std::string newestTrouble() const;
-  /// Lets everything that waits or was refused for good be tried at once. Returns how many had been refused.
+  /// Makes all pending and permanently refused entries due now. Returns how many had been refused.
   std::int64_t retryAll();
-  /// Gives up what was refused for good. Returns how many.
+  /// Drops permanently refused entries. Returns their number.
   std::int64_t dropDead();
 
  private:

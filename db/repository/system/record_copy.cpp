@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-/// Filled by the migrations themselves: rows here do not make a record a used one.
+/// Filled by migrations: rows here do not make a record nonempty.
 constexpr std::array<std::string_view, 3> kSeeded{"role", "operation", "role_operation"};
 constexpr std::int64_t kRowsPerProgress = 500;
 
@@ -34,7 +34,7 @@ std::vector<std::string> schemaSteps(Connection& connection) {
   return selectAll(connection, "SELECT checksum FROM schema_migration ORDER BY version", {}, readText);
 }
 
-/// A table with rows of a used record; empty: none.
+/// Returns a table with rows beyond the migrations'; empty: none.
 std::string usedTable(Connection& connection, const std::vector<SchemaTable>& tables) {
   for (const SchemaTable& table : tables) {
     if (!isSeeded(table.name) && countOf(connection, table.name) > 0) {
@@ -103,7 +103,7 @@ VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
   return [&progress, phase](std::int64_t done, std::int64_t all) { progress({phase, {}, done, all}); };
 }
 
-/// `rows`: of all tables; both sides are read.
+/// `rows`: total over all tables, both sides.
 void compareTables(Connection& from, Connection& to, const std::vector<SchemaTable>& tables,
                    std::int64_t rows, CopyReport& report, const CopyProgress& progress) {
   std::int64_t done = 0;
@@ -129,7 +129,7 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   requireFit(from, to, tables);
   Transaction reading(from);
   if (from.engine() == Engine::kPostgresql) {
-    from.executeVerbatim("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");  // one moment for all tables
+    from.executeVerbatim("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");  // one snapshot of all tables
   }
   const std::vector<AuditFinding> findings =
       verifyAuditTrail(from, verifyProgress(progress, CopyPhase::kVerifying));
@@ -145,7 +145,7 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
 
   const UnsealedCopy bringsItsSeals(to);
   Transaction writing(to);
-  requireFit(from, to, tables);  // again, now that nobody else can write in between
+  requireFit(from, to, tables);  // again, now that nobody else can write
   clearSeeds(to, tables);
   CopyReport report;
   for (const SchemaTable& table : tables) {

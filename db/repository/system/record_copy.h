@@ -12,34 +12,34 @@ namespace torsio {
 
 class Connection;
 
-/// What a copy does, in its order.
+/// Phases of a copy, in order.
 enum class CopyPhase { kVerifying, kCopying, kComparing, kVerifyingCopy };
 
-/// How far a copy is.
+/// Progress of a copy.
 struct CopyStep {
   CopyPhase phase = CopyPhase::kVerifying;
   std::string table{};    ///< while copying and comparing
-  std::int64_t done = 0;  ///< of this phase: recordings while verifying, else rows
+  std::int64_t done = 0;  ///< in this phase: recordings while verifying, otherwise rows
   std::int64_t all = 0;
 };
-/// Hears how far a copy is; may throw to give up, then nothing is kept.
+/// Receives the progress of a copy; may throw to cancel and roll back.
 using CopyProgress = std::function<void(const CopyStep& step)>;
 
-/// Whether nothing was ever stored there but what the migrations brought. The schema must be there.
+/// True if the record holds nothing but the migrations' rows. Requires the schema.
 [[nodiscard]] bool isEmptyRecord(Connection& connection);
 
-/// What a copy has moved and compared.
+/// Result of a copy.
 struct CopyReport {
-  std::vector<TableDigest> tables;  ///< parents first; the same on both sides
+  std::vector<TableDigest> tables;  ///< parents first; identical on both sides
   std::int64_t rows = 0;
   std::int64_t auditEntries = 0;
 };
 
-/// Copies every row of `from` into the empty record `to`, whatever engine each is: as it was at one moment,
-/// parents before their children, in one transaction. Before that is kept, count and hash of every table are
-/// compared on both sides and the audit trail of `to` is verified. Both have the newest schema (openRecord).
-/// Throws Error: kBadData when `to` is not empty, the schemas differ, or the trail of `from` itself does not
-/// verify; kVerifyFailed when the copy is not what was copied. Then `to` is as before.
+/// Copies every row of `from` into the empty record `to`, across engines: a snapshot, parents before
+/// children, in one transaction. Before the commit, count and hash of every table are compared and the audit
+/// trail of `to` is verified. Both must have the newest schema (openRecord). Throws Error: kBadData if `to`
+/// is not empty, the schemas differ, or the trail of `from` does not verify; kVerifyFailed if the copy
+/// differs. `to` is then unchanged.
 [[nodiscard]] CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& progress = {});
 
 }  // namespace torsio

@@ -120,7 +120,7 @@ std::vector<SchemaTable> tablesInReferenceOrder(Connection& connection) {
         return part.parent == table.name || placed.contains(part.parent);
       });
     });
-    TORSIO_EXPECTS(next != waiting.end());  // no two tables of the schema refer to each other
+    TORSIO_EXPECTS(next != waiting.end());  // the schema has no cyclic references
     placed.insert(next->name);
     ordered.push_back(std::move(*next));
     waiting.erase(next);

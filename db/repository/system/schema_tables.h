@@ -13,39 +13,38 @@ class Statement;
 
 struct TableColumn {
   std::string name;
-  bool boolean = false;  ///< SQLite gives such a value back as 0 or 1
+  bool boolean = false;  ///< SQLite returns such a value as 0 or 1
 };
 
-/// Columns of a table that name a row of another one.
+/// Columns of a table that refer to another one.
 struct TableReference {
   std::vector<std::string> columns;
   std::string parent;
   std::vector<std::string> parentColumns;
 };
 
-/// A table as the engine describes it.
+/// A table as described by the engine.
 struct SchemaTable {
   std::string name;
   std::vector<TableColumn> columns;
-  /// By the position of their first column: the first one says to what a row belongs.
+  /// By the position of their first column; the first one is the parent.
   std::vector<TableReference> references;
 
   [[nodiscard]] bool has(const std::string& column) const;
-  /// "a, b, c"
+  /// Returns "a, b, c".
   [[nodiscard]] std::string columnList() const;
 };
 
-/// The tables of a record but schema_migration, parents before their children, else by name. A table that
-/// refers to itself stands where its other references put it.
+/// Returns the tables of a record except schema_migration, parents before children, otherwise by name.
+/// References to the same table are ignored.
 [[nodiscard]] std::vector<SchemaTable> tablesInReferenceOrder(Connection& connection);
 
-/// Calls `read` for every row of a table, in no particular order, with its columns in the order of
-/// `table.columns`. Never holds more than some hundred rows in memory. `where`: " WHERE ..." or empty. Inside
-/// a transaction only.
+/// Calls `read` for every row of a table, unordered, with columns as in `table.columns`, fetching some
+/// hundred rows at a time. `where`: " WHERE ..." or empty. Inside a transaction only.
 void forEachRow(Connection& connection, const SchemaTable& table, const std::string& where,
                 const std::function<void(const Statement&)>& read);
 
-/// How many rows a table has, and a hash over them that does not depend on the engine or on their order.
+/// Number of rows of a table, and a hash of them that is independent of engine and order.
 struct TableDigest {
   std::string table;
   std::int64_t rows = 0;
@@ -53,7 +52,7 @@ struct TableDigest {
   friend bool operator==(const TableDigest&, const TableDigest&) = default;
 };
 
-/// Inside a transaction only. `step` is called after every row.
+/// Computes the digest of a table inside a transaction; `step` is called after every row.
 [[nodiscard]] TableDigest digestOf(Connection& connection, const SchemaTable& table,
                                    const std::string& where = {}, const std::function<void()>& step = {});
 

@@ -69,7 +69,7 @@ void SealVerification::compareRows() {
       compareTable(rule);
     } catch (const DbError&) {
       throw;
-    } catch (const Error& error) {  // its columns are not those of this version
+    } catch (const Error& error) {  // the columns differ from this version's
       findings_.push_back({0, "schema", error.where(), error.happened()});
     }
   }
@@ -148,7 +148,7 @@ void SealVerification::apply(const SealEntry& entry, const RowSeal& seal) {
 }
 
 void SealVerification::requireGenuine(const SealEntry& entry, const RowSeal& seal, const Last& before) {
-  if (before.removed) {  // simulated rows that came again
+  if (before.removed) {  // simulated rows that were added again
     return;
   }
   if (seal.removed) {
@@ -188,7 +188,7 @@ bool SealVerification::concernsErased(const SealEntry& entry, const RowSeal& sea
     if (first) {
       const auto marks = std::count(rule->condition.begin(), rule->condition.end(), '?');
       const std::vector<Value> values(static_cast<std::size_t>(marks), Value(person));
-      std::string key;  // as SealShape::keyOf() writes it
+      std::string key;  // see SealShape::keyOf()
       for (const std::string& column : columnsOf(sealRuleOf(seal.table)->key)) {
         key += (key.empty() ? "CAST(" : " || '/' || CAST(") + column + " AS TEXT)";
       }

@@ -14,8 +14,8 @@
 
 namespace torsio {
 
-/// Walks the seals of the rows along the audit trail, and then compares the rows with them. take() hears
-/// every entry of the chain, oldest first; then compareRows(). Inside a transaction, in its thread.
+/// Replays the row seals along the audit trail, then compares the rows with them. Call take() with every
+/// entry of the chain, oldest first, then compareRows(), inside one transaction.
 class SealVerification {
  public:
   SealVerification(Connection& connection, std::vector<AuditFinding>& findings)
@@ -24,24 +24,25 @@ class SealVerification {
   void take(const AuditEntry& entry);
   /// Reads all seals and all rows. Throws DbError.
   void compareRows();
-  /// People whose erase stands in the trail, with its tombstone: their recordings are gone with reason.
+  /// Returns the people whose erase is in the trail with its tombstone: their recordings are missing
+  /// legitimately.
   [[nodiscard]] const std::set<std::string>& erased() const { return erased_; }
 
  private:
-  /// What an entry that seals nothing tells.
+  /// An entry that seals nothing.
   struct Act {
     std::string actor;
     std::string erased{};  // person
     bool removesDemonstration = false;
   };
-  /// An entry that seals rows, with what its transaction did besides.
+  /// An entry that seals rows, with the other entries of its transaction.
   struct SealEntry {
     std::int64_t sequence = 0;
     std::string hash{};
     std::set<std::string> erasedPeople{};
     bool removesDemonstration = false;
   };
-  /// What the newest seal of a row says.
+  /// The newest seal of a row.
   struct Last {
     std::string rowHash{};
     std::string personalHash{};
@@ -55,7 +56,7 @@ class SealVerification {
   void readSeals();
   void apply(const SealEntry& entry, const RowSeal& seal);
   void requireGenuine(const SealEntry& entry, const RowSeal& seal, const Last& before);
-  /// Whether the rows of a table say that they are simulated.
+  /// True if the table has a demonstration flag.
   [[nodiscard]] bool hasFlag(const std::string& table);
   [[nodiscard]] bool concernsErased(const SealEntry& entry, const RowSeal& seal);
   void readSchemaRows();

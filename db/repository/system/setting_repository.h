@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-/// Named choices of the centre ("language", "idle_lock_s"), the same for all its stations.
+/// Settings of the centre by name ("language", "idle_lock_s"), common to its stations.
 class SettingRepository {
  public:
   explicit SettingRepository(Connection& connection) : connection_(connection) {}

@@ -15,21 +15,20 @@
 
 namespace torsio {
 
-/// Digests of recordings. Append-only: another version of the formulas or other rules add a row.
+/// Digests of recordings. Append-only: other formulas or rules add a row.
 class DigestRepository {
  public:
   explicit DigestRepository(Connection& connection) : connection_(connection) {}
 
-  /// Stores digests in one transaction. What is there already with the same trial, version and rules is left
-  /// as it is. Throws DbError (kForeignKey) when there is no such trial.
+  /// Stores digests in one transaction; existing ones of the same trial, version and rules are left alone.
+  /// Throws DbError (kForeignKey) if a trial does not exist.
   void add(std::span<const TrialDigest> digests);
-  /// Reads those of the trials of a cohort, with this version of the formulas, by trial; several where rules
-  /// differ.
+  /// Returns the digests of a cohort's trials with this formula version, by trial; several if rules differ.
   [[nodiscard]] std::multimap<std::string, TrialDigest> ofCohort(const CohortId& cohortId,
                                                                  std::int64_t formulaVersion) const;
-  /// Reads those of one trial, with this version of the formulas; several where rules differ.
+  /// Returns the digests of one trial with this formula version; several if rules differ.
   [[nodiscard]] std::vector<TrialDigest> ofTrial(const TrialId& trialId, std::int64_t formulaVersion) const;
-  /// Reads those of one trial that versions of the formulas before `formulaVersion` made, newest first.
+  /// Returns the digests of one trial with older formula versions, newest first.
   [[nodiscard]] std::vector<TrialDigest> olderOfTrial(const TrialId& trialId,
                                                       std::int64_t formulaVersion) const;
 

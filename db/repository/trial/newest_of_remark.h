@@ -5,7 +5,7 @@
 
 namespace torsio {
 
-/// SQL: a column of the newest revision of a row of trial_remark, and `otherwise` when it was never edited.
+/// SQL for a column of a remark's newest revision, or `otherwise` if it was never edited.
 [[nodiscard]] inline std::string newestOfRemark(const std::string& remark, const std::string& column,
                                                 const std::string& otherwise) {
   return "COALESCE((SELECT r." + column + " FROM remark_revision r WHERE r.remark_id = " + remark +

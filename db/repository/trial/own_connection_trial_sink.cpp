@@ -13,8 +13,8 @@ namespace torsio {
 
 namespace {
 
-// The recorder's ring holds eight seconds. A server that hangs must be given up before it is full: two
-// seconds to connect, three until a cable that was pulled counts as pulled, four for one statement.
+// The recorder's ring holds eight seconds, so a hanging server must be given up before it is full: two
+// seconds to connect, three to detect a pulled cable, four per statement.
 constexpr int kPatience_ms = 2000;
 constexpr const char* kStatementLimit = "SET statement_timeout = 4000";
 

@@ -17,17 +17,16 @@ class QuestionRepository {
  public:
   explicit QuestionRepository(Connection& connection) : connection_(connection) {}
 
-  /// The bookmark must be stored. Throws DbError: kForeignKey, kUnique when it was sent before.
+  /// The bookmark must be stored. Throws DbError: kForeignKey, kUnique if it was already sent.
   void add(const TraineeQuestion& question);
   [[nodiscard]] std::optional<TraineeQuestion> find(const RemarkId& remarkId) const;
-  /// By moment.
+  /// Questions about a trial, by moment.
   [[nodiscard]] std::vector<TraineeQuestion> ofTrial(const TrialId& trialId) const;
-  /// What waits first, oldest first; then what was answered, newest first.
+  /// Unanswered questions first, oldest first; then answered ones, newest first.
   [[nodiscard]] std::vector<TraineeQuestion> toRater(const RaterId& raterId) const;
-  /// Whom this person asked last; empty: nobody yet.
+  /// Id of the rater whom this person asked last; empty: none.
   [[nodiscard]] std::string lastAsked(const PersonId& personId) const;
-  /// Whether the trial is or was given to raters to be scored, or is their reference: then names are kept
-  /// out.
+  /// True if the trial is or was assigned for scoring, or is a reference run: names must then be hidden.
   [[nodiscard]] bool isScored(const TrialId& trialId) const;
 
  private:

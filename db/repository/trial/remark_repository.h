@@ -16,31 +16,31 @@
 
 namespace torsio {
 
-/// Bookmarks, remarks and replies at times of a trial, who has read them; self-scores and calibration scores.
-/// One call, one transaction. Whatever is added twice with the same content is stored once; the same id with
-/// other content is refused with DbError (kUnique).
+/// Bookmarks, remarks and replies at moments of a trial, with read receipts; self-scores and calibration
+/// scores. Each call is one transaction. Adding the same content twice stores it once; an existing id with
+/// other content throws DbError (kUnique).
 class RemarkRepository {
  public:
   explicit RemarkRepository(Connection& connection) : connection_(connection) {}
 
-  /// Throws DbError: kForeignKey when the trial or the remark that is answered does not exist, kCheck when
-  /// only one of purpose "reply" and replyTo is given.
+  /// Throws DbError: kForeignKey if the trial or the answered remark does not exist, kCheck if only one of
+  /// purpose "reply" and replyTo is given.
   void add(const Remark& remark);
   [[nodiscard]] std::optional<Remark> find(const RemarkId& remarkId) const;
-  /// By time in the trial, then by when they were written.
+  /// By time in the trial, then by time of writing.
   [[nodiscard]] std::vector<Remark> remarks(const TrialId& trialId) const;
-  /// Throws DbError (kUnique) when somebody else's window has stored this version with other words.
+  /// Throws DbError (kUnique) if this version was stored elsewhere with other text.
   void revise(const RemarkRevision& revision);
-  /// What was written before the newest words, oldest first, of the edited remarks of a trial.
+  /// Superseded texts of the edited remarks of a trial, oldest first.
   [[nodiscard]] std::map<RemarkId, std::vector<RemarkWording>> earlierWordings(const TrialId& trialId) const;
-  /// The first reading of a version counts; later ones change nothing.
+  /// The first read of a version counts; later ones are ignored.
   void markRead(const ReadReceipt& receipt);
   [[nodiscard]] std::vector<ReadReceipt> receipts(const TrialId& trialId) const;
-  /// Remarks and replies of others on this trainee's trials whose newest words `reader` has not read, oldest
+  /// Remarks and replies by others on this trainee's trials whose newest text `reader` has not read, oldest
   /// first.
   [[nodiscard]] std::vector<Remark> unreadOnTrialsOf(const TraineeId& traineeId,
                                                      const std::string& reader) const;
-  /// Replies of others to remarks of `author` whose newest words `author` has not read, oldest first.
+  /// Replies by others to remarks of `author` whose newest text `author` has not read, oldest first.
   [[nodiscard]] std::vector<Remark> unreadReplies(const std::string& author) const;
 
   void addSelfScore(const SelfScore& score);
@@ -48,7 +48,7 @@ class RemarkRepository {
   [[nodiscard]] std::vector<SelfScore> selfScores(const TrialId& trialId) const;
 
   void addCalibrationScore(const CalibrationScore& score);
-  /// Of one rater, oldest first.
+  /// Calibration scores of one rater, oldest first.
   [[nodiscard]] std::vector<CalibrationScore> calibrationScores(const RaterId& raterId) const;
 
  private:

@@ -9,15 +9,14 @@
 
 namespace torsio {
 
-/// The columns of trial_end that say how the machine kept the servo's time, of the table `alias`, as
-/// servoHealthOf() reads them.
+/// Columns of trial_end (as `alias`) about the timing of the servo, in the order of servoHealthOf().
 inline std::string servoHealthColumns(const std::string& alias) {
   return alias + ".real_time_priority, " + alias + ".memory_locked, " + alias + ".skipped_ticks, " + alias +
          ".force_cuts";
 }
 inline constexpr int kServoHealthColumns = 4;
 
-/// Empty of a trial that did not run in real time, or has no closing row.
+/// Empty for a trial that did not run in real time or has no closing row.
 inline std::optional<ServoHealth> servoHealthOf(RowReader& row) {
   if (row.nextIsNull()) {
     row.skip(kServoHealthColumns);

@@ -11,16 +11,16 @@
 
 namespace torsio {
 
-/// Signs of life of all stations: who records what where, for the board and for whoever wants to take over.
+/// Heartbeats of all stations: what they record, for the board and for taking over a station.
 class StationRepository {
  public:
   explicit StationRepository(Connection& connection) : connection_(connection) {}
 
-  /// Writes or overwrites the row of one station. Throws DbError (kForeignKey) when there is no such trial.
+  /// Adds or replaces the row of a station. Throws DbError (kForeignKey) if the trial does not exist.
   void heartbeat(const StationState& state);
-  /// The station is closed down in good order.
+  /// Records that the station was shut down properly.
   void leave(const std::string& station);
-  /// All, by name.
+  /// All stations, by name.
   [[nodiscard]] std::vector<StationState> board() const;
 
  private:

@@ -40,7 +40,7 @@ const std::string kSelectHeader =
     " t.started_utc_us, t.demonstration, t.tissue_model"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id";
 
-/// What nothing answered has no model.
+/// Foreign recordings have no model.
 TissueModel modelOf(const std::string& stored) {
   return stored.empty() ? TissueModel::kTwist : tissueModelOf(stored);
 }
@@ -74,7 +74,7 @@ TrialHeader headerOf(RowReader& row) {
           .model = modelOf(row.text())};
 }
 
-/// The closing row `e` of a trial, as summaryOf() reads it.
+/// Columns of the closing row `e` of a trial, in the order of summaryOf().
 const std::string kSummaryColumns =
     "e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash, " + servoHealthColumns("e");
 constexpr int kSummaryColumnCount = 5 + kServoHealthColumns;
@@ -88,7 +88,7 @@ TrialSummary summaryOf(RowReader& row) {
           .health = servoHealthOf(row)};
 }
 
-/// Empty for a trial without its closing row.
+/// Empty for a trial without a closing row.
 std::optional<TrialSummary> maybeSummaryOf(RowReader& row) {
   if (row.nextIsNull()) {
     row.skip(kSummaryColumnCount);
@@ -186,7 +186,7 @@ std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind k
           {"host_gpu", textOrNull(context.host.gpu), kind}};
 }
 
-/// " IN (?,?,?)"
+/// Returns " IN (?,?,?)".
 std::string among(std::size_t values) {
   std::string list = " IN (?";
   for (std::size_t i = 1; i < values; ++i) {
@@ -195,7 +195,7 @@ std::string among(std::size_t values) {
   return list + ")";
 }
 
-/// One of the trials that were read; throws Error (kBadData) when it is not there.
+/// Takes a trial out of the map; throws Error (kBadData) if it is missing.
 Trial taken(std::map<TrialId, Trial>& trials, const TrialId& trialId) {
   const auto found = trials.find(trialId);
   if (found == trials.end() || found->second.header.trialId != trialId) {
@@ -257,7 +257,7 @@ void TrialRepository::finish(const TrialSummary& summary) {
 void TrialRepository::import(const Trial& trial) {
   verifyContent(trial);
   Transaction transaction(connection_);
-  insertTrial(trial.header, false);  // a file does not know for what it was recorded
+  insertTrial(trial.header, false);  // a file does not contain the context of its recording
   for (const TrialChunk& chunk : trial.chunks) {
     insertChunk(connection_, trial.header.trialId, chunk);
   }
@@ -283,7 +283,7 @@ void TrialRepository::end(const TrialId& trialId, const std::string& station, co
        {"ended_utc_us", now_us, Kind::kIgnored}}};
   if (insertIdempotent(connection_, "trial_end", columns, "the end of trial " + trialId) ==
       Inserted::kThereAlready) {
-    transaction.commit();  // its entry in the audit trail came in the same transaction
+    transaction.commit();  // the audit entry is part of the same transaction
     return;
   }
   NewAuditEntry entry{.atUtc_us = now_us,
@@ -415,7 +415,7 @@ std::vector<Trial> TrialLoader::load(std::span<const TrialId> trialIds) {
     many_.emplace(connection_, kAtOnce);
   }
   std::vector<Value> ids(trialIds.begin(), trialIds.end());
-  ids.resize(kAtOnce, Value(trialIds.back()));  // an id that is given twice is found once
+  ids.resize(kAtOnce, Value(trialIds.back()));  // duplicates in the IN list find one row
   std::map<TrialId, Trial> found = many_->read(ids);
   for (const TrialId& trialId : trialIds) {
     trials.push_back(taken(found, trialId));

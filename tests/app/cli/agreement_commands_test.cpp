@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well raters agree, from the command line, against the reference cases of tests/data/assessment.
+// torsio agreement against the reference cases of tests/data/assessment.
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +44,7 @@ TEST_F(AgreementCommands, AgreementByRaschGivesAbilitiesSeveritiesAndThresholds)
   EXPECT_EQ(out["scale"], json({{"lowest", 0}, {"highest", 4}}));
 }
 
-TEST_F(AgreementCommands, AgreementByRaschSaysWhomNothingBounds) {
+TEST_F(AgreementCommands, AgreementByRaschNamesUnboundedRaters) {
   // Raters 1 and 2, and raters 3 and 4, bound each other; only one mark of each pair compares the two pairs.
   const std::string file =
       write("apart.csv",
@@ -58,15 +58,15 @@ TEST_F(AgreementCommands, AgreementByRaschSaysWhomNothingBounds) {
       << out;
 }
 
-TEST_F(AgreementCommands, AgreementByRaschRefusesScoresThatAreNoCategories) {
+TEST_F(AgreementCommands, AgreementByRaschRejectsScoresThatAreNoCategories) {
   const std::string file = write("half.csv", "target,rater,score\na,x,1\na,y,2.5\n");
   const std::string whole = write("whole.csv", "target,rater,score\na,x,1\na,y,2\n");
 
-  expectRefused("agreement --method rasch --ratings " + file, {"2.5", "no whole number"});
+  expectRefused("agreement --method rasch --ratings " + file, {"2.5", "not a whole number"});
   expectRefused("agreement --method rasch --highest 1 --ratings " + whole, {"from 1.0 to 2.0", "--highest"});
 }
 
-TEST_F(AgreementCommands, AgreementByKappaGivesTheThreeWeightsAndOwnOnes) {
+TEST_F(AgreementCommands, AgreementByKappaGivesTheThreeWeightsAndCustomOnes) {
   const ReferenceCase c = referenceCase("agreement", "kappa_cohen_1968");
   std::string table = "target,rater,score\n";
   std::size_t target = 0;
@@ -119,7 +119,7 @@ TEST_F(AgreementCommands, AgreementByKappaGivesFleissForManyRaters) {
   EXPECT_EQ(out["fleiss"]["by_category"].size(), 5U);
 }
 
-TEST_F(AgreementCommands, AgreementByKappaRefusesWhatTheCategoriesDoNotHold) {
+TEST_F(AgreementCommands, AgreementByKappaRejectsScoresOutsideTheCategories) {
   const std::string file = write("kappa.csv", "target,rater,score\na,x,1\na,y,2\n");
   const std::string half = write("half.csv", "first,second,disagreement\n1,2,1\n");
   const std::string twice = write("twice.csv", "first,second,disagreement\n1,2,1\n2,1,4\n");
@@ -159,8 +159,8 @@ TEST_F(AgreementCommands, AgreementByBlandAltmanGivesTheLimitsOfThePaper) {
   EXPECT_TRUE(out["against_panel"].contains("undefined")) << out["against_panel"];
 }
 
-TEST_F(AgreementCommands, AgreementByBlandAltmanHoldsEachRaterAgainstTheOthers) {
-  // Rater z against the mean of x and y: differences 2, 1, 3 have the mean 2 and the deviation 1.
+TEST_F(AgreementCommands, AgreementByBlandAltmanComparesEachRaterWithTheOthers) {
+  // Rater z against the mean of x and y: differences 2, 1, 3 have mean 2 and standard deviation 1.
   const std::string file = write(
       "panel.csv", "target,rater,score\na,x,1\na,y,3\na,z,4\nb,x,2\nb,y,2\nb,z,3\nc,x,3\nc,y,5\nc,z,7\n");
 
@@ -215,7 +215,7 @@ TEST_F(AgreementCommands, AgreementByIccWithinEachGroup) {
                 {"line 3", "\"a\"", "one group"});
 }
 
-TEST_F(AgreementCommands, AgreementByKrippendorffPutsTheSameIntervalRoundTheSameSeed) {
+TEST_F(AgreementCommands, AgreementByKrippendorffIsReproducibleForASeed) {
   const ReferenceCase c = referenceCase("rasch", "mfrm_jml_12x4");
   const std::string file = write("alpha.csv", ratings(c.input.at("ratings_0_4")));
   const std::string command = "agreement --method krippendorff --resamples 199 --ratings " + file;
@@ -303,7 +303,7 @@ TEST_F(AgreementCommands, GeneralizabilityOfRatersAloneAndItsRefusals) {
   EXPECT_NEAR(out["components"][0]["variance"].get<double>(), (6.166666666666667 - 0.5) / 2.0, 1e-12);
   const json holed = answer(method + hole);
   EXPECT_EQ(holed["left_out_targets"], json::array({"b"}));
-  EXPECT_TRUE(holed["components"].contains("undefined"));  // of the one target that is left
+  EXPECT_TRUE(holed["components"].contains("undefined"));  // only one target remains
   const std::string more =
       write("more.csv", "target,rater,score\na,x,1\na,y,2\nb,x,3\nb,y,3\nd,x,5\nc,x,4\nc,y,6\n");
   EXPECT_EQ(answer(method + more)["components"], out["components"]);
@@ -311,7 +311,7 @@ TEST_F(AgreementCommands, GeneralizabilityOfRatersAloneAndItsRefusals) {
   expectRefused(method + plain + " --tasks 2", {"\"task\"", "--tasks"}, ErrorCode::kBadParameter);
 }
 
-TEST_F(AgreementCommands, OptionsOfAnotherMethodAreRefused) {
+TEST_F(AgreementCommands, OptionsOfAnotherMethodAreRejected) {
   const std::string file = write("two.csv", "target,rater,score\na,x,1\na,y,2\n");
 
   expectRefused("agreement --lowest 0 --ratings " + file, {"--lowest", "--method rasch"}, ErrorCode::kUsage);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio allocate and its --replay: which changes of a kept file are found, and by what.
+// torsio allocate and --replay: which changes of a file are detected, and how.
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -20,7 +20,7 @@ using nlohmann::json;
 using test::ProgramRun;
 using test::runTorsio;
 
-/// At a station whose settings are empty.
+/// Commands of a station without settings.
 class AllocateCommand : public test::TableCommands {
  protected:
   void SetUp() override { setenv("XDG_CONFIG_HOME", (folder_ / "settings").c_str(), 1); }
@@ -31,7 +31,7 @@ class AllocateCommand : public test::TableCommands {
     return write("design.json",
                  R"({"study": "S1", "arms": ["1", "2", "3"], "persons": [)" + personList() + "]}");
   }
-  /// Makes a key; returns its public part.
+  /// Creates a key; returns its public part.
   [[nodiscard]] std::string key(const std::string& name) const {
     EXPECT_EQ(runTorsio("audit key " + file(name), folder_).code, 0);
     return publicOf(readKey(file(name)));
@@ -39,7 +39,7 @@ class AllocateCommand : public test::TableCommands {
   [[nodiscard]] json replayed(const json& allocation, const std::string& options = {}, int code = 0) const {
     return answer("allocate --replay " + write("kept.json", allocation.dump()) + options, code);
   }
-  /// Why a replay refuses a file.
+  /// Error message of a replay.
   [[nodiscard]] std::string refusal(const json& allocation, const std::string& options = {}) const {
     const json out = replayed(allocation, options, static_cast<int>(ErrorCode::kVerifyFailed));
     EXPECT_FALSE(out.value("sound", true));
@@ -63,8 +63,8 @@ class AllocateCommand : public test::TableCommands {
   }
 };
 
-TEST_F(AllocateCommand, GivesThePermutationOfItsSeedAndReplaysIt) {
-  // mt19937_64 with seed 20240601, Fisher-Yates from the back; the same by an independent program.
+TEST_F(AllocateCommand, ReproducesThePermutationOfItsSeedAndReplaysIt) {
+  // mt19937_64 with seed 20240601, Fisher-Yates from the end; checked by an independent program.
   const std::string design =
       write("design.json",
             R"({"study": "S1", "method": "complete permutation", "arms": ["1", "2", "3"], "persons": [)" +
@@ -85,7 +85,7 @@ TEST_F(AllocateCommand, GivesThePermutationOfItsSeedAndReplaysIt) {
   EXPECT_EQ(forged["first_wrong_position"], 4);
 }
 
-TEST_F(AllocateCommand, SaltsItsCommitmentAndFindsWhatWasCutOffOrCountedWrong) {
+TEST_F(AllocateCommand, SaltsItsCommitmentAndDetectsTruncationAndWrongCounts) {
   const std::string design =
       write("design.json", R"({"study": "S1", "arms": ["1", "2", "3"], "persons": [)" + personList() + "]}");
   const json first = answer("allocate --seed 5 --design " + design);
@@ -115,7 +115,7 @@ TEST_F(AllocateCommand, SaltsItsCommitmentAndFindsWhatWasCutOffOrCountedWrong) {
 }
 
 TEST_F(AllocateCommand, StratifiesByFactors) {
-  // Order of sexes and blocks of three of the same reference vector, without joint leftovers.
+  // Order of sexes and blocks of three from the same reference, without joint remainders.
   const std::string sexes = "MMFMFMMFFMMFMFMMFFMMFMMFMFMMFF";
   std::string persons;
   for (std::size_t i = 0; i < sexes.size(); ++i) {
@@ -133,7 +133,7 @@ TEST_F(AllocateCommand, StratifiesByFactors) {
   EXPECT_TRUE(answer("allocate --replay " + write("strata-kept.json", run.out))["sound"].get<bool>());
 }
 
-TEST_F(AllocateCommand, RefusesDesignsThatBreakTheirRules) {
+TEST_F(AllocateCommand, RejectsInvalidDesigns) {
   const auto refused = [&](const std::string& text, const std::string& mention) {
     const ProgramRun run = runTorsio("allocate --seed 1 --design " + write("bad.json", text), folder_);
     EXPECT_NE(run.code, 0);
@@ -158,11 +158,11 @@ TEST_F(AllocateCommand, RefusesDesignsThatBreakTheirRules) {
   EXPECT_EQ(noSeed.code, static_cast<int>(ErrorCode::kUsage));
 }
 
-TEST_F(AllocateCommand, SignsTheHeadAndTheReplaySaysWithWhichKeyItChecked) {
+TEST_F(AllocateCommand, SignsTheHeadAndReplayNamesTheKey) {
   const std::string owner = key("key");
   const json made = answer("allocate --seed 5 --key " + file("key") + " --design " + design());
   const std::string head = made["head"].get<std::string>();
-  EXPECT_NE(head.find(" 30 "), std::string::npos);  // how many records
+  EXPECT_NE(head.find(" 30 "), std::string::npos);  // number of records
   EXPECT_NE(head.find(" " + owner + " "), std::string::npos);
 
   const json named = replayed(made, " --key " + file("key"));
@@ -185,7 +185,7 @@ TEST_F(AllocateCommand, SignsTheHeadAndTheReplaySaysWithWhichKeyItChecked) {
   EXPECT_NE(unknown["signature"]["means"].get<std::string>().find("--public-key"), std::string::npos);
 }
 
-TEST_F(AllocateCommand, ReplayNamesWhatWasDoneToASignedFile) {
+TEST_F(AllocateCommand, ReplayNamesTheManipulationOfASignedFile) {
   const std::string owner = key("key");
   const std::string byOwner = " --public-key " + owner;
   const std::string call = "allocate --seed 5 --design " + design() + " --key ";
@@ -199,13 +199,13 @@ TEST_F(AllocateCommand, ReplayNamesWhatWasDoneToASignedFile) {
   cut["records"].erase(29);
   cut["counts"] = json::object();
   told(cut, "cut off");
-  cut["head"] = "torsio-allocation 1 29 " + std::string(64, '0');  // the thief writes another head
+  cut["head"] = "torsio-allocation 1 29 " + std::string(64, '0');  // the attacker writes another head
   told(cut, "cut off");
   json counted = made;
   counted["counts"]["2"] = 11;
   told(counted, "counts");
 
-  // Whoever has the file has seed and salt: they swap two persons and write all of it anew.
+  // The file contains seed and salt: swap two persons and rewrite everything.
   const std::string people = personList();
   std::string swapped = people;
   swapped.replace(swapped.find("\"P1\", \"P2\""), 10, "\"P2\", \"P1\"");
@@ -214,7 +214,7 @@ TEST_F(AllocateCommand, ReplayNamesWhatWasDoneToASignedFile) {
       "allocate --seed 5 --salt " + made["salt"].get<std::string>() + " --design " + file("design.json");
   const json unsignedAnew = answer(again);
   told(unsignedAnew, "not signed");
-  EXPECT_TRUE(replayed(unsignedAnew)["sound"].get<bool>());  // without a key nothing tells
+  EXPECT_TRUE(replayed(unsignedAnew)["sound"].get<bool>());  // undetectable without a key
   EXPECT_EQ(replayed(unsignedAnew)["signature"]["state"], "none");
   (void)key("foreign");
   const json foreignAnew = answer(again + " --key " + file("foreign"));
@@ -231,14 +231,14 @@ TEST_F(AllocateCommand, ReplayNamesWhatWasDoneToASignedFile) {
   json shortened = made;
   shortened["head"] = made["head"].get<std::string>().substr(0, made["head"].get<std::string>().size() - 9);
   told(shortened, "not genuine");
-  EXPECT_NE(refusal(shortened).find("not genuine"), std::string::npos);  // without a key, too
+  EXPECT_NE(refusal(shortened).find("not genuine"), std::string::npos);  // even without a key
 }
 
-TEST_F(AllocateCommand, AFileWithoutASignatureSaysWhatItCannotTell) {
+TEST_F(AllocateCommand, WithoutASignatureReplayStatesWhatItCannotCheck) {
   const json old = answer("allocate --seed 5 --design " + design());
   const json replay = replayed(old);
   EXPECT_EQ(replay["signature"]["state"], "none");
-  EXPECT_NE(replay["signature"]["means"].get<std::string>().find("nobody signed"), std::string::npos);
+  EXPECT_NE(replay["signature"]["means"].get<std::string>().find("not signed"), std::string::npos);
   EXPECT_EQ(replay["not_checked"], json({"head kept elsewhere", "signature"}));
   json headless = old;
   headless.erase("head");
@@ -252,7 +252,7 @@ TEST_F(AllocateCommand, AFileWithoutASignatureSaysWhatItCannotTell) {
             std::string::npos);
 }
 
-TEST_F(AllocateCommand, TheStationsKeySignsAndAHeadOfAReplacedKeyStaysGood) {
+TEST_F(AllocateCommand, TheStationsKeySignsAndAHeadOfAReplacedKeyStaysValid) {
   const std::string first = key("first");
   ASSERT_EQ(runTorsio("audit station --key " + file("first") + " --witness " + file("heads"), folder_).code,
             0);
@@ -260,7 +260,7 @@ TEST_F(AllocateCommand, TheStationsKeySignsAndAHeadOfAReplacedKeyStaysGood) {
   EXPECT_EQ(replayed(made)["signature"]["compared_with"], first);
   EXPECT_EQ(replayed(made)["signature"]["state"], "genuine");
 
-  // The key of the station is replaced, as torsio audit key NEW --replaces OLD does.
+  // Replaces the station's key, like torsio audit key NEW --replaces OLD.
   const auto signedAt = replayed(made)["signature"]["signed_utc_us"].get<std::int64_t>();
   KeyReplacement line{.old = first, .length = 0, .utc_us = 1};
   const SecretKey fresh = drawKey();
@@ -275,7 +275,7 @@ TEST_F(AllocateCommand, TheStationsKeySignsAndAHeadOfAReplacedKeyStaysGood) {
   replace(signedAt + 1);
   EXPECT_EQ(replayed(made)["signature"]["state"], "genuine");
   EXPECT_EQ(replayed(made)["signature"]["compared_with"], line.fresh);
-  replace(signedAt - 1);  // signed after the key was given up
+  replace(signedAt - 1);  // signed after the key was replaced
   EXPECT_NE(refusal(made).find("not in use"), std::string::npos);
 
   (void)key("foreign");

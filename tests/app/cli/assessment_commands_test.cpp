@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The assessment from the command line: known numbers in, the documented JSON out; bad tables refused with
-// file, line, value and rule.
+// Assessment commands: known numbers in, the documented JSON out; invalid tables are rejected with file,
+// line, value and rule.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -47,8 +47,8 @@ std::string paperTable() {
   return text;
 }
 
-TEST_F(AssessmentCommands, EvaluateGivesAnIntervalOverPanelsDrawnAnew) {
-  // One index, one class: 6 and 8 give 6, 7 or 8 in a panel drawn anew (1/4, 1/2, 1/4).
+TEST_F(AssessmentCommands, EvaluateGivesAnIntervalOverResampledPanels) {
+  // One index, one class: 6 and 8 give 6, 7 or 8 in a resampled panel (1/4, 1/2, 1/4).
   const std::string file = write("two.csv", "index,rater,class,model,score\n1,a,A,PM,6\n1,b,A,PM,8\n");
   const std::string call = "evaluate --weights 1 --class-weights 1 --ratings " + file;
 
@@ -59,7 +59,7 @@ TEST_F(AssessmentCommands, EvaluateGivesAnIntervalOverPanelsDrawnAnew) {
   EXPECT_FALSE(answer(call)["models"][0].contains("N_interval"));
 }
 
-TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndGivesTheScoresOfThePaper) {
+TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndReproducesThePaper) {
   // Eq. 25: 0.2 x 7 + 0.3 x 8 + 0.5 x 9 = 8.3; plain mean (140 + 80 + 90) / 40 = 7.75;
   // Eq. 26: (20 x 1.69 + 10 x 0.09 + 10 x 0.49) / 40 = 0.99.
   const json model = answer("evaluate --ratings " + write("paper.csv", paperTable()))["models"][0];
@@ -81,7 +81,7 @@ TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndGivesTheScoresOfThePape
 const char* const kFiveRaters =
     "index,rater,class,model,score\n1,a1,A,m,6\n1,a2,A,m,8\n1,b1,B,m,7\n1,b2,B,m,9\n";
 
-TEST_F(AssessmentCommands, EvaluateTakesOtherInstrumentsAndSaysWhatIsUndefined) {
+TEST_F(AssessmentCommands, EvaluateSupportsOtherInstrumentsAndReportsUndefinedValues) {
   // A = (6, 8), B = (7, 9), C = (9): M = 83/10, s2 = 161/100, sample variance 1.70.
   const std::string file = write("five.csv", std::string(kFiveRaters) + "1,c1,C,m,9\n");
   const ProgramRun run = runTorsio("evaluate --weights 1 --ratings " + file, folder_);
@@ -95,7 +95,7 @@ TEST_F(AssessmentCommands, EvaluateTakesOtherInstrumentsAndSaysWhatIsUndefined) 
   EXPECT_TRUE(index["se"].contains("undefined"));
 }
 
-TEST_F(AssessmentCommands, EvaluateRefusesAnEmptyClassUnlessTheWeightsAreSharedOut) {
+TEST_F(AssessmentCommands, EvaluateRejectsAnEmptyClassUnlessRenormalised) {
   // Without class C: weights 0.4 / 0.6, M = 38/5, s2 = 63/50.
   const std::string file = write("four.csv", kFiveRaters);
   expectRefused("evaluate --weights 1 --ratings " + file, {"four.csv", "class C"});
@@ -105,19 +105,19 @@ TEST_F(AssessmentCommands, EvaluateRefusesAnEmptyClassUnlessTheWeightsAreSharedO
   EXPECT_EQ(model["flags"], json::array({"few raters", "renormalised"}));
 }
 
-TEST_F(AssessmentCommands, EvaluateNamesTheLineOfAClassWhoseScoresAreAllMissing) {
+TEST_F(AssessmentCommands, EvaluateNamesTheLineOfAClassWithoutScores) {
   const std::string file = write("empty.csv", std::string(kFiveRaters) + "1,c1,C,m,\n1,c2,C,m,\n");
   const std::string call = "evaluate --weights 1 --ratings " + file;
   expectRefused(call, {"empty.csv, line 6", "class C", "renormalise"});
   expectRefused(call + " --policy list-wise", {"empty.csv, line 6", "class C"});
   expectRefused(call + " --policy refuse", {"empty.csv, line 6", "c1"});
   EXPECT_EQ(answer(call + " --policy renormalise")["models"][0]["indices"][0]["M"], 7.6);
-  // A class without weight may be empty.
+  // A class of weight zero may be empty.
   expectRefused("evaluate --weights 1 --class-weights 0.4,0,0.6 --ratings " + file, {"line 6"});
   answer("evaluate --weights 1 --class-weights 0.4,0.6,0 --ratings " + file);
 }
 
-TEST_F(AssessmentCommands, EvaluateKeepsMissingMarksApartFromZero) {
+TEST_F(AssessmentCommands, EvaluateDistinguishesMissingMarksFromZero) {
   const std::string file = write("hole.csv", std::string(kFiveRaters) + "1,c1,C,m,9\n1,c2,C,m,\n");
   expectRefused("evaluate --weights 1 --policy refuse --ratings " + file, {"hole.csv, line 7", "c2"});
   const json model = answer("evaluate --weights 1 --ratings " + file)["models"][0];
@@ -127,7 +127,7 @@ TEST_F(AssessmentCommands, EvaluateKeepsMissingMarksApartFromZero) {
   EXPECT_TRUE(model["composites"].back()["score"].contains("undefined"));
 }
 
-TEST_F(AssessmentCommands, EvaluateRefusesBadMarksWithLineValueAndRule) {
+TEST_F(AssessmentCommands, EvaluateRejectsInvalidMarksWithLineValueAndRule) {
   const auto refused = [&](const std::string& row, const std::vector<std::string>& mentions) {
     const std::string file = write("bad.csv", std::string(kFiveRaters) + row + "\n");
     std::vector<std::string> all = mentions;
@@ -150,7 +150,7 @@ TEST_F(AssessmentCommands, EvaluateRefusesBadMarksWithLineValueAndRule) {
   refused("1,c1,C,m,\"6", {"quote"});
 }
 
-TEST_F(AssessmentCommands, TablesWithoutProperHeaderAreRefused) {
+TEST_F(AssessmentCommands, TablesWithAnInvalidHeaderAreRejected) {
   const auto refused = [&](const std::string& text, const std::string& mention) {
     expectRefused("agreement --ratings " + write("table.csv", text), {"table.csv", mention});
   };
@@ -201,7 +201,7 @@ TEST_F(AssessmentCommands, AgreementGivesTheTableOfShroutAndFleiss) {
   EXPECT_NEAR(out["cronbach"]["alpha"].get<double>(), 0.909315542, kPublished);
 }
 
-TEST_F(AssessmentCommands, AgreementWithHolesIsThatOfTheCompleteTargetsAndNamesTheOthers) {
+TEST_F(AssessmentCommands, AgreementWithGapsUsesTheCompleteTargetsAndNamesTheOthers) {
   // Krippendorff's table of four observers and twelve units; 0 stands for a missing value.
   const std::vector<std::vector<int>> coders = {{1, 2, 3, 3, 2, 1, 4, 1, 2, 0, 0, 0},
                                                 {1, 2, 3, 3, 2, 2, 4, 1, 2, 5, 0, 3},
@@ -294,7 +294,7 @@ TEST_F(AssessmentCommands, CompareGroupsAddsAncovaAndMixedAnovaWithOccasions) {
   EXPECT_TRUE(out["hedges_g"].contains("value"));
 }
 
-TEST_F(AssessmentCommands, CompareGroupsRefusesTwoScoresAndSaysWhatOneGroupLacks) {
+TEST_F(AssessmentCommands, CompareGroupsRejectsDuplicateScoresAndReportsASingleGroup) {
   expectRefused("compare-groups " + write("two.csv", "subject,group,score\na,x,1\nb,x,2\na,x,3\n"),
                 {"two.csv, line 4", "\"a\"", "line 2"});
   expectRefused("compare-groups " + write("moved.csv", "subject,group,occasion,score\na,x,1,1\na,y,2,2\n"),
@@ -305,14 +305,14 @@ TEST_F(AssessmentCommands, CompareGroupsRefusesTwoScoresAndSaysWhatOneGroupLacks
   }
 }
 
-TEST_F(AssessmentCommands, LearningFindsTheCurveThatMadeTheValues) {
+TEST_F(AssessmentCommands, LearningRecoversTheCurveOfTheValues) {
   // Exact values of 20 + 40 exp(-0.25 (t - 1)).
   std::string text = "attempt,subject,value\n";
   for (int t = 1; t <= 12; ++t) {
     text += std::to_string(t) + ",P01," + std::to_string(20.0 + 40.0 * std::exp(-0.25 * (t - 1))) + "\n";
   }
   const json subject = answer("learning " + write("curve.csv", text))["subjects"][0];
-  constexpr double kSixDecimals = 1e-4;  // the values are written with six decimals
+  constexpr double kSixDecimals = 1e-4;  // the values have six decimals
   EXPECT_NEAR(subject["exponential"]["asymptote"].get<double>(), 20.0, kSixDecimals);
   EXPECT_NEAR(subject["exponential"]["gain"].get<double>(), 40.0, kSixDecimals);
   EXPECT_NEAR(subject["exponential"]["rate"].get<double>(), 0.25, kSixDecimals);
@@ -321,7 +321,7 @@ TEST_F(AssessmentCommands, LearningFindsTheCurveThatMadeTheValues) {
   EXPECT_TRUE(few["subjects"][0]["power"].contains("undefined"));
 }
 
-TEST_F(AssessmentCommands, LearningOfPassAndFailDrawsCusums) {
+TEST_F(AssessmentCommands, LearningOfPassAndFailComputesCusums) {
   // Biau and Porcher's weights for 0.1 and 0.2: +ln(0.9/0.8) and -ln(0.2/0.1).
   std::string text = "subject,attempt,value\n";
   for (int t = 1; t <= 40; ++t) {
@@ -340,7 +340,7 @@ TEST_F(AssessmentCommands, LearningOfPassAndFailDrawsCusums) {
   EXPECT_LE(chosen["pass_if_inadequate"].get<double>(), 0.1);
 }
 
-TEST_F(AssessmentCommands, LearningRefusesGapsDuplicatesAndMixtures) {
+TEST_F(AssessmentCommands, LearningRejectsGapsDuplicatesAndMixtures) {
   const std::string header = "subject,attempt,value\n";
   expectRefused("learning " + write("gap.csv", header + "a,1,pass\na,3,fail\n"), {"line 3", "no attempt 2"});
   expectRefused("learning " + write("two.csv", header + "a,1,5\na,1,6\n"), {"line 3", "line 2"});
@@ -397,7 +397,7 @@ TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   EXPECT_EQ(out["cards"]["force.peak"]["unit"], "N");
 }
 
-TEST_F(AssessmentCommands, MetricsTellForHowLongACurvedOrganWasStrained) {
+TEST_F(AssessmentCommands, MetricsReportHowLongACurvedOrganWasStrained) {
   SceneRequest request;
   request.assets = assetsFolder();
   request.id = "stomach";
@@ -421,10 +421,10 @@ TEST_F(AssessmentCommands, MetricsTellForHowLongACurvedOrganWasStrained) {
   EXPECT_GT(beyondHalf_s, 0.5);
   EXPECT_GT(beyondTenth_s, beyondHalf_s);
   EXPECT_LT(beyondTenth_s, 10.0);
-  EXPECT_EQ(overLimit_s(10.0 * atTarget_Pa), 0.0);  // no hand of this run goes ten times as far
+  EXPECT_EQ(overLimit_s(10.0 * atTarget_Pa), 0.0);  // this run never reaches ten times as much
 }
 
-TEST_F(AssessmentCommands, MetricsOfUnknownTrialsAreRefused) {
+TEST_F(AssessmentCommands, MetricsOfUnknownTrialsAreRejected) {
   const ProgramRun run = runTorsio("metrics 0 --database " + (folder_ / "none.sqlite").string(), folder_);
   EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kFileMissing)) << run.err;
   const ProgramRun text = runTorsio("metrics " + write("trial.txt", "no trial\n"), folder_);

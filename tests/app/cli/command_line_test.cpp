@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad input as a user would give it: one line on standard error, the documented exit code, nothing left
-// behind.
+// Invalid input as users type it: one line on standard error, the documented exit code, no output files.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +27,7 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-/// A closed box of the given side, 12 triangles, as OBJ.
+/// A closed box with this side, 12 triangles, as OBJ.
 std::string boxObj(const std::string& side) {
   std::string text;
   for (const char* corner : {"0 0 0", "s 0 0", "s s 0", "0 s 0", "0 0 s", "s 0 s", "s s s", "0 s s"}) {
@@ -43,7 +42,7 @@ std::string boxObj(const std::string& side) {
          "5\nf 4 5 8\n";
 }
 
-/// The refusal is one line with the code; the output folder stays empty.
+/// Expects one line with the error code, and an empty output folder.
 void expectRefused(const std::string& arguments, ErrorCode code, const std::string& mentions) {
   SCOPED_TRACE(arguments);
   const fs::path scratch = emptyFolder("refused-run");
@@ -99,13 +98,13 @@ TEST_F(BadInput, ANonManifoldMeshIsRefused) {
   expectNothingWritten();
 }
 
-TEST_F(BadInput, NotANumberIsRefused) {
+TEST_F(BadInput, NaNIsRejected) {
   write(folder_ / "nan.obj", boxObj("nan"));
   expectRefused(demoWith("nan.obj"), ErrorCode::kBadMesh, "nan.obj");
   expectNothingWritten();
 }
 
-TEST_F(BadInput, OptionsThatAreNoFiniteNumbersAreRefused) {
+TEST_F(BadInput, NonFiniteOptionsAreRejected) {
   for (const char* option :
        {"power --test t --effect 0.5 --n", "power --test t --n 10 --effect",
         "power --test t --effect 0.5 --power", "power --test t --n 10 --effect 0.5 --alpha",
@@ -116,7 +115,7 @@ TEST_F(BadInput, OptionsThatAreNoFiniteNumbersAreRefused) {
         "compare-groups t.csv --highest 5 --lowest",
         "agreement --ratings t.csv --method kappa --categories 1,2,", "twist --organ forearm --angle"}) {
     const char* gap = std::string(option).back() == ',' ? "" : " ";
-    expectRefused(std::string(option) + gap + "nan", ErrorCode::kUsage, "nan is no finite number");
+    expectRefused(std::string(option) + gap + "nan", ErrorCode::kUsage, "nan is not a finite number");
   }
   for (const char* none : {"-nan", "inf", "-inf", "1e999"}) {
     expectRefused(std::string("power --test t --n 10 --effect ") + none, ErrorCode::kUsage, "--effect");
@@ -129,14 +128,13 @@ TEST_F(BadInput, MetresInsteadOfMillimetresAreRecognised) {
   expectNothingWritten();
 }
 
-TEST_F(BadInput, AFolderThatCannotBeWrittenIsNamed) {
-  // Root may write anywhere, so the folder is made impossible instead of read-only: it would lie below a
-  // file.
+TEST_F(BadInput, AnUnwritableFolderIsNamed) {
+  // Root may write anywhere, so the folder is impossible instead of read-only: it would be inside a file.
   write(folder_ / "file", "");
   expectRefused("demo --out " + (folder_ / "file" / "out").string(), ErrorCode::kFileUnwritable, "file");
 }
 
-TEST_F(BadInput, ADatabaseThatIsNoneIsRefused) {
+TEST_F(BadInput, AFileThatIsNotADatabaseIsRejected) {
   write(folder_ / "text.sqlite", "This is not a database, but it is longer than a header of one would be.\n");
   const fs::path file = folder_ / "text.sqlite";
   expectRefused("replay 0 --database " + file.string(), ErrorCode::kFileUnreadable, "text.sqlite");
@@ -145,7 +143,7 @@ TEST_F(BadInput, ADatabaseThatIsNoneIsRefused) {
   EXPECT_FALSE(fs::exists(folder_ / "none.sqlite"));
 }
 
-TEST_F(BadInput, SectionsThatAreNoneAreRefused) {
+TEST_F(BadInput, InvalidSectionsAreRejected) {
   write(folder_ / "bow.csv", "0,0\n1,1\n1,0\n0,1\n");
   expectRefused("section " + (folder_ / "bow.csv").string(), ErrorCode::kBadParameter, "cross");
   write(folder_ / "words.csv", "0,0\n1,0\nhello,1\n");
@@ -153,7 +151,7 @@ TEST_F(BadInput, SectionsThatAreNoneAreRefused) {
   expectRefused("section " + (folder_ / "none.csv").string(), ErrorCode::kFileMissing, "none.csv");
 }
 
-TEST_F(BadInput, SectionsBeyondTheRangeOfNumbersAreRefused) {
+TEST_F(BadInput, SectionsBeyondTheRangeOfNumbersAreRejected) {
   write(folder_ / "huge.csv", "0,0\n1e200,0\n1e200,1e200\n0,1e200\n");
   write(folder_ / "tiny.csv", "0,0\n1e-200,0\n1e-200,1e-200\n0,1e-200\n");
   for (const char* wall : {"", " --wall 1"}) {
@@ -162,7 +160,7 @@ TEST_F(BadInput, SectionsBeyondTheRangeOfNumbersAreRefused) {
   }
 }
 
-TEST_F(BadInput, WallsThatAreNoneAreRefused) {
+TEST_F(BadInput, InvalidWallsAreRejected) {
   write(folder_ / "square.csv", "0,0\n10,0\n10,10\n0,10\n");
   write(folder_ / "flat.csv", "0,0\n100,0\n100,2\n0,2\n");
   write(folder_ / "bow.csv", "0,0\n10,10\n10,0\n0,10\n");
@@ -172,7 +170,7 @@ TEST_F(BadInput, WallsThatAreNoneAreRefused) {
     expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kBadParameter, "thicker than 0");
   }
   for (const char* wall : {"nan", "inf", "1e400"}) {
-    expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kUsage, "is no finite number");
+    expectRefused(sectionOf("square.csv --json --wall ") + wall, ErrorCode::kUsage, "is not a finite number");
   }
   expectRefused(sectionOf("square.csv --wall thick"), ErrorCode::kUsage, "thick");
   expectRefused(sectionOf("square.csv --wall 5"), ErrorCode::kBadParameter, "(2.34 here");
@@ -189,7 +187,7 @@ TEST_F(BadInput, ParametersOutOfRangeNameTheLimit) {
   expectRefused("twist --organ forearm --grasp 1.5", ErrorCode::kBadParameter, "1.5");
 }
 
-TEST(CommandLine, SaysItsVersionAndHelpsOnStandardOutput) {
+TEST(CommandLine, PrintsVersionAndHelpToStandardOutput) {
   const fs::path scratch = emptyFolder("version");
   const ProgramRun version = runTorsio("--version", scratch);
   EXPECT_EQ(version.code, 0);
@@ -210,7 +208,7 @@ TEST(CommandLine, ASquareSectionHasItsTabledTorsionConstant) {
   EXPECT_NEAR(std::stod(run.out.substr(at + 4)), 0.140577014955, 1e-4 * 0.140577014955);
 }
 
-TEST(CommandLine, ASectionWithAWallHasItsTorsionConstantByBredt) {
+TEST(CommandLine, ASectionWithAWallHasBredtsTorsionConstant) {
   // Square of 10, wall 1: the middle line by Steiner has A = 100 - 20 + pi / 4 and s = 40 - pi.
   const fs::path scratch = emptyFolder("wall");
   write(scratch / "square.csv", "0,0\n10,0\n10,10\n0,10\n");
@@ -236,8 +234,8 @@ TEST(CommandLine, ASectionWithAWallHasItsTorsionConstantByBredt) {
   EXPECT_NE(crossing.err.find("crosses itself"), std::string::npos) << crossing.err;
 }
 
-TEST(CommandLine, ASectionTellsMembraneAndStressAtAPoint) {
-  // Saint-Venant, unit square: membrane 0.07367135 in the middle, no stress there; 0.675 G theta a at the
+TEST(CommandLine, ASectionReportsMembraneAndStressAtAPoint) {
+  // Saint-Venant, unit square: membrane 0.07367135 at the centre, no stress there; 0.675 G theta a at the
   // middle of a side.
   const fs::path scratch = emptyFolder("point");
   write(scratch / "square.csv", "0,0\n1,0\n1,1\n0,1\n");
@@ -271,7 +269,7 @@ TEST(CommandLine, ASectionNamesItsMethodAndWhetherItsBracketIsABound) {
   EXPECT_EQ(boundary["bracket"], "estimate");
 }
 
-TEST(CommandLine, ATaskThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
+TEST(CommandLine, ATaskThatFoldsTheOrganIsRejectedUnlessRequested) {
   const fs::path scratch = emptyFolder("pattern-fold");
   const std::string call = "twist --organ stomach --pattern combined --angle -170 --json";
 
@@ -285,8 +283,8 @@ TEST(CommandLine, ATaskThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
   EXPECT_GT(nlohmann::json::parse(shown.out)["sharpest_bend"].get<double>(), 0.55);
 }
 
-TEST(CommandLine, ATwistOfAMeshTellsItsRepairsAndIsWrittenAsObj) {
-  // A tube of 12 corners whose first face stands twice.
+TEST(CommandLine, ATwistOfAMeshReportsItsRepairsAndWritesAnObj) {
+  // A tube of 12 corners with a duplicate first face.
   const fs::path scratch = emptyFolder("obj");
   const TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 12), 0.2, 8);
   std::string text = objText(bar);
@@ -300,7 +298,7 @@ TEST(CommandLine, ATwistOfAMeshTellsItsRepairsAndIsWrittenAsObj) {
   ASSERT_EQ(run.code, 0) << run.err;
   const nlohmann::json result = nlohmann::json::parse(run.out);
   EXPECT_EQ(result["repairs"], "1 repeated face removed");
-  // Linear tissue: torque x compliance is the angle; the clamp turns at the rate of all that follows it.
+  // Linear tissue: torque x compliance is the angle; the clamp rotates at the rate of everything after it.
   EXPECT_NEAR(result["torque_nm"].get<double>() * result["compliance_rad_per_nm"].get<double>(),
               radians(30.0), 1e-9);
   EXPECT_GT(result["profile"][1]["rate_rad_per_m"].get<double>(), 0.0);
@@ -320,7 +318,7 @@ class ModelOptions : public ::testing::Test {
   fs::path scratch_ = emptyFolder("model-options");
 };
 
-TEST_F(ModelOptions, ChangeTheTorqueAsTheirEquationsSay) {
+TEST_F(ModelOptions, ChangeTheTorqueAccordingToTheirEquations) {
   const double plain_Nm = torque_Nm("");
   const double peak = twist("")["peak_shear_pa"].get<double>() / 4000.0;  // strain; G of the arm is 4 kPa
 
@@ -335,23 +333,23 @@ TEST_F(ModelOptions, ChangeTheTorqueAsTheirEquationsSay) {
   EXPECT_LE(stiffened, 2.0 + 1e-6);
 }
 
-TEST_F(ModelOptions, ChangeThePapersFormulationAsItsEquationsSay) {
+TEST_F(ModelOptions, ChangeThePapersFormulationAccordingToItsEquations) {
   const std::string paper = "--formulation paper --allow-fold ";
   const nlohmann::json plain = twist(paper);
 
-  // Eq. 18: kappa grows by e^((M - 1) / beta) from the free end to the clamp: the clamp turns faster.
+  // Eq. 18: kappa grows by e^((M - 1) / beta) from the free end to the clamp: the clamp rotates faster.
   const nlohmann::json graded = twist(paper + "--beta 72");
   EXPECT_GT(graded["profile"][1]["rate_rad_per_m"].get<double>(),
             plain["profile"][1]["rate_rad_per_m"].get<double>());
-  // Component kriging (Eq. 15) meets the same angle at the grasp and moves the points between otherwise.
+  // Component kriging (Eq. 15) meets the same angle at the grasp and moves the points between differently.
   const nlohmann::json components = twist(paper + "--interpolation components --drift constant");
   EXPECT_NEAR(components["torque_nm"].get<double>() / plain["torque_nm"].get<double>(), 1.0, 1e-4);
   EXPECT_NE(components["volume_ratio"], plain["volume_ratio"]);
-  // Eq. 23 lifts the clamped face too, and with it the surface at that end.
+  // Eq. 23 also lifts the clamped face, and with it the surface at that end.
   EXPECT_NE(twist(paper + "--clamp-lift")["volume_ratio"], plain["volume_ratio"]);
 }
 
-TEST_F(ModelOptions, OfTheOtherFormulationOrOfTheRodAreRefused) {
+TEST_F(ModelOptions, OfTheOtherFormulationOrOfTheRodAreRejected) {
   for (const std::string options : {"--beta 10", "--clamp-lift", "--interpolation angle",
                                     "--formulation paper --poynting", "--formulation paper --foundation 1",
                                     "--formulation paper --taper", "--ends clamped-turned --taper"}) {

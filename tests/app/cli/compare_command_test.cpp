@@ -17,7 +17,7 @@ using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
 
-/// A lattice so coarse that it takes seconds.
+/// A lattice so coarse that a run takes seconds.
 const std::string kCoarse = "compare --ridges 12 --sections 9 --rings 2 --substeps 4 --ramp 0.2 --out ";
 
 TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
@@ -41,7 +41,7 @@ TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
   }
 }
 
-TEST(CompareCommand, TakesMarkersFromAFileAndMeasurementsFromCameras) {
+TEST(CompareCommand, ReadsMarkersFromAFileAndMeasurementsFromCameras) {
   const fs::path folder = emptyFolder("compare-markers");
   const fs::path markers = folder / "markers.json";
   std::ofstream(markers)
@@ -62,7 +62,7 @@ TEST(CompareCommand, TakesMarkersFromAFileAndMeasurementsFromCameras) {
   EXPECT_EQ(json["models"][1]["settled"]["marker_displacements_m"].size(), 1U);
 }
 
-TEST(CompareCommand, AJawTurnsEveryModel) {
+TEST(CompareCommand, AJawRotatesEveryModel) {
   const fs::path folder = emptyFolder("compare-jaw");
 
   const ProgramRun run = runTorsio(
@@ -75,15 +75,15 @@ TEST(CompareCommand, AJawTurnsEveryModel) {
   const double reference_rad = json["models"][0]["settled"]["angle_rad"];
   EXPECT_LT(reference_rad, -0.05);
   EXPECT_EQ(json["models"][3]["id"], "rod");
-  // On a lattice so coarse the jaw is one section, in the rod all within half a radius: a third stiffer. On
-  // 61 sections the two are 2 % apart.
+  // On such a coarse lattice the jaw is one section, in the rod everything within half a radius: a third
+  // stiffer. On 61 sections they differ by 2 %.
   EXPECT_NEAR(json["models"][3]["settled"]["angle_rad"].get<double>() / reference_rad, 0.75, 0.1);
   for (const auto& model : json["models"]) {
     EXPECT_LT(model["moving"]["angle_rad"], -0.02) << model["id"];
   }
 }
 
-TEST(CompareCommand, RefusesWithTheDocumentedCodes) {
+TEST(CompareCommand, FailsWithTheDocumentedCodes) {
   const fs::path folder = emptyFolder("compare-refused");
   const auto codeOf = [&](const std::string& arguments) {
     return runTorsio(kCoarse + (folder / "out").string() + " " + arguments, folder).code;

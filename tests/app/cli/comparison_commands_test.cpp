@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paired scores, resampling and adjusted pairs from the command line, against the reference cases of
-// tests/data/assessment.
+// Paired scores, resampling and adjusted pairs against the reference cases of tests/data/assessment.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -97,8 +96,8 @@ TEST_F(ComparisonCommands, PairedComparisonsCorrelateFirstAndLast) {
   expectMatch(correlation["interval"]["upper"], c.expected.at("fisher_ci")[1], c.tolerance, "upper");
 }
 
-TEST_F(ComparisonCommands, PairedComparisonsKeepGroupsApartAndSayWhatIsMissing) {
-  // Group one gains 1, 2, 3 and one subject has no last score; group two has a single subject.
+TEST_F(ComparisonCommands, PairedComparisonsSeparateGroupsAndReportMissingScores) {
+  // Group one gains 1, 2, 3 and one subject lacks the last score; group two has a single subject.
   const std::string file =
       write("groups.csv",
             "subject,group,occasion,score\n"
@@ -151,7 +150,7 @@ TEST_F(ComparisonCommands, BootstrapOfEveryResampleAgreesWithTheEnumeration) {
   EXPECT_EQ(median["seed"], 3);
 }
 
-TEST_F(ComparisonCommands, PairsOfThreeGroupsCarryTheAdjustmentAskedFor) {
+TEST_F(ComparisonCommands, PairsOfThreeGroupsHaveTheRequestedAdjustment) {
   // Bonferroni: three pairs, so three times p, at most 1.
   std::string table = "subject,group,score\n";
   const ReferenceCase c = referenceCase("groups", "plantgrowth_three_groups_of_ten");

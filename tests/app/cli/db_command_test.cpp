@@ -32,7 +32,7 @@ std::string withoutPassword(const std::string& address) {
   return addressOf(server);
 }
 
-/// The engine of the suite gives the target of copies; everything else is about SQLite files.
+/// The engine of the suite is the target of copies; everything else uses SQLite files.
 class DbCommandTest : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -52,7 +52,7 @@ class DbCommandTest : public DatabaseTest {
   [[nodiscard]] ProgramRun run(const std::string& arguments) const { return runTorsio(arguments, folder_); }
   static constexpr int kVerifyFailed = static_cast<int>(ErrorCode::kVerifyFailed);
 
-  /// Changes a mark as somebody with an SQLite tool would.
+  /// Changes a mark with an SQLite tool.
   void forge(const std::string& name) const {
     Connection forged = openDatabase(file(name), OpenMode::kReadWrite);
     forged.executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
@@ -81,7 +81,7 @@ TEST_F(DbCommandTest, BacksUpVerifiesAndRestores) {
   EXPECT_EQ(run("db check" + database).code, 0);
 }
 
-TEST_F(DbCommandTest, FindsAChangedMarkAndSaysWhich) {
+TEST_F(DbCommandTest, DetectsAndNamesAChangedMark) {
   const std::string database = " --database " + file("record.sqlite");
   EXPECT_EQ(run("audit verify" + database).code, 0);
   forge("record.sqlite");
@@ -97,7 +97,7 @@ TEST_F(DbCommandTest, FindsAChangedMarkAndSaysWhich) {
   EXPECT_NE(json.out.find("\"findings\""), std::string::npos);
 }
 
-TEST_F(DbCommandTest, RefusesADamagedBackupAndAMissingOne) {
+TEST_F(DbCommandTest, RejectsADamagedAndAMissingBackup) {
   ASSERT_EQ(
       run("db backup --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
   forge("backup.sqlite");
@@ -111,7 +111,7 @@ TEST_F(DbCommandTest, RefusesADamagedBackupAndAMissingOne) {
   EXPECT_EQ(run("db").code, static_cast<int>(ErrorCode::kUsage));
 }
 
-TEST_F(DbCommandTest, SaysWhatToUseForAPostgresqlServer) {
+TEST_F(DbCommandTest, RefersToServerToolsForPostgresql) {
   const ProgramRun backup =
       run("db backup --as-system x.dump --database postgresql://torsio@127.0.0.1:1/none");
   EXPECT_EQ(backup.code, static_cast<int>(ErrorCode::kUsage));
@@ -134,7 +134,7 @@ TEST_F(DbCommandTest, CopiesACentreThereAndBackAndRefusesAUsedTarget) {
   EXPECT_NE(back.out.find("  person: "), std::string::npos) << back.out;
 }
 
-TEST_F(DbCommandTest, AnotherProgramThatHasTheFileIsNamedPlainly) {
+TEST_F(DbCommandTest, ReportsThatAnotherProgramHasTheFileOpen) {
   ASSERT_EQ(
       run("db backup --as-system " + file("backup.sqlite") + " --database " + file("record.sqlite")).code, 0);
   Connection other = openFile();

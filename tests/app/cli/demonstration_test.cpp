@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The main job as the user starts it, shortened further than usual.
+// The demonstration as a user starts it, but shortened further.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -18,7 +18,7 @@ using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
 
-constexpr const char* kShort = " --shorten 150 --seed 7";  // eight seconds a phase: one or two twists
+constexpr const char* kShort = " --shorten 150 --seed 7";  // eight seconds per phase: one or two twists
 
 std::string trialIn(const std::string& summary) {
   const std::string lead = "torsio replay ";
@@ -46,7 +46,7 @@ void writesReportTableAndDatabaseAndReplaysBitForBit(const ProgramRun& demo, con
   EXPECT_EQ(unknown.code, static_cast<int>(ErrorCode::kBadData)) << unknown.err;
 }
 
-TEST(Demonstration, RefusesAReportInALanguageItDoesNotSpeak) {
+TEST(Demonstration, RejectsAnUnknownReportLanguage) {
   const fs::path folder = emptyFolder("demo-language");
 
   const ProgramRun refused = runTorsio("demo --out " + (folder / "out").string() + " --language tlh", folder);
@@ -55,8 +55,8 @@ TEST(Demonstration, RefusesAReportInALanguageItDoesNotSpeak) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-// One test: each demonstration takes seconds.
-TEST(Demonstration, ReplaysAndGivesTheSameTableForTheSameSeedWhateverTheLanguageOfTheReport) {
+// A single test, because each demonstration takes seconds.
+TEST(Demonstration, ReplaysAndReproducesItsTableInEveryReportLanguage) {
   const fs::path folder = emptyFolder("demo-twice");
 
   const ProgramRun first = runTorsio("demo --out " + (folder / "a").string() + kShort, folder);

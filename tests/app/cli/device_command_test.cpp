@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `torsio device` through the real program: with no vendor library, with the fake one, with the fake one
-// unplugged in the middle. The fake takes its story from the environment (tests/support/fakehd/fakehd.h) and
-// its servo runs in real time, as the program's does; no test depends on how regular that is.
+// `torsio device` through the real program: without a vendor library, with the fake one, and with the fake
+// one unplugged. The fake is controlled by the environment (tests/support/fakehd/fakehd.h) and its servo runs
+// in real time, like the program's; no test depends on its regularity.
 #include <algorithm>
 #include <fstream>
 #include <string>
@@ -26,7 +26,7 @@ class DeviceCommand : public ::testing::Test {
  protected:
   fs::path folder_ = emptyFolder("device");
 
-  /// `story`: FAKEHD_... assignments, parted by a space.
+  /// `story`: FAKEHD_... assignments, separated by blanks.
   ProgramRun run(const std::string& arguments, const std::string& story = "") const {
     for (const char* name :
          {"FAKEHD_NO_DEVICE", "FAKEHD_NO_LICENCE", "FAKEHD_CALIBRATION", "FAKEHD_DOCK_AT_TICK",
@@ -72,7 +72,7 @@ TEST_F(DeviceCommand, L1_ListNamesEveryDriverWithoutAVendorLibrary) {
                               "scripted", "replay", "idle"});
 }
 
-TEST_F(DeviceCommand, ListShowsTheDeviceDriverAsAvailableWithTheLibrary) {
+TEST_F(DeviceCommand, ListShowsTheDriverAsAvailableWithTheLibrary) {
   const ProgramRun result = run("list --json --library " TORSIO_FAKEHD);
 
   ASSERT_EQ(result.code, 0) << result.err;
@@ -82,7 +82,7 @@ TEST_F(DeviceCommand, ListShowsTheDeviceDriverAsAvailableWithTheLibrary) {
   EXPECT_TRUE(drivers[0]["available"]);
 }
 
-TEST_F(DeviceCommand, ListNamesTheDevicesWithoutForceAndSaysThatNobodyHasConfirmedThem) {
+TEST_F(DeviceCommand, ListNamesUnconfirmedDevicesWithoutForce) {
   const ProgramRun result = run("list --json --library /nowhere/libHD.so");
 
   ASSERT_EQ(result.code, 0) << result.err;
@@ -97,7 +97,7 @@ TEST_F(DeviceCommand, ListNamesTheDevicesWithoutForceAndSaysThatNobodyHasConfirm
   }
 }
 
-TEST_F(DeviceCommand, TheDeviceThatIsChosenIsRememberedUntilAnotherOneIs) {
+TEST_F(DeviceCommand, TheChosenDeviceIsRememberedUntilAnotherIsChosen) {
   setenv("XDG_CONFIG_HOME", (folder_ / "settings").c_str(), 1);
 
   const ProgramRun chosen = run("choose spacemouse");
@@ -115,7 +115,7 @@ TEST_F(DeviceCommand, TheDeviceThatIsChosenIsRememberedUntilAnotherOneIs) {
   EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kBadParameter));
 }
 
-TEST_F(DeviceCommand, ADeviceThatIsNotThereIsSaidByItsName) {
+TEST_F(DeviceCommand, AMissingDeviceIsReportedByName) {
   const ProgramRun checked = run("check --device spacemouse", "SPNAV_SOCKET=/nowhere/spnav.sock");
   const ProgramRun watched = run("monitor --device spacemouse", "SPNAV_SOCKET=/nowhere/spnav.sock");
 
@@ -148,21 +148,21 @@ TEST_F(DeviceCommand, CheckFindsACalibratedDeviceReady) {
   EXPECT_EQ(result.out.find("Force:"), std::string::npos) << "no force without consent";
 }
 
-TEST_F(DeviceCommand, A1_CheckSaysThatNoDeviceAnswers) {
+TEST_F(DeviceCommand, A1_CheckReportsThatNoDeviceAnswers) {
   const ProgramRun result = check("FAKEHD_NO_DEVICE=1");
 
   EXPECT_EQ(result.code, kDevice);
   expectMentions(result.out, {"Device: no haptic device could be opened", "Check power and cable"});
 }
 
-TEST_F(DeviceCommand, A6_CheckSpeaksOfTheLicence) {
+TEST_F(DeviceCommand, A6_CheckReportsALicenceProblem) {
   const ProgramRun result = check("FAKEHD_NO_LICENCE=1");
 
   EXPECT_EQ(result.code, kDevice);
   expectMentions(result.out, {"no valid licence", "OH_SDK_LICENSE_PATH"});
 }
 
-TEST_F(DeviceCommand, C2_CheckAsksForTheInkwellAndGoesOnWhenTheStylusIsThere) {
+TEST_F(DeviceCommand, C2_CheckAsksForTheInkwellAndContinuesWithTheStylusDocked) {
   const ProgramRun result = check("FAKEHD_CALIBRATION=dock FAKEHD_DOCK_AT_TICK=600");
 
   EXPECT_EQ(result.code, 0) << result.out << result.err;
@@ -170,14 +170,14 @@ TEST_F(DeviceCommand, C2_CheckAsksForTheInkwellAndGoesOnWhenTheStylusIsThere) {
   expectMentions(result.out, {"Calibration: done in the inkwell"});
 }
 
-TEST_F(DeviceCommand, C2_CheckGivesUpWhenNobodyDocksTheStylus) {
+TEST_F(DeviceCommand, C2_CheckGivesUpIfNobodyDocksTheStylus) {
   const ProgramRun result = check("FAKEHD_CALIBRATION=dock", "--wait 0.3");
 
   EXPECT_EQ(result.code, kDevice);
   expectMentions(result.out, {"Calibration: the device is not calibrated", "repeat the check"});
 }
 
-TEST_F(DeviceCommand, E2_CheckSaysThatTheDeviceWasUnpluggedInTheMiddle) {
+TEST_F(DeviceCommand, E2_CheckReportsAnUnpluggedDevice) {
   const ProgramRun result = check("FAKEHD_UNPLUG_AT_TICK=300", "--seconds 20");
 
   EXPECT_EQ(result.code, kDevice);
@@ -186,7 +186,7 @@ TEST_F(DeviceCommand, E2_CheckSaysThatTheDeviceWasUnpluggedInTheMiddle) {
   expectMentions(result.err, {"torsio: Connection: "});
 }
 
-TEST_F(DeviceCommand, S4_CheckRefusesAServoThatIsTooSlow) {
+TEST_F(DeviceCommand, S4_CheckRejectsASlowServo) {
   const ProgramRun result = check("FAKEHD_TICK_US=2500");
 
   EXPECT_EQ(result.code, kDevice);
@@ -211,9 +211,9 @@ TEST_F(DeviceCommand, MonitorShowsReadingsAndEndsInOrder) {
   expectMentions(result.out, {"tip", "roll", "docked, ready, force off"});
 }
 
-TEST_F(DeviceCommand, CheckSaysWhatTheSystemGrantsTheServo) {
+TEST_F(DeviceCommand, CheckReportsWhatTheSystemGrantsTheServo) {
   const std::string check = "check --seconds 0.5 --wait 5 --json --library " TORSIO_FAKEHD;
-  // Without the right to it, whoever runs the tests.
+  // Without the privilege, whoever runs the tests.
   const std::string without = std::string("setpriv --inh-caps=-all --bounding-set=-sys_nice,-ipc_lock ") +
                               "--no-new-privs sh -c 'ulimit -r 0 2>/dev/null; exec " TORSIO_PROGRAM
                               " device " +
@@ -237,7 +237,7 @@ TEST_F(DeviceCommand, CheckSaysWhatTheSystemGrantsTheServo) {
   }
 }
 
-TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentWhateverEndsIt) {
+TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentHoweverItEnds) {
   const ProgramRun whole = run("monitor --seconds 0.3 --interval 0.05 --json --library " TORSIO_FAKEHD);
   const ProgramRun lost = run("monitor --seconds 30 --interval 0.05 --json --library " TORSIO_FAKEHD,
                               "FAKEHD_UNPLUG_AT_TICK=200");
@@ -249,13 +249,13 @@ TEST_F(DeviceCommand, MonitorPrintsOneJsonDocumentWhateverEndsIt) {
   EXPECT_EQ(complete["readings"].back()["state"], "ready, force off");
   EXPECT_EQ(lost.code, kDevice);
   const nlohmann::json ended = nlohmann::json::parse(lost.out);
-  // The fake's servo runs in real time: on a busy machine it may be given up before it tells of the loss.
+  // The fake's servo runs in real time: on a busy machine it may be given up before it reports the loss.
   EXPECT_THAT(ended["ended"].get<std::string>(),
               testing::AnyOf("the connection to the device broke off", "the device does not answer"));
   EXPECT_EQ(ended["readings"].back()["state"], "connection lost");
 }
 
-TEST_F(DeviceCommand, ListLooksAtALibraryThatIsCutOffWithoutFalling) {
+TEST_F(DeviceCommand, ListSurvivesATruncatedLibrary) {
   const fs::path cut = folder_ / "libHD.so";
   std::ofstream(cut, std::ios::binary) << readFile(TORSIO_FAKEHD).substr(0, 3000);
 
@@ -300,7 +300,7 @@ TEST_F(DeviceCommand, F8_MonitorClosesTheDeviceInOrderOnTheTerminationSignal) {
   EXPECT_TRUE(start < stop && stop < unschedule && unschedule < disable) << calls;
 }
 
-TEST_F(DeviceCommand, RefusesTimesOutOfRange) {
+TEST_F(DeviceCommand, RejectsTimesOutOfRange) {
   EXPECT_EQ(check("", "--seconds 0").code, static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(run("").code, static_cast<int>(ErrorCode::kUsage));
 }

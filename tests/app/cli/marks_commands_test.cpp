@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// compare-groups on marks by rater: missing marks, covariates, margins, permutations that are too many.
+// compare-groups on marks by rater: missing marks, covariates, margins, permutations beyond counting.
 #include <algorithm>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using MarksCommands = test::TableCommands;
 
-/// Two groups of six, three raters; `hole`: rows that are left empty.
+/// Two groups of six, three raters; `holes`: rows left empty.
 std::string marks(const std::vector<std::string>& holes = {}) {
   std::string table = "subject,group,occasion,rater,score\n";
   for (int i = 0; i < 12; ++i) {
@@ -31,7 +31,7 @@ std::string marks(const std::vector<std::string>& holes = {}) {
   return table;
 }
 
-TEST_F(MarksCommands, NameWhoseMarksAreMissingAndCompareAllTheSame) {
+TEST_F(MarksCommands, NamesSubjectsWithMissingMarksAndComparesAll) {
   const json out =
       answer("compare-groups --lowest 1 --highest 60 --margin 4 " +
              write("marks.csv", marks({"s3,after,r1", "s4,after,r0", "s4,after,r1", "s4,after,r2"})));
@@ -51,7 +51,7 @@ TEST_F(MarksCommands, NameWhoseMarksAreMissingAndCompareAllTheSame) {
   EXPECT_EQ(out["welch_t"]["equivalence"]["margin"], 4.0);
 }
 
-TEST_F(MarksCommands, AGroupThatDroppedOutIsNamedAndTheOthersAreCompared) {
+TEST_F(MarksCommands, ADroppedGroupIsNamedAndTheOthersAreCompared) {
   std::string table = marks();
   for (const char* subject : {"u1", "u2", "u3"}) {
     table += std::string(subject) + ",g2,before,r0,12\n";
@@ -75,7 +75,7 @@ TEST_F(MarksCommands, AGroupThatDroppedOutIsNamedAndTheOthersAreCompared) {
   EXPECT_EQ(out["mixed_model"]["bounds"].size(), 3U);
 }
 
-TEST_F(MarksCommands, OfEveryMarkAreComparedAsTheirMeansAre) {
+TEST_F(MarksCommands, CompleteMarksAreComparedLikeTheirMeans) {
   const json out = answer("compare-groups " + write("marks.csv", marks()));
   EXPECT_NEAR(out["mixed_model"]["pairs"][0]["p"].get<double>(), out["ancova"]["pairs"][0]["p"].get<double>(),
               1e-8);
@@ -83,7 +83,7 @@ TEST_F(MarksCommands, OfEveryMarkAreComparedAsTheirMeansAre) {
   EXPECT_EQ(out["ancova"]["left_out"], 0);
 }
 
-TEST_F(MarksCommands, GiveWhatIsLeftOfEachSubjectForPlots) {
+TEST_F(MarksCommands, PrintsResidualsOfEachSubjectForPlots) {
   const std::string file = write("marks.csv", marks({"s4,after,r0", "s4,after,r1", "s4,after,r2"}));
   EXPECT_FALSE(answer("compare-groups " + file)["ancova"].contains("residuals"));
   const json left = answer("compare-groups --residuals " + file)["ancova"]["residuals"];
@@ -102,7 +102,7 @@ TEST_F(MarksCommands, GiveWhatIsLeftOfEachSubjectForPlots) {
   EXPECT_NEAR(quantiles, 0.0, 1e-9);
 }
 
-TEST_F(MarksCommands, SayWhichOccasionAdjustsBeforeItReverses) {
+TEST_F(MarksCommands, NamesTheCovariateOccasion) {
   const std::string file = write("marks.csv", marks());
   const test::ProgramRun silent = test::runTorsio("compare-groups " + file, folder_);
   EXPECT_NE(silent.err.find("\"after\" is adjusted for \"before\""), std::string::npos) << silent.err;
@@ -119,12 +119,12 @@ TEST_F(MarksCommands, SayWhichOccasionAdjustsBeforeItReverses) {
   expectRefused("compare-groups --lowest 5 --highest 2 " + file, {"lowest"}, ErrorCode::kBadParameter);
 }
 
-TEST_F(MarksCommands, RefuseASecondMarkOfOneRater) {
+TEST_F(MarksCommands, RejectsADuplicateMarkOfARater) {
   expectRefused("compare-groups " + write("twice.csv", "subject,group,rater,score\na,x,r,1\na,x,r,2\n"),
                 {"line 3", "second score", "rater \"r\""});
 }
 
-TEST_F(MarksCommands, PermutationsThatAreTooManySayHowFarTheyMayBeOff) {
+TEST_F(MarksCommands, RandomPermutationsHaveAStatedError) {
   std::string table = "subject,group,score\n";
   for (int i = 0; i < 160; ++i) {
     table += "s" + std::to_string(i) + ",g" + std::to_string(i % 2) + "," +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes of a user's own through the program itself: what becomes an organ and what follows it.
+// Users' meshes through the program: which become organs, and the results.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ nlohmann::json importOf(const std::string& words, const std::filesystem::path& f
   return nlohmann::json::parse(run.out, nullptr, false);
 }
 
-TEST(OrganCommand, RefusesABallWithReasonsAndWritesNothing) {
+TEST(OrganCommand, RejectsABallWithReasonsAndWritesNothing) {
   const auto folder = emptyFolder("organ-ball");
   const auto mesh = folder / "ball.ply";
   writePly(mesh, testing::capsule(0.05, 0.005, 48, 8));
@@ -41,7 +41,7 @@ TEST(OrganCommand, RefusesABallWithReasonsAndWritesNothing) {
   EXPECT_EQ(runTorsio("twist --organ " + mesh.string() + " --angle 20", folder).code, 6);
 }
 
-TEST(OrganCommand, MakesAnOrganFileThatTwistsAsItsMeshDoes) {
+TEST(OrganCommand, MakesAnOrganFileThatTwistsLikeItsMesh) {
   const auto folder = emptyFolder("organ-bar");
   const auto mesh = folder / "bar.ply";
   writePly(mesh, testing::prism(testing::circleOutline(0.03, 36), 0.2, 12));
@@ -61,7 +61,7 @@ TEST(OrganCommand, MakesAnOrganFileThatTwistsAsItsMeshDoes) {
   EXPECT_EQ(second.at("pattern"), "own-axis");
   EXPECT_EQ(first.at("torque_nm"), second.at("torque_nm"));
   EXPECT_EQ(first.at("profile"), second.at("profile"));
-  // Its wall is the wall that is wrung between ends.
+  // Its wall is used when it is twisted between its ends.
   const ProgramRun wrung =
       runTorsio("twist --json --angle 10 --ends clamped-turned --organ " + organ.string(), folder);
   ASSERT_EQ(wrung.code, 0) << wrung.err;
@@ -70,7 +70,7 @@ TEST(OrganCommand, MakesAnOrganFileThatTwistsAsItsMeshDoes) {
             static_cast<int>(ErrorCode::kBadParameter));
 }
 
-TEST(OrganCommand, DrawsAnArmWithAPersonsMeasuresThatTwists) {
+TEST(OrganCommand, MakesAnArmWithAPersonsMeasurementsThatTwists) {
   const auto folder = emptyFolder("organ-arm");
   const auto organ = folder / "arm.organ";
 
@@ -83,9 +83,9 @@ TEST(OrganCommand, DrawsAnArmWithAPersonsMeasuresThatTwists) {
   ASSERT_EQ(made.code, 0) << made.err;
   const auto arm = nlohmann::json::parse(made.out);
   EXPECT_TRUE(arm.at("accepted").get<bool>());
-  EXPECT_GT(arm.at("volume_ml").get<double>(), 900.0);  // a man's 1 523 ml, girths by 0.86
+  EXPECT_GT(arm.at("volume_ml").get<double>(), 900.0);  // a man's 1 523 ml, girths scaled by 0.86
   EXPECT_LT(arm.at("volume_ml").get<double>(), 1300.0);
-  // Its landmarks are data, as those of the shipped arm are.
+  // Its landmarks are data, like those of the shipped arm.
   const auto landmarks = nlohmann::json::parse(readFile(folder / "arm_markers.json"));
   EXPECT_EQ(landmarks.at("organ"), "arm.organ");
   EXPECT_GT(landmarks.at("zero_line_mm").size(), 20U);
@@ -101,7 +101,7 @@ TEST(OrganCommand, DrawsAnArmWithAPersonsMeasuresThatTwists) {
   EXPECT_EQ(runTorsio("organ make arm --fingers 50 64", folder).code, static_cast<int>(ErrorCode::kUsage));
 }
 
-TEST(OrganCommand, KeepsAWarningWithWhatIsRecorded) {
+TEST(OrganCommand, StoresAWarningWithRecordings) {
   const auto folder = emptyFolder("organ-short");
   const auto mesh = folder / "short.ply";
   writePly(mesh, testing::prism(testing::circleOutline(0.05, 48), 0.2, 24));
@@ -121,12 +121,12 @@ TEST(OrganCommand, KeepsAWarningWithWhatIsRecorded) {
   EXPECT_TRUE(nlohmann::json::parse(replayed.out).at("identical").get<bool>());
 }
 
-TEST(OrganCommand, TakesItsUnitAsAFactor) {
+TEST(OrganCommand, AcceptsItsUnitAsAFactor) {
   const auto folder = emptyFolder("organ-unit");
   const auto mesh = folder / "bar.ply";
   TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 36), 0.2, 12);
   for (Vec3& v : bar.vertices_m) {
-    v *= 0.001;  // written in metres
+    v *= 0.001;  // in metres
   }
   writePly(mesh, bar);
 
@@ -137,7 +137,7 @@ TEST(OrganCommand, TakesItsUnitAsAFactor) {
   EXPECT_NEAR(right.at("length_mm").get<double>(), 200.0, 0.01);
 }
 
-TEST(InstrumentCommand, MakesAnInstrumentOfAMeshOrSaysWhyNot) {
+TEST(InstrumentCommand, MakesAnInstrumentFromAMeshOrReportsWhyNot) {
   const auto folder = emptyFolder("instrument-mesh");
   writeObj(folder / "tool.obj", testing::capsule(0.004, 0.16, 32, 40));
 
@@ -159,7 +159,7 @@ TEST(InstrumentCommand, MakesAnInstrumentOfAMeshOrSaysWhyNot) {
     EXPECT_TRUE(std::filesystem::exists(folder / mesh.get<std::string>())) << mesh;
   }
 
-  // In metres it would be too long by far.
+  // In metres it would be far too long.
   const ProgramRun refused =
       runTorsio("instrument import --organ-unit m --out " + (folder / "no.json").string() + ' ' +
                     (folder / "tool.obj").string(),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes of studies, standards and proficiency from the command line, against the reference cases of
-// tests/data/assessment.
+// Sample sizes, standards and proficiency against the reference cases of tests/data/assessment.
 #include <string>
 #include <vector>
 
@@ -21,7 +20,7 @@ using test::ReferenceCase;
 using test::referenceCase;
 using PlanningCommands = test::TableCommands;
 
-TEST_F(PlanningCommands, PowerAnswersForTheThirdOfSizeEffectAndPower) {
+TEST_F(PlanningCommands, PowerComputesTheThirdOfSizeEffectAndPower) {
   const ReferenceCase c = referenceCase("groups", "power");
   const auto expectAnswer = [&](const std::string& question, const char* key, const char* name) {
     expectMatch(answer("power " + question)[json::json_pointer(key)], c.expected.at(name), c.tolerance, name);
@@ -38,7 +37,7 @@ TEST_F(PlanningCommands, PowerAnswersForTheThirdOfSizeEffectAndPower) {
   EXPECT_EQ(icc["targets_needed"], 68);  // 67.38 rounded up
 }
 
-TEST_F(PlanningCommands, PowerGivesBackTheQuestionItAnswers) {
+TEST_F(PlanningCommands, PowerRepeatsItsInput) {
   const json paired = answer("power --test paired-t --effect 0.9960013714554439 --power 0.8");
   const json anova = answer("power --test anova --groups 4 --n 12 --power 0.9");
   const json again =
@@ -47,7 +46,7 @@ TEST_F(PlanningCommands, PowerGivesBackTheQuestionItAnswers) {
 
   EXPECT_NEAR(paired["n"].get<double>(), 10.0, 1e-6);
   EXPECT_NEAR(again["power"].get<double>(), 0.9, 1e-9);
-  // 1 - 0.6^2 = 0.64 of the size without covariate
+  // 1 - 0.6^2 = 0.64 of the size without a covariate
   EXPECT_NEAR(covariate["n_with_covariate"].get<double>(), 0.64 * covariate["n"].get<double>(), 1e-9);
   EXPECT_EQ(covariate["n_needed"], 26);
   EXPECT_EQ(answer("power --test t --effect 20 --power 0.5")["n_needed"], 2);
@@ -76,7 +75,7 @@ TEST_F(PlanningCommands, StandardsFromContrastingGroupsCutBetweenTheMeans) {
                 {"third.csv, line 3", "\"expert\"", "novice or master"});
 }
 
-TEST_F(PlanningCommands, StandardsByAngoffAndProficiencyAgreeWithTheirCases) {
+TEST_F(PlanningCommands, StandardsByAngoffAndProficiencyMatchTheirCases) {
   const ReferenceCase judges = referenceCase("learning", "angoff");
   std::string percent = "judge,item,percent\n";
   const json& rows = judges.input.at("judge_by_item_percent");
@@ -103,8 +102,8 @@ TEST_F(PlanningCommands, StandardsByAngoffAndProficiencyAgreeWithTheirCases) {
 }
 
 TEST_F(PlanningCommands, StandardsByBorderlineRegressionPredictTheBorderlineScore) {
-  // Scores 10 + 5 x rating, once 1 more and once 1 less at the same rating: the line is untouched, its cut at
-  // 2 is 20.
+  // Scores 10 + 5 x rating, one above and one below at the same rating: the line is unchanged, its cut at 2
+  // is 20.
   const std::string file =
       write("global.csv", "subject,global,score\na,1,16\nb,1,14\nc,3,25\nd,3,25\ne,5,35\n");
   const std::string method = "standard-setting --method borderline-regression ";
@@ -123,7 +122,7 @@ TEST_F(PlanningCommands, StandardsByBorderlineRegressionPredictTheBorderlineScor
                 {"again.csv, line 3", "line 2"});
 }
 
-TEST_F(PlanningCommands, LearningNamesTheAttemptOfProficiency) {
+TEST_F(PlanningCommands, LearningReportsTheAttemptOfProficiency) {
   // At most 40 s twice in a row: attempts 4 and 5; one more: attempt 7.
   std::string table = "subject,attempt,value\n";
   const std::vector<int> seconds = {60, 39, 55, 40, 38, 50, 36};
@@ -148,13 +147,13 @@ TEST_F(PlanningCommands, LearningNamesTheAttemptOfProficiency) {
     addRow(thousand, {"P01", std::to_string(t), "50"});
   }
   const json certain = answer("learning --threshold 40 " + write("thousand.csv", thousand))["subjects"][0];
-  EXPECT_EQ(certain["proficient_if_inadequate"], 1.0);  // and not beyond it by rounding
+  EXPECT_EQ(certain["proficient_if_inadequate"], 1.0);  // rounding must not exceed it
   EXPECT_LT(answer(command + " --further 1 --inadequate 0.5")["subjects"][0]["proficient_if_inadequate"]
                 .get<double>(),
             94.0 / 128.0);
 }
 
-TEST_F(PlanningCommands, LearningTakesAnyLimitOfTheCusumAndSaysWhereTheRunLengthEnds) {
+TEST_F(PlanningCommands, LearningAcceptsAnyCusumLimitAndReportsUnboundedRunLengths) {
   // Sums above the target grow by 0.5 at the second value and by 2999.5 at the third.
   const std::string file = write("sums.csv", "subject,attempt,value\na,1,10\na,2,11\na,3,3010\n");
   const std::string command = "learning --target 10 --sigma 1 " + file + " --cusum-limit ";

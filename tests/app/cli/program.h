@@ -10,15 +10,15 @@
 
 namespace torsio::test {
 
-/// What one call of the program said.
+/// Output of one run of the program.
 struct ProgramRun {
   int code = -1;
   std::string out;
   std::string err;
 };
 
-/// A new empty folder for one test, below the system's temporary folder. Tests run side by side, each in a
-/// process of its own, hence the process number. Removed when the process ends.
+/// A new empty folder for one test in the system's temporary folder, named with the process id because tests
+/// run in parallel processes. Removed when the process ends.
 inline std::filesystem::path emptyFolder(const std::string& name) {
   struct Cleaner {
     std::vector<std::filesystem::path> folders;
@@ -41,7 +41,7 @@ inline std::filesystem::path emptyFolder(const std::string& name) {
   return folder;
 }
 
-/// Runs a program without a display; `under` is a command that runs it.
+/// Runs a program without a display; `under`: a command that wraps it.
 inline ProgramRun runProgram(const std::string& program, const std::string& arguments,
                              const std::filesystem::path& scratch, const std::string& under = "") {
   const std::string out = (scratch / ".out").string();
@@ -55,7 +55,7 @@ inline ProgramRun runProgram(const std::string& program, const std::string& argu
   return run;
 }
 
-/// Runs the built program, as a user would.
+/// Runs the built program like a user.
 inline ProgramRun runTorsio(const std::string& arguments, const std::filesystem::path& scratch,
                             const std::string& under = "") {
   return runProgram(TORSIO_PROGRAM, arguments, scratch, under);

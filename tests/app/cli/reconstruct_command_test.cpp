@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A CT through the program itself: the organ, what it tells, and who it does not tell of.
+// A CT through the program: the organ, its report, and the patient's anonymity.
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -38,7 +38,7 @@ nlohmann::json reconstructionOf(const std::string& words, const std::filesystem:
   return nlohmann::json::parse(run.out, nullptr, false);
 }
 
-/// Nothing of the patient that writeDicomSeries() writes, however it is spelt.
+/// Expects nothing of the patient in writeDicomSeries(), in any spelling.
 void expectNobody(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
@@ -47,7 +47,7 @@ void expectNobody(std::string text) {
   }
 }
 
-TEST(ReconstructCommand, MakesAnOrganOfACtThatTwistsAndNamesNobody) {
+TEST(ReconstructCommand, MakesAnOrganFromACtThatTwistsAndNamesNobody) {
   const auto folder = emptyFolder("reconstruct");
   ScanVolume scan = testing::blankScanAround(bar(), {3, 3, 4});
   testing::fillWith(scan, bar(), kSoft_HU);
@@ -74,7 +74,7 @@ TEST(ReconstructCommand, MakesAnOrganOfACtThatTwistsAndNamesNobody) {
   const ProgramRun twisted = runTorsio("twist --json --angle 30 --organ " + organ.string(), folder);
   EXPECT_EQ(twisted.code, 0) << twisted.err;
 
-  // The same with a slice missing, which is told by a number where a name would tell too much.
+  // The same with a missing slice, reported by number because a file name might identify the patient.
   std::filesystem::remove(folder / "ct" / "Doe_Jane_45.dcm");
   const auto refused = reconstructionOf((folder / "ct").string() + " --tissue skin", folder, 6, &said);
   EXPECT_FALSE(refused.at("accepted").get<bool>());
@@ -85,7 +85,7 @@ TEST(ReconstructCommand, MakesAnOrganOfACtThatTwistsAndNamesNobody) {
   EXPECT_THAT(mended.at("warnings").dump(), HasSubstr("D09"));
 }
 
-TEST(ReconstructCommand, RefusesWithItsExitCodes) {
+TEST(ReconstructCommand, FailsWithItsExitCodes) {
   const auto folder = emptyFolder("reconstruct-refused");
   const TriangleMesh ball = testing::capsule(0.04, 0.002, 36, 6);
   ScanVolume scan = testing::blankScanAround(ball, {4, 4, 4});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scripted twist answered by each model, recorded and replayed by the program itself.
+// A scripted twist with each model, recorded and replayed by the program.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_P(RecordCommand, StoresATrialThatNamesItsModelAndReplaysBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Models, RecordCommand, ::testing::Values("twist", "fem", "msm"),
                          [](const auto& one) { return one.param; });
 
-TEST(RecordCommandLine, RefusesAModelThatItDoesNotKnow) {
+TEST(RecordCommandLine, RejectsAnUnknownModel) {
   const auto folder = emptyFolder("record-unknown");
 
   const ProgramRun run =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of the cohort report are those of the commands, to the last digit.
+// The numbers of the cohort report equal those of the commands, to the last digit.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -103,7 +103,7 @@ void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   }
 }
 
-/// Every line of a table, in its order, without the byte order mark.
+/// All lines of a table, in order, without the byte order mark.
 std::vector<std::string> lines(const fs::path& file) {
   std::vector<std::string> all;
   std::string content = readFile(file);
@@ -134,13 +134,13 @@ void ofTheWindowAreThoseOfTheCommandLineInEveryCell(const fs::path& folder) {
   const CohortInputs inputs = reportInputs(session, request, digests);
   (void)exportReport(session, request, inputs, ReportFormat::kCsv, folder / "window.csv", "en");
 
-  // The head of the audit trail is that of the moment when the window made its table.
+  // The head of the audit trail is that at the time when the window made its table.
   std::vector<std::string> window = lines(folder / "window.csv");
   EXPECT_EQ(
       std::erase_if(window,
                     [](const std::string& line) { return line.find(",audit_trail,") != std::string::npos; }),
       1U);
-  // Each names the file that made it, and they are two files.
+  // Each names the file that made it, which differ.
   std::vector<std::string> command = lines(folder / "out" / "cohort.csv");
   for (std::vector<std::string>* table : {&window, &command}) {
     EXPECT_EQ(
@@ -228,8 +228,8 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
             static_cast<int>(ErrorCode::kBadParameter));
 }
 
-// One test: the demonstration takes most of its time.
-TEST(ReportNumbers, OfCommandsWindowAndTraceAreTheSame) {
+// A single test, because the demonstration takes most of the time.
+TEST(ReportNumbers, OfCommandsWindowAndTraceAreEqual) {
   const fs::path folder = emptyFolder("report-numbers");
   ASSERT_EQ(runTorsio("demo --out " + (folder / "out").string() + " --shorten 150 --seed 7", folder).code, 0);
   equalThoseOfTheCommandsToTheLastDigit(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curved rod as a user asks for it: torsio twist --ends.
+// The curved rod from the command line: torsio twist --ends.
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -31,7 +31,7 @@ using test::runTorsio;
 constexpr double kLength_m = 0.240;
 
 /// A tube of elliptic sections: half axes in the plane of the bend and across it, at the lower and the upper
-/// end. Its axis leaves the origin along z and turns towards x by `angle_rad` over 240 mm.
+/// end. Its axis starts at the origin along z and bends towards x by `angle_rad` over 240 mm.
 struct Tube {
   std::string name;
   double angle_rad = 0.0;
@@ -51,7 +51,7 @@ std::string words(const Vec3& p_m) {
   return text.str();
 }
 
-/// Writes the tube in millimetres; returns the options that name it and its ends.
+/// Writes the tube in millimetres; returns the options for it and its ends.
 std::string written(const Tube& tube, const fs::path& folder) {
   const TriangleMesh mesh = testing::sweep(testing::circleOutline(1.0, 96), 80, [&tube](double share) {
     const double at = tube.angle_rad * share;
@@ -72,7 +72,7 @@ nlohmann::json resultOf(const std::string& arguments, const fs::path& scratch) {
   return nlohmann::json::parse(run.out);
 }
 
-/// Turn at a share of the length, linear between the sections of the profile.
+/// Rotation at a fraction of the length, interpolated between the sections of the profile.
 double turnAt(const nlohmann::json& result, double share) {
   const nlohmann::json& profile = result["profile"];
   const double arc = share * profile.back()["s_m"].get<double>();
@@ -88,9 +88,9 @@ double turnAt(const nlohmann::json& result, double share) {
   return profile.back()["phi_rad"];
 }
 
-TEST(RodTwist, TheTorqueOfBentTubesIsThatOfThreeDimensionalFiniteElements) {
+TEST(RodTwist, TheTorqueOfBentTubesMatchesThreeDimensionalFiniteElements) {
   // CalculiX 2.20, C3D20R, 11,741 to 14,005 nodes, nu 0.45, G 10 kPa: all nodes of the lower face held, those
-  // of the upper face moved as a rigid turn of 1 degree about that face's tangent. N mm/rad.
+  // of the upper face rotated rigidly by 1 degree about that face's tangent. N mm/rad.
   const fs::path scratch = emptyFolder("rod-bent");
   const std::vector<std::pair<Tube, double>> tubes{
       {{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}}, 49.48},
@@ -111,7 +111,7 @@ TEST(RodTwist, TheTorqueOfBentTubesIsThatOfThreeDimensionalFiniteElements) {
   }
 }
 
-TEST(RodTwist, TheReferenceBesideTheRodIsWithinThreePercentOfIt) {
+TEST(RodTwist, TheReferenceIsWithinThreePercentOfTheRod) {
   const fs::path scratch = emptyFolder("rod-reference");
   const Tube tube{"bent90", 0.5 * kPi, {0.025, 0.025}, {0.025, 0.025}};
   const std::string call = written(tube, scratch) +
@@ -144,7 +144,7 @@ TEST(RodTwist, AQuarterTurnOfABentTubeAgreesWithNeoHookeanFiniteElements) {
   EXPECT_GT(result["det_f_min"].get<double>(), 0.95);
 }
 
-TEST(RodTwist, TheTorqueDoesNotDependOnTheSectionsOfTheLattice) {
+TEST(RodTwist, TheTorqueIsIndependentOfTheLatticesSections) {
   const fs::path scratch = emptyFolder("rod-sections");
   const Tube tube{"bent90_taper", 0.5 * kPi, {0.032, 0.024}, {0.020, 0.016}};
   const std::string call = written(tube, scratch) + " --ends clamped-turned --angle 5";
@@ -183,7 +183,7 @@ TEST(RodTwist, AStraightBarTwistsByTheIntegralOfItsCompliance) {
   }
 }
 
-TEST(RodTwist, ATwistThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
+TEST(RodTwist, ATwistThatFoldsTheOrganIsRejectedUnlessRequested) {
   const fs::path scratch = emptyFolder("rod-fold");
   // Five whole turns: the chords of the triangles alone lose more than 2 % of the volume.
   const Tube tube{"wrung", radians(20.0), {0.020, 0.020}, {0.020, 0.020}};
@@ -203,7 +203,7 @@ TEST(RodTwist, ATwistThatFoldsTheOrganIsRefusedUnlessItIsAskedFor) {
   EXPECT_TRUE(fs::exists(scratch / "folded.obj"));
 }
 
-TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRefused) {
+TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRejected) {
   const fs::path scratch = emptyFolder("turns");
 
   const nlohmann::json half = resultOf("--organ stomach --pattern partial --angle 170", scratch);
@@ -213,7 +213,7 @@ TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRefused) {
       runTorsio("twist --organ stomach --pattern partial --angle 270 --allow-fold", scratch);
 
   EXPECT_GT(half["torque_nm"], 0.05);
-  EXPECT_GT(beyond["torque_nm"], half["torque_nm"]);  // not that of a turn the other way round
+  EXPECT_GT(beyond["torque_nm"], half["torque_nm"]);  // not the torque of a turn in the other direction
   EXPECT_NEAR(degrees(loop["angle_rad"]), 400.0, 1e-6);
   EXPECT_GT(loop["torque_nm"], 0.01);
   EXPECT_EQ(slipped.code, static_cast<int>(ErrorCode::kFolded)) << slipped.out;
@@ -247,7 +247,7 @@ TEST(RodTwist, ShippedOrgansKeepTheirVolumeAndDoNotFoldAtAQuarterTurn) {
   }
 }
 
-TEST(RodTwist, OptionsWithoutMeaningAreRefused) {
+TEST(RodTwist, MeaninglessOptionsAreRejected) {
   const fs::path scratch = emptyFolder("rod-options");
   const auto codeOf = [&](const std::string& options) {
     return runTorsio("twist --organ forearm --angle 10 " + options, scratch).code;
@@ -273,7 +273,7 @@ TEST(RodTwist, IsAsStiffUnderAThousandthOfADegreeAsUnderATenth) {
   EXPECT_NEAR(100.0 * small_Nm / larger_Nm, 1.0, 1e-4);
 }
 
-TEST(RodTwist, TheTorqueOfBentHollowTubesIsThatOfThreeDimensionalFiniteElements) {
+TEST(RodTwist, TheTorqueOfBentHollowTubesMatchesThreeDimensionalFiniteElements) {
   // CalculiX 2.20, tests/data/calculix: small turns of tubes with walls of 0.1 and 0.2 of the outer radius.
   struct Case {
     Tube tube;
@@ -302,8 +302,8 @@ TEST(RodTwist, TheTorqueOfBentHollowTubesIsThatOfThreeDimensionalFiniteElements)
   }
 }
 
-// Its gas makes it larger than it was drawn at less, which is no fold.
-TEST(HollowTwist, IsSaidToFoldFromItsOnsetOnAndNotForItsGas) {
+// Its gas expands it beyond the drawn shape, which is no fold.
+TEST(HollowTwist, ReportsFoldsFromItsOnsetRegardlessOfItsGas) {
   const fs::path scratch = emptyFolder("hollow-scene");
   const std::string call = "--organ gastric-mesentero-axial --angle ";
 
@@ -358,7 +358,7 @@ TEST(RodTwist, AWallMayVaryAlongTheOrgan) {
   EXPECT_LT(thinner["torque_nm"].get<double>(), even["torque_nm"].get<double>());
 }
 
-TEST(RodTwist, WallsAndPressuresWithoutMeaningAreRefused) {
+TEST(RodTwist, MeaninglessWallsAndPressuresAreRejected) {
   const fs::path scratch = emptyFolder("hollow-options");
   const auto codeOf = [&](const std::string& options) {
     return runTorsio("twist --organ intestine --angle 10 " + options, scratch).code;
@@ -378,7 +378,7 @@ TEST(RodTwist, WallsAndPressuresWithoutMeaningAreRefused) {
   EXPECT_EQ(codeOf(ends + "--wall 2 --pressure-mmhg -1"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall 2 --pressure-mmhg nan"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--wall 2 --shear-modulus 0"), static_cast<int>(ErrorCode::kBadParameter));
-  // What holds so much is thick and narrow when it is let down.
+  // Under such a pressure it is thick and narrow once released.
   const ProgramRun full = runTorsio(
       "twist --organ stomach --angle 60 --shear-modulus 5000 --wall 2 --pressure-mmhg 15 " + ends, scratch);
   EXPECT_EQ(full.code, static_cast<int>(ErrorCode::kBadParameter)) << full.err;

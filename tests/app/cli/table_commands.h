@@ -16,7 +16,7 @@
 
 namespace torsio::test {
 
-/// Tables in a folder of their own, and the commands that read them.
+/// Tables in a temporary folder, and the commands that read them.
 class TableCommands : public ::testing::Test {
  protected:
   std::filesystem::path folder_ = emptyFolder("assessment");
@@ -56,7 +56,7 @@ inline void addRow(std::string& table, const std::vector<std::string>& values) {
   table += "\n";
 }
 
-/// target,rater,score of a matrix with a row for each target.
+/// target,rater,score of a matrix with one row per target.
 inline std::string ratings(const nlohmann::json& rows) {
   std::string table = "target,rater,score\n";
   for (std::size_t t = 0; t < rows.size(); ++t) {
@@ -67,7 +67,7 @@ inline std::string ratings(const nlohmann::json& rows) {
   return table;
 }
 
-/// subject,occasion,score of lists of the same length, one for each occasion.
+/// subject,occasion,score of lists of equal length, one per occasion.
 inline std::string occasions(const std::vector<std::string>& names,
                              const std::vector<std::vector<double>>& scores) {
   std::string table = "subject,occasion,score\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random tables for every command of the statistics that reads one: it answers with numbers and reasons, or
-// refuses in one line; it never ends with an internal error, hangs, or prints what is no number.
-// TORSIO_FUZZ_TABLES says how many, TORSIO_FUZZ_FIRST which is the first (1).
+// Random tables for every statistics command: it prints numbers and reasons or fails with one line; it never
+// ends with an internal error, hangs, or prints an invalid number. TORSIO_FUZZ_TABLES: number of tables,
+// TORSIO_FUZZ_FIRST: number of the first (1).
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kDefaultTables = 600;
 constexpr int kInternalError = 70;
-constexpr int kPatience_s = 30;  // of the processor, for one table
+constexpr int kPatience_s = 30;  // processor time per table
 
 struct Command {
   std::string arguments;  ///< with a %1 for the table
@@ -60,7 +60,7 @@ std::vector<Command> commands() {
   return all;
 }
 
-/// One random table; the same seed gives the same table everywhere.
+/// A random table, determined by its seed on every machine.
 class RandomTable {
  public:
   RandomTable(unsigned seed, Command command) : draw_(seed), command_(std::move(command)) {
@@ -163,7 +163,7 @@ class RandomTable {
     if (style_ == 1) {
       return kStrange.at(static_cast<std::size_t>(below(6)));
     }
-    if (style_ == 2) {  // groups that hardly vary and lie far apart
+    if (style_ == 2) {  // groups that hardly vary and are far apart
       return std::to_string(10 * j) + "." + std::to_string(below(3));
     }
     if (style_ < 6 && below(12) == 0) {
@@ -180,7 +180,7 @@ class RandomTable {
   int style_ = 0;
 };
 
-/// What is written to a stream of the process while this lives.
+/// Captures what the process writes to a stream while this lives.
 class Written {
  public:
   explicit Written(std::ostream& stream) : stream_(stream), before_(stream.rdbuf(text_.rdbuf())) {}
@@ -195,7 +195,7 @@ class Written {
   std::streambuf* before_;
 };
 
-/// Ends the process, with the table's number, when a command uses the processor for too long.
+/// Ends the process, reporting the table's number, if a command takes too much processor time.
 class HangWatch {
  public:
   explicit HangWatch(int table) {
@@ -226,7 +226,7 @@ class HangWatch {
   static inline volatile std::sig_atomic_t table_ = 0;
 };
 
-/// One call within this process: starting the program takes a hundred times what a small table does.
+/// Runs a command in this process: starting the program takes a hundred times longer than a small table.
 test::ProgramRun runHere(const std::string& arguments) {
   std::istringstream words("torsio " + arguments);
   std::vector<std::string> given;
@@ -243,7 +243,7 @@ test::ProgramRun runHere(const std::string& arguments) {
   return {code, out.text(), err.text()};
 }
 
-/// Lines that are no note on how the table is read.
+/// Number of lines that are not notes on how the table is read.
 int refusals(const std::string& said) {
   std::istringstream lines(said);
   int count = 0;
@@ -262,7 +262,7 @@ int numberFrom(const char* variable, int otherwise) {
 
 using TableFuzz = test::TableCommands;
 
-TEST_F(TableFuzz, EveryTableIsAnsweredWithNumbersAndReasonsOrRefusedInOneLine) {
+TEST_F(TableFuzz, EveryTableGivesNumbersAndReasonsOrOneErrorLine) {
   const int tables = numberFrom("TORSIO_FUZZ_TABLES", kDefaultTables);
   const int first = numberFrom("TORSIO_FUZZ_FIRST", 1);
   const std::vector<Command> all = commands();
@@ -277,7 +277,7 @@ TEST_F(TableFuzz, EveryTableIsAnsweredWithNumbersAndReasonsOrRefusedInOneLine) {
     EXPECT_NE(run.code, kInternalError) << run.err;
     if (run.code == 0) {
       ++answered;
-      // dump() refuses bytes that are no UTF-8; the parser has refused nan and inf.
+      // dump() rejects invalid UTF-8; the parser has rejected nan and inf.
       EXPECT_NO_THROW((void)nlohmann::json::parse(run.out).dump()) << run.out;
       EXPECT_EQ(run.out.find(": null"), std::string::npos) << run.out;
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio tracker with the library's own classes on the other side.
+// torsio tracker with the library's own classes as peer.
 #include <filesystem>
 #include <future>
 #include <string>
@@ -27,7 +27,7 @@ class TrackerCommand : public ::testing::Test {
   std::filesystem::path folder_ = test::emptyFolder("tracker");
 };
 
-TEST_F(TrackerCommand, WatchShowsWhatATrackerSends) {
+TEST_F(TrackerCommand, WatchShowsATrackersPoses) {
   FakeTracker tracker;
   auto watched = std::async(std::launch::async, [&] {
     return run("watch --seconds 120 --poses 25 --json --port " + std::to_string(tracker.port()));
@@ -63,7 +63,7 @@ TEST_F(TrackerCommand, WatchWithoutAPoseIsExitCodeTwelve) {
   EXPECT_EQ(run("watch --seconds -1").code, static_cast<int>(ErrorCode::kBadParameter));
 }
 
-TEST_F(TrackerCommand, RemembersTrackerAndOfferUntilThereIsNone) {
+TEST_F(TrackerCommand, RemembersTrackerAndServiceUntilCleared) {
   EXPECT_NE(run("choose --port 18955 --instrument Needle").out.find("real arm: 127.0.0.1:18955"),
             std::string::npos);
   const ProgramRun offered = run("offer --port 18956");
@@ -74,7 +74,7 @@ TEST_F(TrackerCommand, RemembersTrackerAndOfferUntilThereIsNone) {
   EXPECT_NE(run("offer --none").out.find("offered: nowhere"), std::string::npos);
 }
 
-TEST_F(TrackerCommand, SendShowsARecordedRunToWhoConnects) {
+TEST_F(TrackerCommand, SendStreamsARecordedRunToItsClient) {
   const std::string record = (folder_ / "r.sqlite").string();
   const ProgramRun recorded = test::runTorsio("record --duration 1 --json --database " + record, folder_);
   ASSERT_EQ(recorded.code, 0) << recorded.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// torsio xapi against a store of the tests, from the first setting to a letter that nobody takes.
+// torsio xapi against a test server, from the first setting to a statement that nobody accepts.
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -59,7 +59,7 @@ class XapiCommand : public ::testing::Test {
   XapiCentre centre_;
 };
 
-TEST_F(XapiCommand, TellsTheStoreWhatHappenedAndShowsWhatItRefuses) {
+TEST_F(XapiCommand, ReportsEventsToTheStoreAndListsRefusedOnes) {
   EXPECT_FALSE(status()["on"].get<bool>());
   const ProgramRun on = turnOn();
   EXPECT_EQ(on.code, 0) << on.err;
@@ -88,7 +88,7 @@ TEST_F(XapiCommand, TellsTheStoreWhatHappenedAndShowsWhatItRefuses) {
   EXPECT_TRUE(centre_.store().complaints().empty());
 }
 
-TEST_F(XapiCommand, AStoreThatTakesNothingIsExitCodeFourAndNothingIsLost) {
+TEST_F(XapiCommand, ARefusingStoreIsExitCodeFourAndNothingIsLost) {
   turnOn();
   giveKey();
   centre_.run();
@@ -97,7 +97,7 @@ TEST_F(XapiCommand, AStoreThatTakesNothingIsExitCodeFourAndNothingIsLost) {
   const ProgramRun busy = run("send" + record());
 
   EXPECT_EQ(busy.code, static_cast<int>(ErrorCode::kFileUnreadable));
-  EXPECT_NE(busy.err.find("takes nothing now"), std::string::npos);
+  EXPECT_NE(busy.err.find("does not accept anything now"), std::string::npos);
   const nlohmann::json waits = status();
   EXPECT_EQ(waits["waiting"], 3);
   EXPECT_FALSE(waits["trouble"].get<std::string>().empty());
@@ -106,7 +106,7 @@ TEST_F(XapiCommand, AStoreThatTakesNothingIsExitCodeFourAndNothingIsLost) {
   EXPECT_EQ(run("send" + record()).out, "Delivered 3, refused for good 0, later 0\n");
 }
 
-TEST_F(XapiCommand, RefusesWhoMayNotAndAddressesInTheClear) {
+TEST_F(XapiCommand, RejectsUnauthorisedUsersAndUnencryptedAddresses) {
   EXPECT_EQ(run("status --json" + signedIn("wrong")).code, static_cast<int>(ErrorCode::kPermission));
   EXPECT_EQ(run("status" + record()).code, static_cast<int>(ErrorCode::kUsage));
   const ProgramRun clear = run(
@@ -115,7 +115,7 @@ TEST_F(XapiCommand, RefusesWhoMayNotAndAddressesInTheClear) {
   EXPECT_FALSE(status()["on"].get<bool>());
 }
 
-TEST_F(XapiCommand, KeepsTheSecretForTheAccountAlone) {
+TEST_F(XapiCommand, MakesTheSecretReadableByTheAccountOnly) {
   turnOn();
   giveKey();
   EXPECT_TRUE(status()["key_at_this_station"].get<bool>());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a browser draws of a recording: as near to the window's picture as docs/server.md says, and small
-// enough for a slow line.
+// Pictures of recordings for browsers: as close to the window's as docs/server.md promises, and small enough
+// for a slow line.
 #include "app/web/case_picture.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Organ {
 
 class CasePictureOf : public ::testing::TestWithParam<Organ> {};
 
-TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
+TEST_P(CasePictureOf, IsWithinAFifthOfAMillimetreAndSmall) {
   SceneRequest request;
   request.assets = assetsFolder();
   request.id = GetParam().scene;
@@ -50,7 +50,7 @@ TEST_P(CasePictureOf, LiesWithinAFifthOfAMillimetreAndIsSmall) {
   const std::size_t body = about.find("\"body\":\"");
   ASSERT_NE(body, std::string::npos);
   ASSERT_EQ(shelf.find(about.substr(body + 8, 32)), picture.body);
-  // The pages take 0.1 MB besides: 1.5 MB until a first case is usable.
+  // With 0.1 MB of pages: 1.5 MB until a first case is usable.
   EXPECT_LE(picture.organ.size() + picture.body->size() + picture.recording.size() + skin->size(),
             1'300'000U);
   const std::string head = torsio::testing::unpackedGzip(picture.recording).substr(0, 4000);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The desk as a program of its own, killed in the middle of a sheet and started again, with the clock of the
-// machine set back meanwhile: what was answered is found, nothing is doubled. TORSIO_KILL_INSTANTS says how
-// often it is killed.
+// Kills the desk's process while a sheet is edited and restarts it, with the system clock set back: whatever
+// was acknowledged is there, nothing is duplicated. TORSIO_KILL_INSTANTS: number of kills.
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -38,7 +37,7 @@ using torsio::testing::WebClient;
 
 using namespace std::chrono_literals;
 
-/// A port of this machine that nobody listens at.
+/// A free port of this machine.
 std::uint16_t freePort() {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in at{};
@@ -51,7 +50,7 @@ std::uint16_t freePort() {
   return bound ? ntohs(at.sin_port) : 0;
 }
 
-/// `torsio serve` behind a proxy that is not there.
+/// `torsio serve`, configured for a proxy that does not exist.
 class ServingProgram {
  public:
   ServingProgram(const ReviewCentre& centre, const std::vector<std::string>& environment)
@@ -65,7 +64,7 @@ class ServingProgram {
   ServingProgram& operator=(const ServingProgram&) = delete;
   ~ServingProgram() { die(); }
 
-  /// 0: it does not serve.
+  /// 0: it is not serving.
   [[nodiscard]] std::uint16_t port() const {
     for (int tries = 0; tries < 1200; ++tries) {
       if (waitpid(child_, nullptr, WNOHANG) == child_) {
@@ -106,7 +105,7 @@ json sheetOf(WebClient& client) {
   return client.get("/api/cases/" + firstCase(client)).json().at("sheet");
 }
 
-/// What the sheet gives in each row, and over all.
+/// Marks of the sheet by row, with the overall mark.
 std::map<std::string, int> marksOf(const json& sheet) {
   std::map<std::string, int> marks{{"overall", sheet.at("overall_steps")}};
   for (const json& row : sheet.at("rows")) {
@@ -115,18 +114,18 @@ std::map<std::string, int> marksOf(const json& sheet) {
   return marks;
 }
 
-/// Marks that tell which of the savings they are.
+/// Marks that identify the save by its number.
 json savedAs(std::int64_t revision, int step) {
   return sheetBody(revision, step % 100, (step + 1) % 100, (step + 2) % 100);
 }
 
-TEST(KilledDesk, LosesNoAnsweredMarkAndDoublesNone) {
+TEST(KilledDesk, LosesNoAcknowledgedMarkAndDuplicatesNone) {
   ReviewCentre centre({.trial_s = 0.5});
   testing::setWebPasswords(centre);
   Random random(20'26);
   std::int64_t revision = 0;
   int step = 0;
-  int kept = 0;  // the step of this revision
+  int kept = 0;  // number of the save with this revision
 
   for (long round = 0; round < test::instantsOf("TORSIO_KILL_INSTANTS", 5); ++round) {
     ServingProgram served(centre, {});
@@ -158,7 +157,7 @@ TEST(KilledDesk, LosesNoAnsweredMarkAndDoublesNone) {
     const json sheet = sheetOf(back);
     const std::int64_t found = sheet.at("revision");
     ASSERT_TRUE(found == revision || found == revision + 1) << "answered " << revision << ", found " << sheet;
-    kept = found == revision ? kept : step;  // the one that it died over is whole, and once
+    kept = found == revision ? kept : step;  // the interrupted save is complete, and stored once
     revision = found;
     if (revision > 0) {
       EXPECT_EQ(marksOf(sheet), marksOf(savedAs(0, kept)));
@@ -166,7 +165,7 @@ TEST(KilledDesk, LosesNoAnsweredMarkAndDoublesNone) {
   }
 }
 
-TEST(KilledDesk, FindsADraftAndSealsItWithTheClockSetBack) {
+TEST(KilledDesk, FindsAndSealsADraftWithTheClockSetBack) {
   ReviewCentre centre({.trial_s = 0.5});
   testing::setWebPasswords(centre);
   std::int64_t revision = 0;

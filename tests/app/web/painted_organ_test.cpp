@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours that a page gets for an organ against those that the window draws.
+// Colours of organs in pages compared with the window's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +27,7 @@
 namespace torsio::web {
 namespace {
 
-/// What container.js reads: arrays as numbers, sums of differences and multiples resolved.
+/// Like container.js: arrays as numbers, with differences and multiples resolved.
 struct ReadContainer {
   nlohmann::json meta;
   std::map<std::string, std::vector<double>> arrays;
@@ -81,7 +81,7 @@ QImage pictureOf(const std::vector<double>& bytes) {
   return QImage::fromData(file);
 }
 
-TEST(SkinPicture, HasTheColoursAndPlacesOfTheWindowsSkin) {
+TEST(SkinPicture, HasTheColoursAndPositionsOfTheWindowsSkin) {
   SceneRequest request;
   request.assets = assetsFolder();
   request.id = "stomach";
@@ -136,7 +136,7 @@ TEST(SkinPicture, HasTheColoursAndPlacesOfTheWindowsSkin) {
   }
 }
 
-TEST(BloodPaint, IsMixedToWhatTheWindowPaints) {
+TEST(BloodPaint, MixesToTheWindowsColours) {
   const auto scene = std::make_shared<const Scene>(hollowScene(twistedTube()));
   const BloodMap map(scene);
   OrganState sound = scene->stateAt(0.0);
@@ -185,7 +185,7 @@ TEST(BloodPaint, IsMixedToWhatTheWindowPaints) {
   EXPECT_GT(bruises, 20U) << "something was painted at all";
 }
 
-TEST(BloodPaint, LeavesAnOrganWithoutBloodAlone) {
+TEST(BloodPaint, DoesNotChangeAnOrganWithoutBlood) {
   BinaryContainer container;
 
   addBloodPaint(container, BloodMap(std::make_shared<const Scene>(barScene())), {}, {});

@@ -19,7 +19,7 @@
 
 namespace torsio::testing {
 
-/// Of everybody at a served desk.
+/// Password of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
 
 /// Gives everybody of a centre kWebPassword.
@@ -30,7 +30,7 @@ inline void setWebPasswords(ReviewCentre& centre) {
   }
 }
 
-/// A centre with short recordings, and its desk behind a port of this machine.
+/// A centre with short recordings, and its desk on a local port.
 struct ServedDesk {
   explicit ServedDesk(const ReviewCentre::Setup& setup = {.trial_s = 0.5}) : centre(setup) {
     setWebPasswords(centre);
@@ -56,7 +56,7 @@ struct ServedDesk {
   }
 
   std::mutex logging;
-  std::string log;  ///< of accesses
+  std::string log;  ///< access log
   ReviewCentre centre;
   std::unique_ptr<web::WebDesk> desk;
   std::unique_ptr<web::HttpServer> server;
@@ -75,7 +75,7 @@ inline nlohmann::json sheetBody(std::int64_t revision, int time, int accuracy, i
           {"comment", ""}};
 }
 
-/// The address of a route with something in place of each `*`.
+/// Path of a route with `handle` in place of each `*`.
 inline std::string pathOf(const web::Route& route, const std::string& handle) {
   std::string path = route.path;
   for (std::size_t at = path.find('*'); at != std::string::npos; at = path.find('*')) {

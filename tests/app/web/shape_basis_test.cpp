@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of an organ as a few displacements: how far a drawn vertex may lie off.
+// Bases of shapes: deviations of drawn vertices.
 #include "app/web/shapes/shape_basis.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace torsio::web {
 namespace {
 
-/// A tube of radius 30 and length 200 that is turned by `angle` at its far end, mm.
+/// A tube of radius 30 and length 200 rotated by `angle` at its far end, mm.
 std::vector<float> tube(double angle) {
   std::vector<float> places;
   for (int ring = 0; ring <= 20; ++ring) {
@@ -28,7 +28,7 @@ std::vector<float> tube(double angle) {
   return places;
 }
 
-/// Where a page draws the shape: sums what it is sent, as it does.
+/// Largest deviation of the shape as a page computes it.
 float farthestDrawn(const ShapeBasis& basis, const std::vector<float>& weights,
                     const std::vector<float>& shape) {
   float farthest = 0.0F;
@@ -46,7 +46,7 @@ float farthestDrawn(const ShapeBasis& basis, const std::vector<float>& weights,
   return farthest;
 }
 
-TEST(ShapeBasis, ShowsEveryShapeWithinTheBound) {
+TEST(ShapeBasis, ReproducesEveryShapeWithinTheBound) {
   std::vector<std::vector<float>> shapes;
   for (int i = 0; i <= 61; ++i) {
     shapes.push_back(tube(i * 0.05));
@@ -83,7 +83,7 @@ TEST(ShapeBasis, LearnsNothingTwice) {
   EXPECT_EQ(fitter.basis().components(), learnt);
   shapes.push_back(tube(1.0));
   for (std::size_t i = 0; i < shapes.back().size(); i += 3) {
-    shapes.back()[i] += 10.0F;  // what no turn does
+    shapes.back()[i] += 10.0F;  // not a rotation
   }
   fitter.learn(shapes, 0.15F);
 
@@ -96,7 +96,7 @@ TEST(ShapeBasis, LearnsNothingTwice) {
   }
 }
 
-TEST(ShapeBasis, IsTheSameInTwoParts) {
+TEST(ShapeBasis, CanBeSplitIntoTwoParts) {
   const std::vector<std::vector<float>> shapes{tube(0.0), tube(1.0), tube(2.0), tube(3.0)};
   ShapeFitter fitter(shapes.front(), 0.05F, 40);
   fitter.learn(shapes, 0.15F);
@@ -124,7 +124,7 @@ TEST(ShapeBasis, OneShapeNeedsNoComponent) {
   EXPECT_LE(fits[1].farthest, 0.01F) << "the mean is rounded";
 }
 
-TEST(ShapeBasis, StopsAtTheMostComponentsAndTellsWhatIsLeft) {
+TEST(ShapeBasis, StopsAtTheMaximumAndReturnsTheDeviation) {
   const std::vector<std::vector<float>> shapes{tube(0.0), tube(1.0), tube(2.0), tube(3.0)};
   ShapeFitter fitter(shapes.front(), 0.05F, 2);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who comes in with a browser: by the link of an invitation, for how long, and who can end it.
+// Access by browser: invitation links, duration and end of sessions.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -44,7 +44,7 @@ class WebAccess : public ::testing::Test {
     return {};
   }
   std::string linkFor(const std::string& login) {
-    // By the clock of the server: the centre's own stands still.
+    // Uses the server's clock: the centre's is frozen.
     SessionContext session({served.centre.locator(), "station", served.centre.administrator()->actor()});
     const std::vector<UserId> ids{userOf(login)};
     return invite(session, ids).at(0).secret;
@@ -92,7 +92,7 @@ TEST_F(WebAccess, AnInvitationOpensTheQueueOnce) {
   }
 }
 
-TEST_F(WebAccess, OfManyWhoTryOneLinkAtOnceOneComesIn) {
+TEST_F(WebAccess, OneOfManyWhoUseALinkAtOnceIsAdmitted) {
   const std::string secret = linkFor("physician0");
   std::array<int, 4> statuses{};
   std::vector<std::thread> threads;
@@ -121,7 +121,7 @@ TEST_F(WebAccess, GuessingLinksIsSlowedDown) {
   EXPECT_GE(waited, 4);
 }
 
-/// How many of some guesses had to wait; each says that it came from another address.
+/// Number of guesses that had to wait; each pretends to come from another address.
 int slowedDown(const WebClient& from) {
   int waited = 0;
   for (int i = 0; i < 14; ++i) {
@@ -135,7 +135,7 @@ int slowedDown(const WebClient& from) {
   return waited;
 }
 
-TEST_F(WebAccess, AnAddressIsBelievedFromAProxyOfThisMachineOnly) {
+TEST_F(WebAccess, ForwardedAddressesAreTrustedOnlyFromALocalProxy) {
   EXPECT_GE(slowedDown(served.client()), 4) << "there is no proxy: whoever says so is counted once";
   WebDesk desk({.locator = served.centre.locator(),
                 .assets = assetsFolder(),
@@ -149,7 +149,7 @@ TEST_F(WebAccess, AnAddressIsBelievedFromAProxyOfThisMachineOnly) {
   EXPECT_EQ(slowedDown(WebClient(server.port())), 0) << "fourteen people behind one proxy";
 }
 
-TEST_F(WebAccess, WhoeverHasNoPageIsNotLetIn) {
+TEST_F(WebAccess, UsersWithoutAPageAreRefused) {
   AccessRepository access(served.centre.connection(), PasswordCost::kTest);
   access.addUser({.id = "u-keeper", .login = "keeper", .roles = {"allocator"}}, kWebPassword);
   access.setPassword("u-keeper", access.sealPassword("keeper", kWebPassword), false);
@@ -163,7 +163,7 @@ TEST_F(WebAccess, WhoeverHasNoPageIsNotLetIn) {
   EXPECT_EQ(served.physician(0).get("/api/me").json().at("user").at("pages").at(0), "queue");
 }
 
-TEST_F(WebAccess, APersonSeesAndEndsTheOwnSessions) {
+TEST_F(WebAccess, UsersListAndEndTheirOwnSessions) {
   WebClient here = served.physician(0);
   WebClient there = served.client();
   there.headers = {{"User-Agent", "Mozilla/5.0 (Windows NT 10.0; rv:128.0) Gecko/20100101 Firefox/128.0"}};
@@ -183,7 +183,7 @@ TEST_F(WebAccess, APersonSeesAndEndsTheOwnSessions) {
   EXPECT_EQ(colleague.get("/api/me").status, 200);
 }
 
-TEST_F(WebAccess, AnAdministratorEndsAnySessionAndItIsNoted) {
+TEST_F(WebAccess, AnAdministratorEndsAnySessionWithAnAuditEntry) {
   WebClient physician = served.physician(0);
   WebClient client = office();
   EXPECT_EQ(physician.get("/api/all-sessions").status, 403);
@@ -201,7 +201,7 @@ TEST_F(WebAccess, AnAdministratorEndsAnySessionAndItIsNoted) {
   EXPECT_EQ(audited("user.end_sessions"), 1);
 }
 
-TEST_F(WebAccess, AnotherPasswordAndADisabledAccountEndASession) {
+TEST_F(WebAccess, APasswordChangeOrADisabledAccountEndsASession) {
   AccessRepository access(served.centre.connection(), PasswordCost::kTest);
   WebClient one = served.physician(0);
   access.setPassword(userOf("physician0"), access.sealPassword("physician0", kChosen), true);
@@ -214,7 +214,7 @@ TEST_F(WebAccess, AnotherPasswordAndADisabledAccountEndASession) {
   EXPECT_EQ(two.get("/api/queue").status, 401) << "what is over stays over";
 }
 
-/// What each role may get an answer to; whatever stands nowhere here is refused to everybody.
+/// Routes that answer each role; all others must be refused to everybody.
 const std::map<std::string, std::set<std::string>>& answersOf() {
   static const std::set<std::string> kOfAll = {"GET /api/texts", "GET /api/me", "GET /api/sessions"};
   static const std::map<std::string, std::set<std::string>> kAnswers = {
@@ -227,7 +227,7 @@ const std::map<std::string, std::set<std::string>>& answersOf() {
   return kAnswers;
 }
 
-TEST_F(WebAccess, EveryRouteAnswersThoseWhoMayUseItAndNobodyElse) {
+TEST_F(WebAccess, EveryRouteAnswersOnlyPermittedRoles) {
   AccessRepository access(served.centre.connection(), PasswordCost::kTest);
   const std::string trainee =
       selectFirst(served.centre.connection(), "SELECT person_id FROM trainee", {}, [](RowReader& row) {
@@ -245,7 +245,7 @@ TEST_F(WebAccess, EveryRouteAnswersThoseWhoMayUseItAndNobodyElse) {
     ASSERT_TRUE(client.signIn(login, kWebPassword)) << login;
     for (const Route& route : served.desk->router().routes()) {
       if ((route.access == RouteAccess::kOpen && route.method == "POST") || route.path == "/api/sign-out") {
-        continue;  // asks for a secret of its own; ends the session
+        continue;  // asks for a secret; ends the session
       }
       const std::string name = route.method + " " + route.path;
       const std::string path = torsio::testing::pathOf(route, "x");
@@ -264,7 +264,7 @@ TEST_F(WebAccess, EveryRouteAnswersThoseWhoMayUseItAndNobodyElse) {
   }
 }
 
-TEST(WebSessions, EndAfterSomeTime) {
+TEST(WebSessions, ExpireAfterSomeTime) {
   WebSessions sessions({.idle = std::chrono::minutes(5), .whole = std::chrono::minutes(12)});
   const SteadyTime begun{};
   const std::string cookie = sessions.open({.userId = "u"}, "", "", begun);
@@ -278,7 +278,7 @@ TEST(WebSessions, EndAfterSomeTime) {
   EXPECT_EQ(sessions.find(left, begun + std::chrono::minutes(6)), nullptr);
 }
 
-TEST(WebSessions, KnowBrowsersByName) {
+TEST(WebSessions, RecogniseBrowsersByName) {
   EXPECT_EQ(browserName("Mozilla/5.0 (X11; Linux x86_64) AppleWebKit/537.36 (KHTML, like Gecko) "
                         "Chrome/120.0 Safari/537.36"),
             "Chrome, Linux");

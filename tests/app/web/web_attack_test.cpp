@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is tried on web servers: each is refused, none ends the program or comes back as its fault. A long
-// random run besides (TORSIO_SOAK=1: 10,000 requests).
+// Attacks on web servers: each is refused, none crashes the program or causes an internal error. Includes a
+// random run (TORSIO_SOAK=1: 10,000 requests).
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -43,7 +43,7 @@ std::string nested(const std::string& open, const std::string& close, std::size_
   return text;
 }
 
-TEST(WebAttacks, AddressesThatLeadOut) {
+TEST(WebAttacks, PathTraversalIsRefused) {
   const ServedDesk served;
   const WebClient client = served.physician(0);
   for (const char* path : {"/../../etc/passwd",
@@ -82,7 +82,7 @@ TEST(WebAttacks, AddressesThatLeadOut) {
   }
 }
 
-TEST(WebAttacks, RequestsThatContradictThemselves) {
+TEST(WebAttacks, ContradictoryRequestsAreRefused) {
   const ServedDesk served;
   const WebClient client = served.physician(0);
   const std::string host = "Host: h\r\nConnection: close\r\n";
@@ -108,7 +108,7 @@ TEST(WebAttacks, RequestsThatContradictThemselves) {
       "GET / HTTP/1.1\r\n" + host + "X-Torsio-Language: ../../zh_CN\r\n\r\n"};
   for (const std::string& request : requests) {
     WebClient noisy(served.server->port());
-    noisy.patience_ms = 200;  // half a request is answered by nobody
+    noisy.patience_ms = 200;  // nobody answers half a request
     const WebAnswer answer = noisy.raw(request);
     EXPECT_NE(answer.status, 500) << request.substr(0, 120);
     EXPECT_EQ(answer.headers.count("set-cookie"), 0U) << request.substr(0, 120);
@@ -117,11 +117,11 @@ TEST(WebAttacks, RequestsThatContradictThemselves) {
   EXPECT_EQ(alive.get("/").status, 200);
 }
 
-TEST(WebAttacks, BodiesThatAreMeantToHurt) {
+TEST(WebAttacks, MaliciousBodiesAreRefused) {
   const ServedDesk served;
   WebClient client = served.physician(0);
   const std::string path = "/api/cases/" + firstCase(client) + "/submit";
-  constexpr std::size_t kDeep = 40'000;  // as deep as a body's 256 KB allow, and more than a thread's stack
+  constexpr std::size_t kDeep = 40'000;  // the depth that fits 256 KB, and more than a thread's stack allows
   const std::vector<std::string> bodies = {
       "{\"sheet\":" + nested("[", "]", kDeep) + "}",
       nested("{\"sheet\":", "}", 20'000),
@@ -146,7 +146,7 @@ TEST(WebAttacks, BodiesThatAreMeantToHurt) {
   EXPECT_EQ(client.get("/api/me").status, 200);
 }
 
-/// Changes some bytes of a request that is right.
+/// Changes some bytes of a valid request.
 std::string spoiled(std::string request, Random& random) {
   const std::uint64_t times = 1 + random.bounded(8);
   for (std::uint64_t i = 0; i < times && !request.empty(); ++i) {
@@ -168,7 +168,7 @@ std::string spoiled(std::string request, Random& random) {
   return request;
 }
 
-TEST(WebAttacks, SpoiledRequestsAreRefusedOrUnderstood) {
+TEST(WebAttacks, CorruptedRequestsAreRefusedOrUnderstood) {
   const ServedDesk served;
   WebClient client = served.physician(0);
   const std::string handle = firstCase(client);
@@ -190,7 +190,7 @@ TEST(WebAttacks, SpoiledRequestsAreRefusedOrUnderstood) {
   for (int i = 0; i < times; ++i) {
     const std::string request = spoiled(right[random.bounded(right.size())], random);
     WebClient noisy(served.server->port());
-    noisy.patience_ms = 20;  // half a request is answered by nobody
+    noisy.patience_ms = 20;  // nobody answers half a request
     const int status = noisy.raw(request).status;
     EXPECT_NE(status, 500) << i << ": " << request;
     answered += status == 0 ? 0 : 1;

@@ -11,36 +11,35 @@
 
 namespace torsio::testing {
 
-/// What a gzip stream holds.
+/// Decompresses a gzip stream.
 [[nodiscard]] std::string unpackedGzip(const std::string& bytes);
 
-/// What a server sent back. A connection that was closed without an answer has status 0.
+/// A server's answer. Status 0: the connection was closed without one.
 struct WebAnswer {
   int status = 0;
-  std::map<std::string, std::string> headers{};  ///< names in lower case
-  std::string body{};                            ///< unpacked
+  std::map<std::string, std::string> headers{};  ///< lower-case names
+  std::string body{};                            ///< decompressed
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };
 
-/// A browser of few words: plain HTTP over a socket of its own for each request, keeps the cookie and the
-/// token.
+/// A minimal browser: plain HTTP over a new socket for each request; keeps cookie and token.
 class WebClient {
  public:
   explicit WebClient(std::uint16_t port) : port_(port) {}
 
   [[nodiscard]] WebAnswer get(const std::string& path);
-  /// PUT or POST of JSON, as a page of the desk does it.
+  /// Sends JSON by PUT or POST, like a page of the desk.
   [[nodiscard]] WebAnswer send(const std::string& method, const std::string& path,
                                const nlohmann::json& body);
-  /// Bytes as they are, and what comes back.
+  /// Sends raw bytes and returns the answer.
   [[nodiscard]] WebAnswer raw(const std::string& bytes) const;
-  /// Signs in; false when that was refused.
+  /// Signs in; false if refused.
   bool signIn(const std::string& login, const std::string& password);
 
-  int patience_ms = 60'000;  ///< for an answer
+  int patience_ms = 60'000;  ///< timeout of an answer
   std::string cookie{};
   std::string token{};
-  std::vector<std::pair<std::string, std::string>> headers{};  ///< more of them, sent with every request
+  std::vector<std::pair<std::string, std::string>> headers{};  ///< additional headers of every request
 
  private:
   [[nodiscard]] WebAnswer exchange(const std::string& head, const std::string& body);

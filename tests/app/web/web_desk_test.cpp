@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The review desk as a browser meets it: who gets in, what a case says, what is kept, and that no byte tells
-// whose recording it is.
+// The review desk as seen by a browser: access, cases, drafts, and blinding of every byte.
 #include "app/web/web_desk.h"
 
 #include <algorithm>
@@ -39,7 +38,7 @@ using torsio::testing::sheetBody;
 
 constexpr const char* kPassword = torsio::testing::kWebPassword;
 
-TEST(WebDesk, NothingIsOpenThatIsNotSaidToBe) {
+TEST(WebDesk, OnlyDeclaredRoutesAreOpen) {
   const Served served;
   WebClient client = served.client();
 
@@ -58,7 +57,7 @@ TEST(WebDesk, NothingIsOpenThatIsNotSaidToBe) {
   }
 }
 
-TEST(WebDesk, LetsAPhysicianIn) {
+TEST(WebDesk, AdmitsAPhysician) {
   const Served served;
   WebClient client = served.client();
 
@@ -78,7 +77,7 @@ TEST(WebDesk, LetsAPhysicianIn) {
   EXPECT_EQ(client.get("/api/me").status, 401);
 }
 
-TEST(WebDesk, SlowsDownWhoeverGuesses) {
+TEST(WebDesk, SlowsDownGuessing) {
   const Served served;
   WebClient client = served.client();
   int waited = 0;
@@ -92,7 +91,7 @@ TEST(WebDesk, SlowsDownWhoeverGuesses) {
   EXPECT_GE(waited, 4);
 }
 
-TEST(WebDesk, TwelveWhoComeInAtOnceFromOneAddressAreNoGuesses) {
+TEST(WebDesk, TwelveWhoSignInAtOnceFromOneAddressAreNotGuessing) {
   const Served served;
   WebClient client = served.client();
   const auto tried = [&](const std::string& password) {
@@ -109,7 +108,7 @@ TEST(WebDesk, TwelveWhoComeInAtOnceFromOneAddressAreNoGuesses) {
   EXPECT_GE(waited, 4) << "what was right lets nobody guess more";
 }
 
-TEST(TryLimit, WhatWasRightDoesNotCountUpToSixTimesAsMany) {
+TEST(TryLimit, SuccessesDoNotCountUpToSixTimesTheLimit) {
   TryLimit limit(2, std::chrono::minutes(1));
   const SteadyTime now{std::chrono::hours(1)};
   for (int i = 0; i < 12; ++i) {
@@ -122,7 +121,7 @@ TEST(TryLimit, WhatWasRightDoesNotCountUpToSixTimesAsMany) {
   EXPECT_EQ(limit.tried("a", now + std::chrono::minutes(2)).count(), 0);
 }
 
-TEST(WebDesk, ObeysItsOwnPageAlone) {
+TEST(WebDesk, AcceptsRequestsOnlyFromItsOwnPage) {
   const Served served;
   WebClient client = served.physician(0);
   const std::string path = "/api/cases/" + firstCase(client) + "/remarks";
@@ -145,7 +144,7 @@ TEST(WebDesk, ObeysItsOwnPageAlone) {
   EXPECT_EQ(client.get("/api/cases/" + firstCase(client)).json().at("remarks").size(), 1U);
 }
 
-TEST(WebDesk, ACaseIsScoredKeptAndSealed) {
+TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
   Served served;
   WebClient client = served.physician(0);
   const std::string handle = firstCase(client);
@@ -196,7 +195,7 @@ TEST(WebDesk, TheWindowAndTwoTabsNeverOverwriteEachOther) {
   EXPECT_EQ(one.send("PUT", here, sheetBody(1, 71, 80, 75)).status, 409);
 }
 
-TEST(WebDesk, AskForThePasswordWhereEachSignatureDoes) {
+TEST(WebDesk, AsksForThePasswordIfTheSignatureRequiresIt) {
   Served served;
   {
     const auto office = served.centre.administrator();
@@ -219,7 +218,7 @@ TEST(WebDesk, AskForThePasswordWhereEachSignatureDoes) {
   EXPECT_EQ(sealed.status, 200) << sealed.body;
 }
 
-TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
+TEST(WebDesk, NoByteRevealsTheTrainee) {
   Served served({.raters = 2, .trainees = 3, .trial_s = 0.5, .live = true, .dueByTrainee = true});
   WebClient client = served.physician(0);
   std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
@@ -267,7 +266,7 @@ TEST(WebDesk, NoByteTellsWhoseRecordingItIs) {
   }
 }
 
-TEST(WebDesk, SomebodyElsesCaseIsAsAbsentAsNone) {
+TEST(WebDesk, AnotherUsersCaseIsNotFound) {
   const Served served;
   WebClient one = served.physician(0);
   WebClient two = served.physician(1);
@@ -280,7 +279,7 @@ TEST(WebDesk, SomebodyElsesCaseIsAsAbsentAsNone) {
   EXPECT_EQ(theirs.body, none.body);
 }
 
-TEST(WebDesk, ARecordingComesWithItsTraces) {
+TEST(WebDesk, ARecordingHasItsTraces) {
   const Served served;
   WebClient client = served.physician(0);
   const WebAnswer answer = client.get("/api/cases/" + firstCase(client) + "/recording");
@@ -299,7 +298,7 @@ TEST(WebDesk, ARecordingComesWithItsTraces) {
   }
 }
 
-TEST(WebDesk, SpeaksTheLanguageOfThePage) {
+TEST(WebDesk, AnswersInTheLanguageOfThePage) {
   const Served served;
   WebClient client = served.client();
   client.headers = {{"X-Torsio-Language", "zh_CN"}};
@@ -315,7 +314,7 @@ TEST(WebDesk, SpeaksTheLanguageOfThePage) {
   EXPECT_NE(physician.get(path).json().at("rubric"), english.at("rubric"));
 }
 
-TEST(WebDesk, NothingThatIsSentEndsInAnInternalError) {
+TEST(WebDesk, NoRequestCausesAnInternalError) {
   const Served served;
   WebClient client = served.physician(0);
   const std::string handle = firstCase(client);

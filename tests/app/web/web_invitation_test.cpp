@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links of invitation made in a browser, by one or by two people, sent and taken back; and sessions in
-// browsers that are ended at the desk.
+// Invitation links created in a browser by one or two people, mailed and revoked; browser sessions ended at
+// the desk.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ class WebInvitation : public ::testing::Test {
   ServedDesk served;
 };
 
-TEST_F(WebInvitation, IsShownOnceAndTakenBack) {
+TEST_F(WebInvitation, IsShownOnceAndRevoked) {
   WebClient office = signedIn("office");
   EXPECT_EQ(lineOf(office, "office"), nullptr) << "nobody invites himself";
 
@@ -85,7 +85,7 @@ TEST_F(WebInvitation, IsShownOnceAndTakenBack) {
   EXPECT_EQ(lineOf(office, "physician0").at("until_utc_us"), nullptr);
 }
 
-TEST_F(WebInvitation, TakesTwoPeopleWhereTheCentreAsksForThem) {
+TEST_F(WebInvitation, NeedsTwoPeopleIfTheCentreRequiresIt) {
   SettingRepository(served.centre.connection()).set(kTwoPeopleSetting, "yes", 0);
   WebClient office = signedIn("office");
   WebClient second = signedIn("second");
@@ -114,7 +114,7 @@ TEST_F(WebInvitation, TakesTwoPeopleWhereTheCentreAsksForThem) {
   EXPECT_EQ(join(secret.substr(2), code), 200);
 }
 
-TEST_F(WebInvitation, GoesByMailWhereTheCentreHasAServer) {
+TEST_F(WebInvitation, IsMailedIfTheCentreHasAServer) {
   WebClient office = signedIn("office");
   EXPECT_FALSE(office.get("/api/invitations").json().at("mail"));
   json order{{"users", usersOf(office, "physician0")}, {"mail_password", ""}};
@@ -141,7 +141,7 @@ TEST_F(WebInvitation, GoesByMailWhereTheCentreHasAServer) {
   EXPECT_EQ(join(secretOf(cards.at(0).at("link"))), 200);
 }
 
-TEST_F(WebInvitation, SessionsInBrowsersAreEndedAtTheDesk) {
+TEST_F(WebInvitation, BrowserSessionsAreEndedAtTheDesk) {
   WebClient one = served.physician(0);
   WebClient other = served.physician(1);
   const auto office = served.centre.administrator();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages beside the queue: evaluation, calibration, severity, discrepancies, own records, boards.
+// Pages other than the queue: evaluation, calibration, severity, discrepancies, own record, boards.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using torsio::testing::ServedDesk;
 using torsio::testing::WebAnswer;
 using torsio::testing::WebClient;
 
-TEST(WebPages, AnEvaluationIsScoredAndSealedUnderItsLetters) {
+TEST(WebPages, AnEvaluationIsScoredAndSubmittedUnderItsLetters) {
   ServedDesk served;
   served.centre.addTwoModels(true);
   WebClient client = served.physician(0);
@@ -55,7 +55,7 @@ TEST(WebPages, AnEvaluationIsScoredAndSealedUnderItsLetters) {
   EXPECT_EQ(other.get(path + "/recording").status, 403);
 }
 
-TEST(WebPages, CalibrationTellsThePanelsMarkAfterTheOwn) {
+TEST(WebPages, CalibrationShowsThePanelsMarkAfterOnesOwn) {
   ServedDesk served;
   addReferenceRuns(*served.centre.administrator(),
                    {{served.centre.trialIds()[0], served.centre.rubricRevisionId(), 6.2, 8, false}});
@@ -75,7 +75,7 @@ TEST(WebPages, CalibrationTellsThePanelsMarkAfterTheOwn) {
   EXPECT_TRUE(scored.json().at("complete"));
 }
 
-/// Seals the first case of a physician with one mark for everything.
+/// Submits a physician's first case with the same mark everywhere.
 void sealFirst(const ServedDesk& served, int physician, int steps) {
   WebClient client = served.physician(physician);
   const std::string path = "/api/cases/" + firstCase(client);
@@ -110,7 +110,7 @@ TEST(WebPages, DiscrepanciesAndSeverityOpenWhenAllHaveSubmitted) {
   EXPECT_EQ(other.send("POST", path + "/keep", {{"reason", "mine"}}).status, 403) << "another one's handle";
 }
 
-TEST(WebPages, TraineesReadTheirOwnRecordAndNobodyElses) {
+TEST(WebPages, TraineesReadOnlyTheirOwnRecord) {
   ServedDesk served;
   Connection& connection = served.centre.connection();
   AccessRepository access(connection, PasswordCost::kTest);
@@ -147,7 +147,7 @@ TEST(WebPages, TraineesReadTheirOwnRecordAndNobodyElses) {
   EXPECT_EQ(one.send("POST", "/api/own/remarks/x/reply", {{"text", "thank you"}}).status, 403);
 }
 
-/// A run of the first trainee at the only module of a curriculum that runs.
+/// Adds a run of the first trainee at the only module of a running curriculum.
 void addRunAtAModule(ServedDesk& served) {
   Connection& connection = served.centre.connection();
   const Cohort cohort = StudyRepository(connection).cohorts().front();
@@ -188,7 +188,7 @@ void addRunAtAModule(ServedDesk& served) {
   recordScriptedTrial(barScene(), trial, sink);
 }
 
-TEST(WebPages, PassedAndMasteredNeverStandWithoutTheirErrorRates) {
+TEST(WebPages, PassedAndMasteredAreShownWithTheirErrorRates) {
   ServedDesk served;
   addRunAtAModule(served);
   Connection& connection = served.centre.connection();
@@ -222,7 +222,7 @@ TEST(WebPages, PassedAndMasteredNeverStandWithoutTheirErrorRates) {
   EXPECT_EQ(atTheModule, 1);
 }
 
-TEST(WebPages, AdministratorsSeeTheDayAndWhoHasScored) {
+TEST(WebPages, AdministratorsSeeTheBoardsOfTheDayAndOfMarks) {
   const ServedDesk served({.raters = 2, .trainees = 1, .trial_s = 0.5});
   sealFirst(served, 0, 20);
   WebClient office = served.client();

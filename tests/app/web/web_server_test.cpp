@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HTTP itself: limits, contradictions, noise, and a server that ends while somebody waits.
+// HTTP: limits, contradictory requests, noise, and shutdown with pending requests.
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ namespace {
 using torsio::testing::WebAnswer;
 using torsio::testing::WebClient;
 
-/// Says back what came.
+/// Echoes the request.
 void echo(HttpRequest request, const HttpServer::Reply& reply) {
   reply({.body = request.method + " " + request.path + " " + request.body});
 }
@@ -31,7 +31,7 @@ HttpAddress anyPort() {
   return {"127.0.0.1", 0};
 }
 
-TEST(HttpServer, AnswersWithWhatCame) {
+TEST(HttpServer, PassesRequestsAndAnswers) {
   const HttpServer server(anyPort(), {}, {}, echo);
   WebClient client(server.port());
 
@@ -39,7 +39,7 @@ TEST(HttpServer, AnswersWithWhatCame) {
   EXPECT_EQ(client.send("PUT", "/x", {{"n", 1}}).body, "PUT /x {\"n\":1}");
 }
 
-TEST(HttpServer, RefusesWhatIsTooLargeOrContradictsItself) {
+TEST(HttpServer, RejectsLargeAndContradictoryRequests) {
   const HttpServer server(anyPort(), {}, {.body_bytes = 1000}, echo);
   const WebClient client(server.port());
   const std::string host = "Host: x\r\n";
@@ -72,7 +72,7 @@ TEST(HttpServer, RefusesWhatIsTooLargeOrContradictsItself) {
   EXPECT_NE(many.status, 200);
 }
 
-TEST(HttpServer, OutlivesNoise) {
+TEST(HttpServer, SurvivesNoise) {
   const HttpServer server(anyPort(), {}, {}, echo);
   WebClient client(server.port());
   Random random(17);
@@ -87,13 +87,13 @@ TEST(HttpServer, OutlivesNoise) {
       noise += pieces[random.bounded(pieces.size())];
     }
     WebClient noisy(server.port());
-    noisy.patience_ms = 5;  // half a request is answered by nobody
+    noisy.patience_ms = 5;  // nobody answers half a request
     EXPECT_NE(noisy.raw(noise).status, 500);
   }
   EXPECT_EQ(client.get("/alive").status, 200);
 }
 
-TEST(HttpServer, EndsWhileSomebodyWaits) {
+TEST(HttpServer, StopsWithAPendingRequest) {
   HttpServer::Reply kept;
   std::mutex mutex;
   auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{},
@@ -113,10 +113,10 @@ TEST(HttpServer, EndsWhileSomebodyWaits) {
   waiting.join();
 
   EXPECT_TRUE(answer.status == 503 || answer.status == 0) << answer.status;
-  kept({.body = "too late"});  // nobody is there any more, and nothing happens
+  kept({.body = "too late"});  // the connection has gone; the reply is dropped
 }
 
-TEST(HttpServer, ReadsAddresses) {
+TEST(HttpServer, ParsesAddresses) {
   EXPECT_EQ(addressOf("127.0.0.1:80").port, 80);
   EXPECT_EQ(addressOf("[::1]:8443").host, "::1");
   EXPECT_TRUE(addressOf("[::1]:8443").isLoopback());
@@ -126,7 +126,7 @@ TEST(HttpServer, ReadsAddresses) {
   }
 }
 
-TEST(HttpServer, SaysThatAnAddressIsTaken) {
+TEST(HttpServer, ReportsAnAddressInUse) {
   const HttpServer first(anyPort(), {}, {}, echo);
 
   EXPECT_THROW(HttpServer({"127.0.0.1", first.port()}, {}, {}, echo), Error);

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { NoConnection, Refusal } from '../../../assets/web/api.js';
 import { DraftKeeper } from '../../../assets/web/draft_keeper.js';
 
-/// A server whose answers the test gives one by one, and a keeper that never really waits.
+/// A server that answers on the test's command, and a keeper that never really waits.
 function desk() {
   const made = { asked: [], states: [], waits: [], saved: [] };
   made.sheet = { revision: 0, rows: [], overall_steps: null, comment: '' };

@@ -6,7 +6,7 @@ import { rasterPicture } from '../../../assets/web/raster.js';
 
 const kSize = 40;
 
-/// A square across the view, `half` to each side, at this depth towards the viewer.
+/// A square across the view with half side `half`, at depth `z` towards the viewer.
 function square(half, z, colour, model) {
   const corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
   return { index: new Uint32Array([0, 1, 2, 0, 2, 3]), vertices: new Float32Array(corners.flatMap(([x, y]) => [x, y, z, 0, 0, 0])), colour, model };

@@ -64,7 +64,7 @@ test('differences are added up, wrap round as their type does, and are multiples
   assert.deepEqual([...readContainer(made('"delta":2,"scale":0.5')).arrays.x], [15000, 0.5, -12768, 1]);
 });
 
-/// One triangle in the plane z = 0 whose third corner rises by 2 mm a unit of weight.
+/// One triangle in the plane z = 0 whose third corner rises by 2 mm per unit of weight.
 const kTriangle = {
   meta: { vertices: 3, components: 1, scale: [0.001] },
   arrays: {
@@ -231,11 +231,11 @@ test('what was played is reported every two seconds, and again where no answer c
   await reporter.underway;
   const stretches = [{ from_us: 0, to_us: 20, speed: 1 }, { from_us: 50, to_us: 60, speed: 1 }];
   assert.deepEqual(sent, [stretches]);
-  assert.deepEqual(reporter.unheard, stretches);
+  assert.deepEqual(reporter.unreported, stretches);
   away = false;
   await reporter.report();
   assert.deepEqual(sent[1], stretches);
-  assert.deepEqual(reporter.unheard, []);
+  assert.deepEqual(reporter.unreported, []);
   await reporter.report();
   assert.equal(sent.length, 2);
 });

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <memory>
 #include <string>
 
 #include <QDialogButtonBox>
@@ -235,21 +234,17 @@ void RequestsDialog::confirmAccount(const OpenRequest& request) {
   if (dialog.exec() != QDialog::Accepted) {
     return;
   }
-  const auto half = std::make_shared<std::string>();
-  const PasswordCost cost = shell_.session().passwordCost();
   shell_.run(
-      tr("Sealing the start password"),
-      [half, cost, id = request.request.id](SessionContext& session, const ProgressCallback&) {
+      this, tr("Sealing the start password"),
+      [cost = shell_.session().passwordCost(), id = request.request.id](SessionContext& session,
+                                                                        const ProgressCallback&) {
         session.setPasswordCost(cost);
-        *half = confirmRequest(session, id);
+        return confirmRequest(session, id);
       },
-      [dialog = QPointer<RequestsDialog>(this), half, login = toQString(request.shown)] {
-        if (dialog.isNull()) {
-          return;
-        }
-        dialog->read();
-        if (!half->empty()) {
-          showStartPassword(dialog, login, toQString(*half), PasswordPart::kSecondHalf);
+      [this, login = toQString(request.shown)](const std::string& half) {
+        read();
+        if (!half.empty()) {
+          showStartPassword(this, login, toQString(half), PasswordPart::kSecondHalf);
         }
       });
 }
@@ -268,33 +263,31 @@ void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
   if (dialog.exec() != QDialog::Accepted) {
     return;
   }
-  const auto halves = std::make_shared<SecondHalves>();
   shell_.run(
-      tr("Sealing the start passwords"),
-      [halves, requests, cost = shell_.session().passwordCost()](SessionContext& session,
-                                                                 const ProgressCallback& progress) {
+      this, tr("Sealing the start passwords"),
+      [requests, cost = shell_.session().passwordCost()](SessionContext& session,
+                                                         const ProgressCallback& progress) {
         session.setPasswordCost(cost);
+        SecondHalves halves;
         try {
-          halves->confirm(session, requests, progress);
+          halves.confirm(session, requests, progress);
         } catch (...) {
-          if (halves->made.empty()) {
+          if (halves.made.empty()) {
             throw;
           }
-          halves->problem = std::current_exception();  // what was made is shown first: it is shown only once
+          halves.problem = std::current_exception();  // what was made is shown first: it is shown only once
         }
+        return halves;
       },
-      [dialog = QPointer<RequestsDialog>(this), halves] {
-        if (dialog.isNull()) {
-          return;
-        }
+      [dialog = QPointer<RequestsDialog>(this)](const SecondHalves& halves) {
         dialog->read();
-        if (!halves->made.empty()) {
-          AccountsDialog(halves->made, centreSign(dialog->shell_.session().connectionWithoutRight()).name,
+        if (!halves.made.empty()) {
+          AccountsDialog(halves.made, centreSign(dialog->shell_.session().connectionWithoutRight()).name,
                          dialog)
               .exec();
         }
-        if (!dialog.isNull() && halves->problem) {
-          attempt(dialog->shell_, [&] { std::rethrow_exception(halves->problem); });
+        if (!dialog.isNull() && halves.problem) {
+          attempt(dialog->shell_, [&] { std::rethrow_exception(halves.problem); });
         }
       });
 }

@@ -2,7 +2,6 @@
 #include "app/gui/administrator/people/review_desk_dialog.h"
 
 #include <exception>
-#include <memory>
 #include <utility>
 
 #include <QApplication>
@@ -15,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -221,31 +219,18 @@ void ReviewDeskDialog::act(const QString& title, std::function<void(SessionConte
   act_->setEnabled(false);
   said_->setText(title);
   setLook(said_, "caution", false);
-  const auto problem = std::make_shared<std::exception_ptr>();
+  const auto ended = [this] {
+    working_ = false;
+    said_->clear();
+    read();
+  };
   shell_.run(
-      title,
-      [work = std::move(work), problem](SessionContext& session, const ProgressCallback&) {
-        try {
-          work(session);
-        } catch (...) {
-          *problem = std::current_exception();
-        }
-      },
-      [dialog = QPointer<ReviewDeskDialog>(this), problem] {
-        if (dialog.isNull()) {
-          return;
-        }
-        dialog->working_ = false;
-        dialog->said_->clear();
-        dialog->read();
-        try {
-          if (*problem) {
-            std::rethrow_exception(*problem);
-          }
-        } catch (const Error& error) {
-          dialog->said_->setText(translatedLine(error));
-          setLook(dialog->said_, "caution", true);
-        }
+      this, title,
+      [work = std::move(work)](SessionContext& session, const ProgressCallback&) { work(session); }, ended,
+      [this, ended](const Error& error) {
+        ended();
+        said_->setText(translatedLine(error));
+        setLook(said_, "caution", true);
       });
 }
 

@@ -2,7 +2,6 @@
 #include "app/gui/administrator/people/roster_page.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -332,24 +331,24 @@ void RosterPage::exportRecords(const std::filesystem::path& folder, const std::s
   if (ids.empty()) {
     return;
   }
-  const auto written = std::make_shared<PersonPackage>(PersonPackage{.folder = folder});
   shell().run(
-      tr("Exporting records"),
-      [ids, folder, reason, written](SessionContext& session, const ProgressCallback& progress) {
+      this, tr("Exporting records"),
+      [ids, folder, reason](SessionContext& session, const ProgressCallback& progress) {
         if (ids.size() == 1) {
-          *written = exportPersonPackage(session, ids.front(), folder, reason);
-          return;
+          return exportPersonPackage(session, ids.front(), folder, reason);
         }
+        PersonPackage written{.folder = folder};
         for (const PersonPackage& one : exportPersonPackages(session, ids, folder, reason, progress)) {
-          written->tables += one.tables;
-          written->recordings += one.recordings;
+          written.tables += one.tables;
+          written.recordings += one.recordings;
         }
+        return written;
       },
-      [this, written] {
+      [this](const PersonPackage& written) {
         shell().notify(tr("Tables (%1) and recordings (%2) written to %3")
-                           .arg(written->tables)
-                           .arg(written->recordings)
-                           .arg(toQString(written->folder.string())));
+                           .arg(written.tables)
+                           .arg(written.recordings)
+                           .arg(toQString(written.folder.string())));
       });
 }
 
@@ -396,13 +395,14 @@ void RosterPage::exportList() {
   if (choice.file.isEmpty()) {
     return;
   }
-  const auto count = std::make_shared<std::size_t>(0);
   shell().run(
-      tr("Exporting people"),
-      [choice, withNames, count](SessionContext& session, const ProgressCallback&) {
-        *count = exportPeople(session, toPath(choice.file), withNames, choice.look);
+      this, tr("Exporting people"),
+      [choice, withNames](SessionContext& session, const ProgressCallback&) {
+        return exportPeople(session, toPath(choice.file), withNames, choice.look);
       },
-      [this, choice, count] { shell().notify(tr("People written to %2: %1").arg(*count).arg(choice.file)); });
+      [this, choice](std::size_t count) {
+        shell().notify(tr("People written to %2: %1").arg(count).arg(choice.file));
+      });
 }
 
 }  // namespace torsio::gui

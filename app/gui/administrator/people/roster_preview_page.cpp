@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last step of the roster wizard: what would happen, and the import itself.
-#include <memory>
 #include <utility>
 
 #include <QLabel>
-#include <QPointer>
 #include <QProgressBar>
 #include <QVBoxLayout>
 
@@ -78,38 +76,23 @@ void RosterPreviewPage::initializePage() {
   lines_->setRows({});
   begin(
       tr("Comparing %n line(s) with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
-  struct Found {
-    std::optional<RosterPreview> preview;
-    std::optional<Error> problem;
-  };
-  const auto found = std::make_shared<Found>();
   shell_.run(
-      tr("Reading the roster"),
-      [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
+      this, tr("Reading the roster"),
+      [file = *import_.file, kind = import_.kind, columns = import_.columns](
           SessionContext& session, const ProgressCallback& progress) {
-        try {
-          RosterPreview preview = previewRoster(session, file, kind, columns, progress);
-          // Proves before the last button that the database would take it.
-          if (preview.importable()) {
-            static_cast<void>(importRoster(session, file, kind, columns, preview.fingerprint,
-                                           RosterMode::kDryRun, progress));
-          }
-          found->preview = std::move(preview);
-        } catch (const Error& error) {
-          found->problem = error;
+        RosterPreview preview = previewRoster(session, file, kind, columns, progress);
+        // Proves before the last button that the database would take it.
+        if (preview.importable()) {
+          static_cast<void>(
+              importRoster(session, file, kind, columns, preview.fingerprint, RosterMode::kDryRun, progress));
         }
+        return preview;
       },
-      [page = QPointer<RosterPreviewPage>(this), found] {
-        if (page.isNull()) {
-          return;
-        }
-        if (found->problem) {
-          page->showProblem(rosterProblem(*found->problem));
-          return;
-        }
-        page->import_.preview = std::move(found->preview);
-        page->showPreview();
-      });
+      [this](RosterPreview preview) {
+        import_.preview = std::move(preview);
+        showPreview();
+      },
+      [this](const Error& error) { showProblem(rosterProblem(error)); });
 }
 
 void RosterPreviewPage::showProblem(const QString& words) {
@@ -160,30 +143,18 @@ void RosterPreviewPage::showPreview() {
 
 void RosterPreviewPage::commit(std::function<void()> done) {
   begin(tr("Importing\u2026"));
-  const auto outcome = std::make_shared<RosterOutcome>();
-  const auto problem = std::make_shared<std::optional<Error>>();
   shell_.run(
-      tr("Importing the roster"),
-      [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
+      this, tr("Importing the roster"),
+      [file = *import_.file, kind = import_.kind, columns = import_.columns,
        fingerprint = import_.preview->fingerprint](SessionContext& session,
                                                    const ProgressCallback& progress) {
-        try {
-          *outcome = importRoster(session, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
-        } catch (const Error& error) {
-          *problem = error;
-        }
+        return importRoster(session, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
       },
-      [page = QPointer<RosterPreviewPage>(this), outcome, problem, done = std::move(done)] {
-        if (page.isNull()) {
-          return;
-        }
-        if (*problem) {
-          page->showProblem(rosterProblem(**problem));
-          return;
-        }
-        page->import_.outcome = std::move(*outcome);
+      [this, done = std::move(done)](RosterOutcome outcome) {
+        import_.outcome = std::move(outcome);
         done();
-      });
+      },
+      [this](const Error& error) { showProblem(rosterProblem(error)); });
 }
 
 bool RosterPreviewPage::isComplete() const {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <memory>
 #include <optional>
 
 #include <QPointer>
@@ -242,31 +241,28 @@ void UsersPage::addForRoster() {
     if (dialog.exec() != QDialog::Accepted) {
       return;
     }
-    const auto issued = std::make_shared<IssuedAccounts>();
     shell().run(
-        tr("Making accounts"),
-        [issued, chosen = dialog.chosen(), cost = shell().session().passwordCost()](
+        this, tr("Making accounts"),
+        [chosen = dialog.chosen(), cost = shell().session().passwordCost()](
             SessionContext& session, const ProgressCallback& progress) {
           session.setPasswordCost(cost);
+          IssuedAccounts issued;
           try {
-            addAccounts(session, chosen, issued->made, progress);
+            addAccounts(session, chosen, issued.made, progress);
           } catch (...) {
-            if (issued->made.empty()) {
+            if (issued.made.empty()) {
               throw;
             }
-            issued->problem = std::current_exception();
+            issued.problem = std::current_exception();
           }
+          return issued;
         },
-        [page = QPointer<UsersPage>(this), issued] {
-          if (page.isNull()) {
-            return;
-          }
+        [page = QPointer<UsersPage>(this)](const IssuedAccounts& issued) {
           page->enter({});
-          AccountsDialog(issued->made, centreSign(page->shell().session().connectionWithoutRight()).name,
-                         page)
+          AccountsDialog(issued.made, centreSign(page->shell().session().connectionWithoutRight()).name, page)
               .exec();
-          if (!page.isNull() && issued->problem) {
-            page->sayWhyNotAll(issued->problem);
+          if (!page.isNull() && issued.problem) {
+            page->sayWhyNotAll(issued.problem);
           }
         });
   });
@@ -280,22 +276,18 @@ void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
 void UsersPage::storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login) {
   // Sealing a password takes a second on purpose: not in the window's thread.
   const PasswordCost cost = shell().session().passwordCost();
-  const auto made = std::make_shared<MadeUser>();
   shell().run(
-      tr("Sealing the start password"),
-      [store, cost, made](SessionContext& session, const ProgressCallback&) {
+      this, tr("Sealing the start password"),
+      [store, cost](SessionContext& session, const ProgressCallback&) {
         session.setPasswordCost(cost);
-        *made = store(session);
+        return store(session);
       },
-      [page = QPointer<UsersPage>(this), login, made] {
-        if (page.isNull()) {
-          return;
-        }
+      [page = QPointer<UsersPage>(this), login](const MadeUser& made) {
         page->enter({});
-        page->table_->select(toQString(made->id));
-        showStartPassword(page, login, toQString(made->startPassword),
-                          made->awaitsSecond ? PasswordPart::kFirstHalf : PasswordPart::kWhole);
-        if (!page.isNull() && made->awaitsSecond) {
+        page->table_->select(toQString(made.id));
+        showStartPassword(page, login, toQString(made.startPassword),
+                          made.awaitsSecond ? PasswordPart::kFirstHalf : PasswordPart::kWhole);
+        if (!page.isNull() && made.awaitsSecond) {
           page->shell().notify(tr("Another administrator confirms the roles under Requests"));
         }
       });

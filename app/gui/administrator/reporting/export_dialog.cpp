@@ -255,15 +255,13 @@ void ExportDialog::read() {
   save_->setEnabled(false);
   request_.pseudonymised = pseudonymised_->isChecked();
   request_.withFreeText = freeText_->isChecked();
-  auto fresh = std::make_shared<ExchangeData>();
   shell_.run(
-      tr("Reading what will be exported"),
-      [fresh, wanted = request_, digests = digests_](SessionContext& session,
-                                                     const ProgressCallback& progress) {
-        *fresh = exchangeData(session, wanted, *digests, progress);
+      this, tr("Reading what will be exported"),
+      [wanted = request_, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        return std::make_shared<ExchangeData>(exchangeData(session, wanted, *digests, progress));
       },
-      [this, fresh] {
-        data_ = fresh;
+      [this](std::shared_ptr<ExchangeData> fresh) {
+        data_ = std::move(fresh);
         save_->setEnabled(true);
         if (!title_->isModified()) {  // without names the cohort has another title
           title_->setText(toQString(data_->inputs.title));
@@ -350,41 +348,34 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
   if (isDataset() && !attempt(shell_, [this] { requireWhole(dataset().about); })) {
     return;
   }
-  auto written = std::make_shared<ExchangeFiles>();
   shell_.run(
-      tr("Writing the export"),
-      [written, place, given = data_, request = request_, digests = digests_, form = chosen(),
-       wanted = dataset(), wording = wordingIn(language_, Signs::kOfFiles)](
-          SessionContext& session, const ProgressCallback& progress) {
+      this, tr("Writing the export"),
+      [place, given = data_, request = request_, digests = digests_, form = chosen(), wanted = dataset(),
+       wording = wordingIn(language_, Signs::kOfFiles)](SessionContext& session,
+                                                        const ProgressCallback& progress) {
         switch (form) {
           case Form::kWorkbook:
-            *written = exportWorkbook(
+            return exportWorkbook(
                 session, *given, [&](const Text& text) { return wording(text).toStdString(); }, place,
                 progress);
-            break;
           case Form::kSpss:
-            *written = exportTables(session, *given, TableFormat::kSpss, place, progress);
-            break;
+            return exportTables(session, *given, TableFormat::kSpss, place, progress);
           case Form::kR:
-            *written = exportTables(session, *given, TableFormat::kR, place, progress);
-            break;
+            return exportTables(session, *given, TableFormat::kR, place, progress);
           case Form::kCsv:
-            *written = exportTables(session, *given, TableFormat::kCsv, place, progress);
-            break;
+            return exportTables(session, *given, TableFormat::kCsv, place, progress);
+          case Form::kGradebook:
+            return exportGradebook(session, request, *digests, place);
           case Form::kFrictionless:
           case Form::kRoCrate:
           case Form::kBids:
-            *written = exportDataset(session, *given, wanted, place, progress);
-            break;
-          case Form::kGradebook:
-            *written = exportGradebook(session, request, *digests, place);
             break;
         }
+        return exportDataset(session, *given, wanted, place, progress);
       },
-      [this, written, place] {
-        done_->setText(
-            tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written->files.size()))
-                .arg(toQString(place.string()), toQString(written->contentHash)));
+      [this, place](const ExchangeFiles& written) {
+        done_->setText(tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written.files.size()))
+                           .arg(toQString(place.string()), toQString(written.contentHash)));
       });
 }
 

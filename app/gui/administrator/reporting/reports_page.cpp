@@ -174,17 +174,15 @@ void ReportsPage::compute() {
     preview_->clear();
     return;
   }
-  auto inputs = std::make_shared<CohortInputs>();
-  auto model = std::make_shared<ReportModel>();
   shell().run(
-      tr("Preparing the report"),
-      [wanted, inputs, model, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
-        *inputs = reportInputs(session, wanted, *digests, progress);
-        *model = cohortReport(*inputs);
+      this, tr("Preparing the report"),
+      [wanted, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        auto inputs = std::make_shared<CohortInputs>(reportInputs(session, wanted, *digests, progress));
+        auto model = std::make_shared<ReportModel>(cohortReport(*inputs));
+        return std::pair(std::move(inputs), std::move(model));
       },
-      [this, inputs, model] {
-        inputs_ = inputs;
-        model_ = model;
+      [this](auto report) {
+        std::tie(inputs_, model_) = std::move(report);
         showReport();
         showButtons();
       });

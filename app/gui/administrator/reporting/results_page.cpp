@@ -119,14 +119,14 @@ void ResultsPage::compute() {
     fill();
     return;
   }
-  auto model = std::make_shared<ReportModel>();
   shell().run(
-      tr("Computing results"),
-      [request, model, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
-        *model = cohortReport(reportInputs(session, request, *digests, progress));
+      this, tr("Computing results"),
+      [request, digests = digests_](SessionContext& session, const ProgressCallback& progress) {
+        return std::make_shared<ReportModel>(
+            cohortReport(reportInputs(session, request, *digests, progress)));
       },
-      [this, model] {
-        model_ = model;
+      [this](std::shared_ptr<ReportModel> model) {
+        model_ = std::move(model);
         fill();
       });
 }

@@ -6,7 +6,6 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QPointer>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -120,19 +119,13 @@ void TraceDialog::start() {
   }
   running_ = true;
   followed_ = wanted_;
-  auto step = std::make_shared<TraceStep>();
-  const QPointer<TraceDialog> self(this);
   shell_.run(
-      tr("Following the number"),
-      [step, cohort = cohortId_, inputs = inputs_, cell = wanted_.toStdString()](SessionContext& session,
-                                                                                 const ProgressCallback&) {
-        *step = traceNumber(session, cohort, *inputs, cell);
+      this, tr("Following the number"),
+      [cohort = cohortId_, inputs = inputs_, cell = wanted_.toStdString()](SessionContext& session,
+                                                                           const ProgressCallback&) {
+        return traceNumber(session, cohort, *inputs, cell);
       },
-      [self, step] {
-        if (self) {
-          self->show(*step);
-        }
-      });
+      [this](const TraceStep& step) { show(step); });
 }
 
 void TraceDialog::show(const TraceStep& step) {

@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableView>
@@ -195,17 +194,12 @@ std::vector<MailedReminder> RemindDialog::messages() const {
 void RemindDialog::send() {
   const std::string password = password_->text().toStdString();
   password_->clear();
-  const auto refusals = std::make_shared<std::vector<Text>>();
   shell_.run(
-      tr("Sending reminders"),
-      [refusals, password, sent = messages()](SessionContext& session, const ProgressCallback& progress) {
-        *refusals = sendReminders(session, password, sent, progress);
+      this, tr("Sending reminders"),
+      [password, sent = messages()](SessionContext& session, const ProgressCallback& progress) {
+        return sendReminders(session, password, sent, progress);
       },
-      [dialog = QPointer<RemindDialog>(this), refusals, sent = messages()] {
-        if (!dialog.isNull()) {
-          dialog->showRefusals(sent, *refusals);
-        }
-      });
+      [this, sent = messages()](const std::vector<Text>& refusals) { showRefusals(sent, refusals); });
 }
 
 void RemindDialog::showRefusals(const std::vector<MailedReminder>& sent, const std::vector<Text>& refusals) {

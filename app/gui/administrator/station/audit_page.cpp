@@ -2,7 +2,6 @@
 #include "app/gui/administrator/station/audit_page.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include <QComboBox>
@@ -273,12 +272,11 @@ void AuditPage::showEntry(const QString& id) {
 }
 
 void AuditPage::verify() {
-  const auto findings = std::make_shared<std::vector<AuditFinding>>();
   shell().run(
-      tr("Verifying the audit trail"),
-      [findings](SessionContext& session, const ProgressCallback&) { *findings = verifyAudit(session); },
-      [this, findings] {
-        findings_ = *findings;
+      this, tr("Verifying the audit trail"),
+      [](SessionContext& session, const ProgressCallback&) { return verifyAudit(session); },
+      [this](std::vector<AuditFinding> findings) {
+        findings_ = std::move(findings);
         showVerdict();
         read();
       });

@@ -105,19 +105,18 @@ void DevicesPage::check() {
   DeviceCheckRequest request;
   request.choice = choice();
   request.forceTest = force_->isChecked();
-  auto result = std::make_shared<DeviceCheckResult>();
   check_->setEnabled(false);
   shell().run(
-      tr("Checking the device"),
-      [request, result](SessionContext&, const ProgressCallback& progress) mutable {
+      this, tr("Checking the device"),
+      [request](SessionContext&, const ProgressCallback& progress) mutable {
         request.say = [&progress](const Text& sentence) { progress({sentence, 0.5, -1.0}); };
         progress({Text::tr("Looking for the device"), 0.1, -1.0});
-        *result = checkDevice(request);
+        return checkDevice(request);
       },
-      [this, result] {
-        result_ = *result;
+      [this](DeviceCheckResult result) {
+        result_ = std::move(result);
         if (StationWriter* line = shell().line(); line != nullptr) {
-          line->showDevice(stationDevice(hapticReadiness(*result), shell().session().now_us()));
+          line->showDevice(stationDevice(hapticReadiness(*result_), shell().session().now_us()));
         }
         showContent();
       });

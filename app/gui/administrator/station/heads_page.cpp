@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -351,30 +350,30 @@ void HeadsPage::loadWitness() {
 }
 
 void HeadsPage::verify() {
-  const auto findings = std::make_shared<std::optional<std::vector<AuditFinding>>>();
-  const auto unreadable = std::make_shared<std::optional<Error>>();
+  const auto show = [this](std::optional<std::vector<AuditFinding>> findings,
+                           std::optional<Error> unreadable) {
+    findings_ = std::move(findings);
+    unreadable_ = std::move(unreadable);
+    checks_->touch(lines_);
+    showVerdict();
+    read();
+  };
+  const std::vector<std::string> lines = linesOf(lines_->toPlainText());
   shell().run(
-      tr("Comparing the record with saved heads"),
-      [findings, unreadable, lines = linesOf(lines_->toPlainText()),
-       key = public_->text().trimmed().toStdString()](SessionContext& session, const ProgressCallback&) {
-        try {
-          *findings = verifyHeads(session, lines, key);
-        } catch (const Error& error) {
-          const std::string& where = error.where();
-          if (where.empty() || std::none_of(lines.begin(), lines.end(), [&where](const std::string& line) {
-                return line.starts_with(where);
-              })) {
-            throw;  // not about what was typed
-          }
-          *unreadable = error;
+      this, tr("Comparing the record with saved heads"),
+      [lines, key = public_->text().trimmed().toStdString()](
+          SessionContext& session, const ProgressCallback&) { return verifyHeads(session, lines, key); },
+      [show](std::vector<AuditFinding> findings) { show(std::move(findings), std::nullopt); },
+      [show, lines](const Error& error) {
+        const std::string& where = error.where();
+        const bool aboutLines =
+            !where.empty() && std::any_of(lines.begin(), lines.end(), [&where](const std::string& line) {
+              return line.starts_with(where);
+            });
+        if (aboutLines) {
+          show(std::nullopt, error);
         }
-      },
-      [this, findings, unreadable] {
-        findings_ = *findings;
-        unreadable_ = *unreadable;
-        checks_->touch(lines_);
-        showVerdict();
-        read();
+        return aboutLines;
       });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/learning_records_dialog.h"
 
-#include <memory>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -9,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -169,13 +167,9 @@ void LearningRecordsDialog::keepKey() {
 
 void LearningRecordsDialog::sendNow() {
   shell_.run(
-      tr("Sending learning records"),
+      this, tr("Sending learning records"),
       [](SessionContext& session, const ProgressCallback&) { (void)sendLearningRecords(session); },
-      [dialog = QPointer<LearningRecordsDialog>(this)] {
-        if (!dialog.isNull()) {
-          dialog->read();
-        }
-      });
+      [this] { read(); });
 }
 
 void LearningRecordsDialog::retry() {

@@ -188,21 +188,20 @@ void MaintenancePage::showButtons() {
 }
 
 void MaintenancePage::backUp(const std::filesystem::path& file) {
-  auto content = std::make_shared<BackupContent>();
-  auto head = std::make_shared<std::string>();
   shell().run(
-      tr("Backing up"),
-      [file, content, head](SessionContext& session, const ProgressCallback& progress) {
-        *content = backUpDatabase(session, file, progress);
-        *head = anchoredHead(file.string(), stationAnchor().key, session.now_us());
+      this, tr("Backing up"),
+      [file](SessionContext& session, const ProgressCallback& progress) {
+        const BackupContent content = backUpDatabase(session, file, progress);
+        return std::pair(content, anchoredHead(file.string(), stationAnchor().key, session.now_us()));
       },
-      [this, file, content, head] {
+      [this, file](const std::pair<BackupContent, std::string>& written) {
+        const auto& [content, head] = written;
         QString text = tr("\u2713 Written and read back. Recordings: %1, marks: %2.\n%3")
-                           .arg(content->trials)
-                           .arg(content->marks)
+                           .arg(content.trials)
+                           .arg(content.marks)
                            .arg(toQString(file));
         text +=
-            QLatin1Char('\n') + tr("Head of the audit trail, to be kept elsewhere: %1").arg(toQString(*head));
+            QLatin1Char('\n') + tr("Head of the audit trail, to be kept elsewhere: %1").arg(toQString(head));
         if (remindOfKey()) {
           text += QLatin1Char('\n') +
                   tr("No key signs the heads of this station, so whoever can change the place "
@@ -213,32 +212,28 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
 }
 
 void MaintenancePage::testBackup(const std::filesystem::path& file) {
-  auto found = std::make_shared<BackupCheck>();
   shell().run(
-      tr("Testing a backup"),
-      [file, found](SessionContext&, const ProgressCallback& progress) {
-        *found = verifyBackup(file, progress);
-      },
-      [this, file, found] {
+      this, tr("Testing a backup"),
+      [file](SessionContext&, const ProgressCallback& progress) { return verifyBackup(file, progress); },
+      [this, file](const BackupCheck& found) {
         backupText_->setText(
-            found->database.sound()
+            found.database.sound()
                 ? tr("\u2713 This backup can be restored. Recordings: %1, marks: %2.\n%3")
-                      .arg(found->content.trials)
-                      .arg(found->content.marks)
+                      .arg(found.content.trials)
+                      .arg(found.content.marks)
                       .arg(toQString(file))
                 : tr("\u2717 This backup is not sound. Make a new one.\n%1").arg(toQString(file)));
       });
 }
 
 void MaintenancePage::checkRecord() {
-  auto found = std::make_shared<DatabaseCheck>();
   shell().run(
-      tr("Checking the database"),
-      [found](SessionContext& session, const ProgressCallback& progress) {
-        *found = checkDatabase(session, progress);
+      this, tr("Checking the database"),
+      [](SessionContext& session, const ProgressCallback& progress) {
+        return checkDatabase(session, progress);
       },
-      [this, found] {
-        check_ = *found;
+      [this](DatabaseCheck found) {
+        check_ = std::move(found);
         showRecord();
       });
 }

@@ -2,7 +2,6 @@
 #include "app/gui/administrator/station/move_page.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include <QApplication>
@@ -189,14 +188,13 @@ void MovePage::testServer() {
   if (shell().working()) {
     return;
   }
-  auto found = std::make_shared<ServerCheck>();
   shell().run(
-      tr("Checking the server"),
-      [typed = address(), found](SessionContext& session, const ProgressCallback&) {
-        *found = checkServer(session, typed);
+      this, tr("Checking the server"),
+      [typed = address()](SessionContext& session, const ProgressCallback&) {
+        return checkServer(session, typed);
       },
-      [this, found] {
-        check_ = *found;
+      [this](ServerCheck found) {
+        check_ = std::move(found);
         showCheck();
       });
 }
@@ -205,14 +203,13 @@ void MovePage::copyRecord() {
   if (!check_ || shell().working()) {
     return;
   }
-  auto report = std::make_shared<CopyReport>();
   shell().run(
-      tr("Moving the record to the server"),
-      [typed = address(), report](SessionContext& session, const ProgressCallback& progress) {
-        *report = moveToServer(session, typed, progress);
+      this, tr("Moving the record to the server"),
+      [typed = address()](SessionContext& session, const ProgressCallback& progress) {
+        return moveToServer(session, typed, progress);
       },
-      [this, report] {
-        copied_ = *report;
+      [this](CopyReport report) {
+        copied_ = std::move(report);
         showCheck();
       });
 }
@@ -221,15 +218,14 @@ void MovePage::switchStation() {
   if (!ready() || shell().working()) {
     return;
   }
-  auto locator = std::make_shared<std::string>();
   shell().run(
-      tr("Turning this station to the server"),
-      [typed = address(), report = copied_, locator](SessionContext& session, const ProgressCallback&) {
-        *locator = report ? switchToServer(session, typed, *report) : joinServer(session, typed);
+      this, tr("Turning this station to the server"),
+      [typed = address(), report = copied_](SessionContext& session, const ProgressCallback&) {
+        return report ? switchToServer(session, typed, *report) : joinServer(session, typed);
       },
-      [this, locator, where = toQString(check_->location)] {
+      [this, where = toQString(check_->location)](const std::string& locator) {
         RecordChange change;
-        change.locator = toQString(*locator);
+        change.locator = toQString(locator);
         change.sentence = tr("This station now works with the record at %1. The old file stays as it was; do "
                              "not use it any more")
                               .arg(where);

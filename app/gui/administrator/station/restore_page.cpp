@@ -160,26 +160,25 @@ void RestorePage::check() {
     return;
   }
   const std::filesystem::path file = toPath(file_->text().trimmed());
-  auto plan = std::make_shared<std::optional<RestorePlan>>();
-  auto unusable = std::make_shared<std::optional<Error>>();
+  const auto show = [this](std::optional<RestorePlan> plan, std::optional<Error> unusable) {
+    plan_ = std::move(plan);
+    unusable_ = std::move(unusable);
+    showPlan();
+    checks_->touch(file_);
+    (plan_ ? word_ : file_)->setFocus();
+  };
   shell().run(
-      tr("Checking the backup"),
-      [file, plan, unusable](SessionContext& session, const ProgressCallback& progress) {
-        try {
-          *plan = planRestore(session, file, progress);
-        } catch (const Error& error) {
-          if (!isAboutFile(error, file)) {
-            throw;
-          }
-          *unusable = error;
-        }
+      this, tr("Checking the backup"),
+      [file](SessionContext& session, const ProgressCallback& progress) {
+        return planRestore(session, file, progress);
       },
-      [this, plan, unusable] {
-        plan_ = *plan;
-        unusable_ = *unusable;
-        showPlan();
-        checks_->touch(file_);
-        (plan_ ? word_ : file_)->setFocus();
+      [show](RestorePlan plan) { show(std::move(plan), std::nullopt); },
+      [show, file](const Error& error) {
+        const bool aboutFile = isAboutFile(error, file);
+        if (aboutFile) {
+          show(std::nullopt, error);
+        }
+        return aboutFile;
       });
 }
 
@@ -197,16 +196,16 @@ void RestorePage::restore() {
   if (!ready || asked) {
     return;
   }
-  auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
   shell().run(
-      tr("Restoring the backup"),
-      [plan = *plan_, prepared](SessionContext& session, const ProgressCallback& progress) {
-        *prepared = prepareRestore(session, plan, progress);
+      this, tr("Restoring the backup"),
+      [plan = *plan_](SessionContext& session, const ProgressCallback& progress) {
+        return std::shared_ptr<PreparedRestore>(prepareRestore(session, plan, progress));
       },
-      [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {
-        const QString kept = toQString((*prepared)->safety());
+      [this, name = QFileInfo(toQString(plan_->backup)).fileName()](
+          const std::shared_ptr<PreparedRestore>& prepared) {
+        const QString kept = toQString(prepared->safety());
         RecordChange change;
-        change.swap = [ready = *prepared] { ready->takeOver(); };
+        change.swap = [prepared] { prepared->takeOver(); };
         change.sentence =
             tr("The record was restored from %1. As it was before, it is kept in %2").arg(name, kept);
         shell().changeRecord(change);

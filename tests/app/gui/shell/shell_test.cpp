@@ -227,7 +227,7 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
   std::atomic<bool> seen{false};
 
   context.run(
-      QStringLiteral("Export"),
+      window_.get(), QStringLiteral("Export"),
       [&seen](SessionContext&, const ProgressCallback& progress) {
         while (true) {
           progress({Text::verbatim("Writing"), 0.5, 30.0});

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/run_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/base/clock_time.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/simulator/readout_panel.h"
+#include "app/gui/simulator/simulation_controller.h"
+#include "app/gui/simulator/validity_button.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/level_bar.h"
+#include "app/services/training/run_session.h"
+#include "sim/core/load_decimals.h"
+#include "sim/servo/surface_proxy.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 316;
+constexpr double kCountdown_pt = 30.0;
+constexpr std::int64_t kSoon_us = 30'000'000;
+
+/// As high as what it holds where there is room, so that what follows stands close below; lower where there
+/// is none.
+class ShrinkingArea : public QScrollArea {
+ public:
+  explicit ShrinkingArea(QWidget* parent) : QScrollArea(parent) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    const QSize held = widget()->sizeHint();
+    const int high = widget()->hasHeightForWidth() ? widget()->heightForWidth(width()) : held.height();
+    return {held.width(), std::max(held.height(), high)};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+      updateGeometry();
+    }
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
+QLabel* namedLabel(QWidget* parent, const char* name, const char* look = nullptr) {
+  QLabel* label = plainLabel(parent, look);
+  label->setObjectName(QLatin1String(name));
+  return label;
+}
+
+}  // namespace
+
+RunPanel::RunPanel(SimulationController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller) {
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  setFixedWidth(kPanelWidth);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scroll = new ShrinkingArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* panel = new QWidget;
+  scroll->setWidget(panel);
+  whole->addWidget(scroll);
+  whole->addLayout(createTold());
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
+  column->setSpacing(kSpace);
+  column->addLayout(createHeading(panel));
+  column->addWidget(createTime(panel));
+  column->addWidget(createAngle(panel));
+  detorsion_ = new DetorsionPanel(panel);
+  detorsion_->steer(controller_);
+  column->addWidget(detorsion_);
+  load_ = new Card(QString(), panel);
+  torque_ = new LevelBar(QString(), QString(), kTorqueDecimals, load_);
+  force_ = new LevelBar(QString(), QString(), kForceDecimals, load_);
+  load_->content()->addWidget(torque_);
+  load_->content()->addWidget(force_);
+  column->addWidget(load_);
+  column->addStretch(1);
+  whole->addStretch(1);
+  whole->addLayout(createButtons());
+}
+
+QLayout* RunPanel::createTold() {
+  warning_ = namedLabel(this, "warning", "caution");
+  warning_->hide();
+  verdict_ = namedLabel(this, "verdict");
+  verdict_->hide();
+  cue_ = namedLabel(this, "cue", "quiet");
+  auto* told = new QVBoxLayout;
+  told->setContentsMargins(kSpace + 4, kSpace / 2, kSpace + 4, 0);
+  for (QLabel* label : {warning_, verdict_, cue_}) {
+    told->addWidget(label);
+  }
+  return told;
+}
+
+QLayout* RunPanel::createHeading(QWidget* panel) {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(kSpace);
+  title_ = plainLabel(panel, "subheading");
+  mode_ = plainLabel(panel, "quiet");
+  validity_ = new ValidityButton(panel);
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(title_, 1);
+  heading->addWidget(validity_, 0, Qt::AlignTop);
+  column->addLayout(heading);
+  guideMe_ = linkButton(panel);
+  guideMe_->setObjectName(QStringLiteral("guideMe"));
+  guideMe_->setStyleSheet(QStringLiteral("padding: 0;"));  // in line with the sentence beside it
+  connect(guideMe_, &QPushButton::clicked, this, &RunPanel::guideWanted);
+  auto* kind = new QHBoxLayout;
+  kind->addWidget(mode_, 1);
+  kind->addWidget(guideMe_);
+  column->addLayout(kind);
+  return column;
+}
+
+QWidget* RunPanel::createTime(QWidget* panel) {
+  time_ = new Card(QString(), panel);
+  countdown_ = namedLabel(time_, "countdown");
+  makeHuge(countdown_, kCountdown_pt);
+  progress_ = new QProgressBar(time_);
+  progress_->setObjectName(QStringLiteral("timeLeft"));
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  phase_ = plainLabel(time_, "quiet");
+  timeName_ = plainLabel(time_, "quiet");
+  auto* left = new QHBoxLayout;
+  left->addWidget(countdown_);
+  left->addWidget(timeName_, 1, Qt::AlignBottom);
+  time_->content()->addLayout(left);
+  time_->content()->addWidget(progress_);
+  time_->content()->addWidget(phase_);
+  return time_;
+}
+
+QWidget* RunPanel::createAngle(QWidget* panel) {
+  angle_ = new Card(QString(), panel);
+  dial_ = new AngleDial(angle_);
+  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  goal_ = namedLabel(angle_, "goal", "quiet");
+  count_ = namedLabel(angle_, "twistCount", "subheading");
+  for (QLabel* label : {goal_, count_}) {
+    label->setAlignment(Qt::AlignHCenter);
+    angle_->content()->addWidget(label);
+  }
+  return angle_;
+}
+
+QLayout* RunPanel::createButtons() {
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);  // as wide as the cards above
+  buttons->setSpacing(kSpace);
+  rest_ = new QPushButton(this);
+  rest_->setObjectName(QStringLiteral("rest"));
+  end_ = new QPushButton(this);
+  end_->setObjectName(QStringLiteral("stop"));
+  buttons->addWidget(rest_);
+  buttons->addWidget(end_);
+  connect(rest_, &QPushButton::clicked, this, &RunPanel::restWanted);
+  connect(end_, &QPushButton::clicked, this, &RunPanel::endWanted);
+  return buttons;
+}
+
+void RunPanel::setRun(const RunSession* run) {
+  run_ = run;
+  wasOver_ = false;
+  if (run == nullptr) {
+    return;
+  }
+  const TrainingModule& module = run->step().module;
+  dial_->setTarget(module.targetAngle_rad, module.tolerance_rad);
+  coach_.begin(module, module.targetAngle_rad, false);
+}
+
+void RunPanel::showScene() {
+  detorsion_->setScene(controller_.scene());
+  validity_->setScene(controller_.scene());
+}
+
+void RunPanel::beginRecording(bool haptic) {
+  const TrainingModule& module = run_->step().module;
+  coach_.begin(module, controller_.target_rad(), haptic);
+  dial_->setTarget(controller_.target_rad(), module.tolerance_rad);
+  torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
+  force_->setLimit(module.maxForce_N.value_or(0.0));
+  showCount();
+}
+
+void RunPanel::showTime(bool started, bool mayRest) {
+  end_->setEnabled(started);
+  rest_->setVisible(started && run_->run().plan().restAllowance_us > 0);
+  if (run_ == nullptr) {
+    countdown_->setText(clockTimeLeft(0));
+    for (QLabel* label : {warning_, verdict_, cue_}) {
+      label->hide();  // of the run before
+    }
+    return;
+  }
+  const TrainingRun& run = run_->run();
+  const RunPhase& phase = run.phase();
+  const bool real = phase.arm == PhaseKind::kReal;
+  countdown_->setText(clockTimeLeft(run.remainingInPhase_us()));
+  setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
+  progress_->setValue(  // what is left, as the figure above it
+      static_cast<int>(run.remainingInPhase_us() * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
+  const int number = static_cast<int>(run.phaseIndex()) + 1;
+  const int all = static_cast<int>(run.plan().phases.size());
+  phase_->setVisible(all > 1);
+  phase_->setText(tr("Phase %1 of %2: %3").arg(number).arg(all).arg(toQString(phase.label)));
+  rest_->setEnabled(mayRest && run.mayRest());
+  rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
+                     ? tr("&Rest (%1 left)").arg(clockTimeLeft(run.restLeft_us()))
+                     : tr("&Rest (used up)"));
+  rest_->setMinimumWidth(std::max(rest_->minimumWidth(), rest_->sizeHint().width()));
+  const Scene* scene = controller_.scene();
+  const bool untwisted = scene != nullptr && scene->hollow != nullptr;
+  angle_->setVisible(!real && !untwisted);
+  detorsion_->setVisible(!real && untwisted);
+  detorsion_->setUsable(started && run.state() == RunState::kRunning);
+  load_->setVisible(!real);
+  guideMe_->setVisible(!real && !untwisted && !run_->graded());
+}
+
+/// One thing at a time: a warning takes the place of what else is said, and while a hand turns the gauges
+/// need the place.
+void RunPanel::showTold(bool simulated) {
+  simulated_ = simulated;
+  const bool practice = simulated && !run_->graded();
+  const bool warned = simulated && !warning_->text().isEmpty();
+  warning_->setVisible(warned);
+  verdict_->setVisible(practice && !warned && !turning_ && coach_.completed() > 0 &&
+                       angle_->isVisibleTo(parentWidget()));
+  cue_->setVisible(practice && !warned);
+}
+
+void RunPanel::showCount() {
+  goal_->setText(coach_.goal());
+  count_->setVisible(run_->step().module.leastTwists > 1);
+  count_->setText(coach_.count());
+  verdict_->setText(coach_.verdict());
+}
+
+bool RunPanel::onTarget() const {
+  return dial_->onTarget();
+}
+
+void RunPanel::follow(const LiveState& state) {
+  detorsion_->show(state);
+  dial_->setAngle(state.response.angle_rad);
+  coach_.follow(state, dial_->onTarget());
+  dial_->setHeld(coach_.heldShare());
+  torque_->setValue(std::abs(state.response.torque_Nm));
+  force_->setValue(norm(state.response.force_N));
+  showCount();
+  const bool over = torque_->overLimit() || force_->overLimit();
+  if (over && !wasOver_) {
+    Q_EMIT limitPassed();
+  }
+  wasOver_ = over;
+  const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
+                      state.times.folded_us == state.times.released_us;
+  const bool deep = state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m;
+  warning_->setText(over     ? tr("Above the limit: ease off")
+                    : deep   ? tr("You are pressing too deep: draw back")
+                    : folded ? ReadoutPanel::releaseText(state)
+                             : QString());
+  turning_ = state.phase == ExercisePhase::kTwisting;
+  if (!run_->graded()) {
+    const QString untwisting = detorsion_->cue();
+    cue_->setText(untwisting.isEmpty() ? coach_.cue(state) : untwisting);
+  }
+  showTold(simulated_);
+}
+
+void RunPanel::setTheme(const Theme& theme) {
+  dial_->setTheme(theme);
+  torque_->setTheme(theme);
+  force_->setTheme(theme);
+}
+
+void RunPanel::retranslate() {
+  time_->setAccessibleName(tr("Time left"));
+  timeName_->setText(tr("Time left"));
+  // Their gauges say what they show; a title each would not fit a small screen.
+  angle_->setAccessibleName(tr("Angle"));
+  load_->setAccessibleName(tr("Load on the tissue"));
+  torque_->setName(tr("Torque"), tr("N m"));
+  force_->setName(tr("Force"), tr("N"));
+  end_->setText(tr("&End the run"));
+  guideMe_->setText(tr("Guide me"));
+  dial_->retranslate();
+  detorsion_->retranslate();
+  validity_->retranslate();
+  if (run_ != nullptr) {
+    title_->setText(toQString(Text(run_->step().module.title)));
+    mode_->setText(run_->graded() ? tr("Graded run") : tr("Practice"));
+    showCount();
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/trainee/twist_coach.h"
+
+class QLabel;
+class QLayout;
+class QProgressBar;
+class QPushButton;
+
+namespace torsio {
+class RunSession;
+}
+
+namespace torsio::gui {
+
+class AngleDial;
+class Card;
+class DetorsionPanel;
+class LevelBar;
+class SimulationController;
+class ValidityButton;
+struct Theme;
+
+/// The panel beside a run: module and phase, the time left, the gauges, what is said about the twists, and
+/// the buttons for a rest and for the end.
+class RunPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `controller` outlives the panel.
+  explicit RunPanel(SimulationController& controller, QWidget* parent = nullptr);
+
+  /// Shows this run from the next retranslate() on; null: none. It stays valid until another one is set.
+  void setRun(const RunSession* run);
+  /// The controller has another scene.
+  void showScene();
+  /// A recording begins.
+  void beginRecording(bool haptic);
+  /// Time and buttons as they are now. `started`: the clock runs; `mayRest`: a rest can be taken now.
+  void showTime(bool started, bool mayRest);
+  /// `simulated`: the organ is to be seen, not a notice in its place.
+  void showTold(bool simulated);
+  void follow(const LiveState& state);
+  [[nodiscard]] const TwistCoach& coach() const noexcept { return coach_; }
+  [[nodiscard]] bool onTarget() const;
+  void setTheme(const Theme& theme);
+  void retranslate();
+
+ Q_SIGNALS:
+  void restWanted();
+  void endWanted();
+  void guideWanted();
+  /// Torque or force went above the limit of the module.
+  void limitPassed();
+
+ private:
+  QLayout* createHeading(QWidget* panel);
+  QWidget* createTime(QWidget* panel);
+  QWidget* createAngle(QWidget* panel);
+  QLayout* createTold();
+  QLayout* createButtons();
+  void showCount();
+
+  SimulationController& controller_;
+  const RunSession* run_ = nullptr;
+  TwistCoach coach_;
+  bool simulated_ = false;
+  bool turning_ = false;  // a hand turns what it holds
+  bool wasOver_ = false;  // the limit, a frame ago
+  QLabel* title_ = nullptr;
+  QLabel* mode_ = nullptr;
+  ValidityButton* validity_ = nullptr;
+  QPushButton* guideMe_ = nullptr;
+  Card* time_ = nullptr;
+  QLabel* countdown_ = nullptr;
+  QLabel* timeName_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* phase_ = nullptr;
+  Card* angle_ = nullptr;
+  AngleDial* dial_ = nullptr;
+  QLabel* goal_ = nullptr;
+  QLabel* count_ = nullptr;
+  DetorsionPanel* detorsion_ = nullptr;
+  Card* load_ = nullptr;
+  LevelBar* torque_ = nullptr;
+  LevelBar* force_ = nullptr;
+  QLabel* verdict_ = nullptr;
+  QLabel* cue_ = nullptr;
+  QLabel* warning_ = nullptr;
+  QPushButton* rest_ = nullptr;
+  QPushButton* end_ = nullptr;
+};
+
+}  // namespace torsio::gui
