@@ -11,6 +11,7 @@
 #include "app/cli/maintenance_options.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/recording/competence_service.h"
+#include "app/services/recording/competence_text.h"
 #include "assessment/attempt/competence.h"
 #include "sim/core/angle.h"
 
@@ -74,6 +75,7 @@ void show(const CompetenceArguments& arguments) {
               {"code", exercise.code},
               {"title", exercise.title}};
     json["shipped"] = designJson(exercise.shipped);
+    json["rule"] = competenceRuleText(exercise.inForce).str();
     json["registered"] = Json::array();
     for (const CompetenceDesign& design : exercise.registered) {
       json["registered"].push_back(designJson(design));

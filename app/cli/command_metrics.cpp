@@ -16,7 +16,8 @@
 #include "app/services/recording/replay_service.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/force_felt.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/attempt/run_verdict.h"
+#include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/core/refusal.h"
@@ -55,19 +56,39 @@ const char* directionText(Direction direction) {
   return "";
 }
 
-Json valuesJson(const std::vector<MetricValue>& values) {
+Json valuesJson(const MetricValues& values) {
   Json out = Json::object();
-  for (const MetricValue& metric : values) {
-    const MetricCard& card = metricCard(metric.id);
-    Json entry{{"value", outcomeJson(metric.value, [](double value) { return Json(value); })}};
-    entry["unit"] = std::string(card.unit);
-    out[std::string(metric.id)] = std::move(entry);
+  for (const auto& [quantity, value] : values.all()) {
+    Json entry{{"value", outcomeJson(value, [](double number) { return Json(number); })}};
+    entry["unit"] = rowOf(quantity).unit;
+    out[idOf(quantity)] = std::move(entry);
   }
   return out;
 }
 
 Json metricsJson(const Outcome<TrialMetrics>& outcome) {
-  return outcomeJson(outcome, [](const TrialMetrics& metrics) { return valuesJson(metrics.values); });
+  return outcomeJson(outcome, [](const TrialMetrics& metrics) { return valuesJson(metrics); });
+}
+
+/// The values of the attempt by stored id, in SI.
+Json attemptJson(const QuantityValues& values) {
+  Json out = Json::object();
+  for (const auto& [quantity, value] : values) {
+    out[idOf(quantity)] = value;
+  }
+  return out;
+}
+
+Json verdictJson(const RunVerdict& verdict) {
+  Json out{{"outcome", storedText(verdict.outcome)},
+           {"text", verdict.sentence().str()},
+           {"cause", verdict.cause().str()},
+           {"remedy", verdict.remedy().str()},
+           {"checks", Json::array()}};
+  for (const TargetCheck& check : verdict.checks) {
+    out["checks"].push_back({{"text", check.text().str()}, {"passed", check.passed}});
+  }
+  return out;
 }
 
 /// An untwisting: its metrics, the initial angle, and the tissue's times.
@@ -76,23 +97,25 @@ Json detorsionJson(const MeasuredDetorsion& measured, const AttemptRules& rules)
     const double timeScale = rules.detorsion ? rules.detorsion->timeScale : 1.0;
     Json out{{"start_rad", detorsion.start_rad}, {"time_scale", timeScale}};
     out["done_s"] = detorsion.done_s ? Json(*detorsion.done_s) : Json();
-    out["tissue_time_to_flow_s"] = outcomeJson(detorsion.at("detorse.time_to_flow"),
+    out["tissue_time_to_flow_s"] = outcomeJson(detorsion.at(Quantity::kTimeToFlow),
                                                [&](double time_s) { return Json(timeScale * time_s); });
-    out["metrics"] = valuesJson(detorsion.values);
+    out["metrics"] = valuesJson(detorsion);
     return out;
   });
 }
 
 Json cardsJson() {
   Json out = Json::object();
-  for (const MetricCard& card : metricCards()) {
-    out[std::string(card.id)] = {{"name", std::string(card.name)},
-                                 {"meaning", std::string(card.meaning)},
-                                 {"formula", std::string(card.formula)},
-                                 {"unit", std::string(card.unit)},
-                                 {"window", std::string(card.window)},
-                                 {"better", directionText(card.direction)},
-                                 {"version", card.version}};
+  for (const QuantityRow& row : quantityRows()) {
+    out[std::string(row.id)] = {{"name", row.name.english()},
+                                {"meaning", row.meaning.english()},
+                                {"formula", row.formula.english()},
+                                {"unit", row.unit},
+                                {"shown_unit", row.shown.unit},
+                                {"decimals", row.shown.decimals},
+                                {"window", row.window.english()},
+                                {"better", directionText(row.direction)},
+                                {"version", row.version}};
   }
   return out;
 }
@@ -234,7 +257,9 @@ void runMetrics(const MetricsArguments& arguments) {
     out["twists_on_target"] = measures.twistsOnTarget();
     out["twists_not_completed"] = measures.unfinished;
   }
-  out["attempt"] = measures.values;
+  out["attempt"] = attemptJson(measures.values);
+  out["verdict"] =
+      verdictJson(judgeRun(measures.values, run.rules, trial.summary.outcome == TrialOutcome::kInterrupted));
   out["whole"] = metricsJson(whole);
   if (measured.detorsion) {
     out["detorsion"] = detorsionJson(*measured.detorsion, run.rules);

@@ -10,12 +10,12 @@
 #include "app/services/recording/competence_text.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
-#include "app/services/training/debrief_labels.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/remarks.h"
 #include "app/services/training/trainee_record.h"
 #include "app/services/training/transcript.h"
 #include "app/services/training/trend.h"
+#include "app/services/training/untwisting_findings.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"
@@ -48,8 +48,13 @@ std::string said(const Call& call, const Text& text) {
 json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
-          {"design", said(call, competenceDesignText(verdict.design, verdict.untwisting))},
+          {"design", said(call, competenceRuleText(verdict))},
           {"errors", said(call, competenceErrorText(verdict.design, verdict.errors))}};
+}
+
+/// The verdict on a run: its stored word for the page, and the word that the page shows.
+json outcomeJson(const Call& call, RunOutcome outcome) {
+  return {{"code", storedText(outcome)}, {"word", said(call, wordOf(outcome))}};
 }
 
 json attemptJson(const Call& call, const Attempt& attempt, const std::string& title) {
@@ -57,39 +62,35 @@ json attemptJson(const Call& call, const Attempt& attempt, const std::string& ti
           {"title", title},
           {"started_utc_us", attempt.startedUtc_us},
           {"duration_s", attempt.duration_s},
-          {"interrupted", attempt.interrupted},
-          {"untwisting", isUntwisting(attempt)},
-          {"twists", attempt.twists},
-          {"on_target", attempt.onTarget}};
+          {"result", attempt.ended ? said(call, attempt.result()) : ""},
+          {"outcome", outcomeJson(call, attempt.verdict.outcome)}};
 }
 
 json trendJson(const Call& call, const Trend& trend) {
-  const double scale = trend.unit == "rad" ? degrees(1.0) : 1.0;
-  const auto scaled = [scale](const std::optional<double>& value) {
-    return value ? json(scale * *value) : json(nullptr);
+  const ShownUnit& shown = rowOf(trend.quantity).shown;
+  const auto scaled = [&shown](const std::optional<double>& value) {
+    return value ? json(shown.scale * *value) : json(nullptr);
+  };
+  const auto inWords = [&](const std::optional<double>& value) {
+    return value ? json(said(call, shownValue(trend.quantity, *value))) : json(nullptr);
   };
   json points = json::array();
   for (const TrendPoint& point : trend.points) {
     points.push_back({{"attempt", point.attempt},
                       {"started_utc_us", point.startedUtc_us},
                       {"value", scaled(point.value)},
+                      {"told", inWords(point.value)},
                       {"counted", point.counted},
-                      {"passed", point.passed}});
+                      {"outcome", outcomeJson(call, point.outcome)}});
   }
   json curve = json::array();
   for (const TrendCurvePoint& point : trend.curve) {
-    curve.push_back({point.attempt, scale * point.value, scale * point.lower, scale * point.upper});
+    curve.push_back(
+        {point.attempt, shown.scale * point.value, shown.scale * point.lower, shown.scale * point.upper});
   }
-  const auto inWords = [&](const std::optional<double>& value) {
-    return value ? json(said(call, quantityText(trend.metric, *value))) : json(nullptr);
-  };
-  return {{"metric", said(call, metricName(trend.metric))},
+  return {{"metric", said(call, rowOf(trend.quantity).name)},
           {"last", inWords(trend.points.empty() ? std::nullopt : trend.points.back().value)},
           {"wanted", inWords(trend.threshold)},
-          {"unit", trend.unit == "rad" ? "\u00b0"
-                   : trend.unit == "1" ? ""
-                                       : trend.unit},
-          {"lower_is_better", trend.lowerIsBetter},
           {"points", std::move(points)},
           {"curve", std::move(curve)},
           {"threshold", scaled(trend.threshold)},
@@ -138,29 +139,42 @@ json twistJson(const TwistResult& twist) {
           {"passed", twist.passed}};
 }
 
-json findingJson(const Call& call, const DebriefFinding& finding, bool strength) {
-  return {{"text", said(call, findingText(finding, strength))},
-          {"advice", strength ? "" : said(call, adviceText(finding.metric))},
+json findingJson(const Call& call, const DebriefFinding& finding) {
+  return {{"text", said(call, finding.text())},
+          {"advice", said(call, finding.advice())},
           {"from_s", finding.when.from_s}};
 }
 
-/// Returns the task and the debriefing's sentences, as in the window.
+/// Returns the targets and the findings of the debrief, in the words of the window.
 json debriefJson(const Call& call, const Debrief& shown) {
-  json checks = json::array();
-  for (const TargetCheck& check : shown.checks) {
-    checks.push_back({{"text", said(call, checkText(check, shown.twists.size()))}, {"passed", check.passed}});
+  json told{{"checks", json::array()},
+            {"strengths", json::array()},
+            {"weaknesses", json::array()},
+            {"findings", json::array()}};
+  for (const TargetCheck& check : shown.verdict.checks) {
+    told["checks"].push_back({{"text", said(call, check.text())},
+                              {"passed", check.passed},
+                              {"lost", shown.verdict.torn && !check.value}});
   }
-  json strengths = json::array();
   for (const DebriefFinding& finding : shown.strengths) {
-    strengths.push_back(findingJson(call, finding, true));
+    told["strengths"].push_back(findingJson(call, finding));
   }
-  json weaknesses = json::array();
   for (const DebriefFinding& finding : shown.weaknesses) {
-    weaknesses.push_back(findingJson(call, finding, false));
+    told["weaknesses"].push_back(findingJson(call, finding));
   }
-  return {{"checks", std::move(checks)},
-          {"strengths", std::move(strengths)},
-          {"weaknesses", std::move(weaknesses)}};
+  if (shown.detorsion) {
+    for (const UntwistingFinding& finding : findingsOf(*shown.detorsion)) {
+      told["findings"].push_back({{"text", said(call, finding.text())}, {"from_s", orNothing(finding.at_s)}});
+    }
+  }
+  return told;
+}
+
+json runVerdictJson(const Call& call, const RunVerdict& verdict) {
+  return {{"code", storedText(verdict.outcome)},
+          {"sentence", said(call, verdict.sentence())},
+          {"cause", said(call, verdict.cause())},
+          {"remedy", said(call, verdict.remedy())}};
 }
 
 HttpResponse answerRun(Call& call) {
@@ -176,8 +190,7 @@ HttpResponse answerRun(Call& call) {
   return jsonAnswer({{"title", said(call, Text(shown.moduleTitle))},
                      {"started_utc_us", shown.startedUtc_us},
                      {"duration_s", shown.duration_s},
-                     {"interrupted", shown.interrupted},
-                     {"passed", shown.passed},
+                     {"outcome", runVerdictJson(call, shown.verdict)},
                      {"verdict", shown.competence.errors.attempts > 0 ? verdictJson(call, shown.competence)
                                                                       : json(nullptr)},
                      {"force_felt", shown.forceFelt},

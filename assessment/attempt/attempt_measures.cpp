@@ -2,9 +2,8 @@
 #include "assessment/attempt/attempt_measures.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
+#include <numeric>
+#include <optional>
 
 #include "assessment/attempt/foreign_measures.h"
 #include "assessment/statistics/quantiles.h"
@@ -14,29 +13,16 @@ namespace torsio {
 
 namespace {
 
-/// Mishaps of all twists add up, and of a largest value the largest counts; else the middle one does.
-constexpr std::array<std::string_view, 6> kSummed{"twist.excursions",     "force.violations",
-                                                  "force.violation_time", "force.excess",
-                                                  "torque.violations",    "shear.over_limit"};
-constexpr std::array<std::string_view, 1> kLargest{"force.rate"};
-
-template <std::size_t N>
-bool isOneOf(const std::array<std::string_view, N>& ids, std::string_view id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-double overTwists(std::string_view id, const std::vector<double>& values) {
-  if (isOneOf(kLargest, id)) {
-    return *std::max_element(values.begin(), values.end());
+double overTwists(Quantity quantity, const std::vector<double>& values) {
+  switch (rowOf(quantity).traits.over) {
+    case OverTwists::kSum:
+      return std::accumulate(values.begin(), values.end(), 0.0);
+    case OverTwists::kLargest:
+      return *std::max_element(values.begin(), values.end());
+    case OverTwists::kMedian:
+      break;
   }
-  if (!isOneOf(kSummed, id)) {
-    return quantile(values, 0.5).value();
-  }
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
+  return quantile(values, 0.5).value();
 }
 
 void judgeTwists(const MeasuredTrial& measured, AttemptMeasures& out) {
@@ -52,34 +38,45 @@ void judgeTwists(const MeasuredTrial& measured, AttemptMeasures& out) {
   }
 }
 
-/// Peaks are those of the recording, however many twists it has.
-void addPeaks(const RecordedLoads& loads, AttemptMeasures& out) {
-  const auto add = [&out](std::string_view id, const std::optional<double>& peak) {
-    out.values.erase(std::string(id));
-    if (peak) {
-      out.values[std::string(id)] = *peak;
-    }
-  };
-  add(kPeakForceMetric, loads.tissueForce_N);
-  add(kDeviceForceMetric, loads.deviceForce_N);
-  add(kPeakTorqueMetric, loads.torque_Nm);
+void setValue(AttemptMeasures& out, Quantity quantity, const std::optional<double>& value) {
+  out.values.erase(quantity);
+  if (value) {
+    out.values[quantity] = *value;
+  }
 }
 
-void addMetrics(const MeasuredTrial& measured, AttemptMeasures& out) {
-  for (const MetricCard& card : metricCards()) {
-    const std::vector<double> values = measured.valuesOf(card.id);
-    if (!values.empty()) {
-      out.values[std::string(card.id)] = overTwists(card.id, values);
+/// The shortest hold among the twists on target.
+std::optional<double> shortestHold_s(const MeasuredTrial& measured) {
+  std::optional<double> shortest_s;
+  for (const MeasuredTwist* twist : measured.completed()) {
+    if (twist->onTarget) {
+      shortest_s = std::min(shortest_s.value_or(twist->held_s), twist->held_s);
     }
   }
-  addPeaks(measured.loads, out);
+  return shortest_s;
+}
+
+void addValues(const MeasuredTrial& measured, AttemptMeasures& out) {
+  for (const QuantityRow& row : quantityRows()) {
+    const std::vector<double> values = measured.valuesOf(row.quantity);
+    if (!values.empty()) {
+      out.values[row.quantity] = overTwists(row.quantity, values);
+    }
+  }
+  // Peaks are those of the recording, however many twists it has.
+  setValue(out, Quantity::kPeakForce, measured.loads.tissueForce_N);
+  setValue(out, Quantity::kDeviceForce, measured.loads.deviceForce_N);
+  setValue(out, Quantity::kPeakTorque, measured.loads.torque_Nm);
+  setValue(out, Quantity::kTornTwists, static_cast<double>(measured.torn));
   if (measured.detorsion) {
     return;  // no targets
   }
   const auto reached = static_cast<double>(out.twistsOnTarget());
-  out.values[kTargetsReachedMetric] = reached;
+  setValue(out, Quantity::kCompletedTwists, static_cast<double>(out.twists.size()));
+  setValue(out, Quantity::kTargetsReached, reached);
+  setValue(out, Quantity::kShortestHold, shortestHold_s(measured));
   if (!out.twists.empty()) {
-    out.values[kOnTargetMetric] = reached / static_cast<double>(out.twists.size());
+    setValue(out, Quantity::kOnTarget, reached / static_cast<double>(out.twists.size()));
   }
 }
 
@@ -105,7 +102,7 @@ AttemptMeasures measureAttempt(const MeasuredTrial& measured) {
     out.peakTorque_Nm = measured.loads.torque_Nm;
     out.peakForce_N = measured.loads.tissueForce_N;
   }
-  addMetrics(measured, out);
+  addValues(measured, out);
   return out;
 }
 

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "assessment/attempt/measured_trial.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 
 namespace torsio {
 
@@ -21,7 +19,7 @@ struct JudgedTwist {
 };
 
 /// Everything that is derived from one recording and kept beside it, with kMetricsVersion. Report, debrief,
-/// trend, mastery, metrics and export read these numbers and compute none of their own.
+/// trend, mastery, verdict and export read these numbers and compute none of their own.
 struct AttemptMeasures {
   std::int64_t duration_us = 0;
   std::vector<JudgedTwist> twists{};  ///< completed ones, in their order; none of an untwisting
@@ -31,10 +29,11 @@ struct AttemptMeasures {
   std::optional<double> peakTorque_Nm{};  ///< largest magnitude of any sample, not filtered
   std::optional<double>
       peakForce_N{};  ///< largest on the tissue, of any sample: what a limit is held against
-  /// By metric id, SI. Peaks of force and torque are those of the whole recording (RecordedLoads). A metric
+  /// Peaks of force and torque are those of the whole recording (RecordedLoads). A quantity
   /// of single twists: over the completed ones, the sum of mishaps, the largest of peaks, else the median. Of
-  /// an untwisting its own metrics, and loads over its grips in the same way. What is not defined is missing.
-  std::map<std::string, double> values{};
+  /// an untwisting its own quantities, and loads over its grips in the same way. What is not defined is
+  /// missing.
+  QuantityValues values{};
 
   /// Number of completed twists that were released on target.
   [[nodiscard]] std::int64_t twistsOnTarget() const noexcept;

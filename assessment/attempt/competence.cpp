@@ -124,7 +124,9 @@ std::vector<bool> failedAttempts(const CompetenceDesign& design, std::span<const
   std::vector<bool> failed;
   for (const CompetenceRun& run : runs) {
     if (run.untwisting) {
-      failed.push_back(!run.passed);
+      if (run.outcome != RunOutcome::kNotJudged) {
+        failed.push_back(run.outcome != RunOutcome::kPassed);
+      }
       continue;
     }
     for (const JudgedTwist& twist : run.twists) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/study/competence_design.h"
 
 namespace torsio {
@@ -56,9 +57,9 @@ void requireFalseFailKept(const CompetenceDesign& design);
 /// One run that counts.
 struct CompetenceRun {
   bool untwisting = false;
-  bool passed = false;         ///< of an untwisting: by the rules of its exercise
-  bool withinLimits = true;    ///< kept the limits of force and torque of the exercise
-  double tolerance_rad = 0.0;  ///< by which `twists` were judged
+  RunOutcome outcome = RunOutcome::kNotPassed;  ///< of an untwisting; one that was not judged is no attempt
+  bool withinLimits = true;                     ///< kept the limits of force and torque of the exercise
+  double tolerance_rad = 0.0;                   ///< by which `twists` were judged
   std::vector<JudgedTwist> twists{};
 };
 
@@ -79,12 +80,19 @@ enum class SkillLevel {
   return level == SkillLevel::kSteady || level == SkillLevel::kWatch;
 }
 
-/// What the design says of somebody's attempts.
-struct CompetenceVerdict {
+/// By what an attempt at an exercise is a success, and somebody competent.
+struct CompetenceRule {
   CompetenceDesign design{};
+  bool untwisting = false;               ///< an attempt is a whole untwisting
+  std::optional<double> forceLimit_N{};  ///< of the exercise: no twist of a run beyond it is a success
+  std::optional<double> torqueLimit_Nm{};
+  friend bool operator==(const CompetenceRule&, const CompetenceRule&) = default;
+};
+
+/// What the rule says of somebody's attempts.
+struct CompetenceVerdict : CompetenceRule {
   CompetenceErrors errors{};  ///< within the attempts of the design, or those made when they are more
   SkillLevel level = SkillLevel::kNotShown;
-  bool untwisting = false;  ///< an attempt is a whole untwisting
   std::size_t attempts = 0;
   std::size_t failed = 0;
   std::size_t attemptsUntilLevel = 0;   ///< of kNotShown

@@ -83,8 +83,8 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
     metrics = measureTrial(
         evenTrace(std::span(times.us).subspan(first, last - first), samples.subspan(first, last - first)),
         {});
-    path_m += *metrics->at("tip.path");
-    idle_s += *metrics->at("tip.idle");
+    path_m += *metrics->at(Quantity::kTipPath);
+    idle_s += *metrics->at(Quantity::kIdleTime);
   }
   if (!metrics) {
     return Result::undefined(Text::tr("there are fewer than two samples"));
@@ -93,27 +93,23 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
     return Result::undefined(Text::tr("the instrument was seen for %1 % of the time only",
                                       std::to_string(100 * seen_us / whole_us)));
   }
-  metrics->set("time.total", static_cast<double>(whole_us) / kMicrosecondsPerSecond);
-  metrics->set("tip.path", path_m);
-  metrics->set("tip.idle", idle_s);
+  metrics->set(Quantity::kTime, static_cast<double>(whole_us) / kMicrosecondsPerSecond);
+  metrics->set(Quantity::kTipPath, path_m);
+  metrics->set(Quantity::kIdleTime, idle_s);
   metrics->lostSamples =
       static_cast<std::size_t>(samples.back().tick - samples.front().tick + 1) - samples.size();
-  for (MetricValue& metric : metrics->values) {
-    if (!metric.value) {
-      metric.value = Outcome<double>::undefined(Text::tr("not applicable: foreign recording"));
-    }
-  }
+  metrics->explainMissing(Text::tr("not applicable: foreign recording"));
   return *metrics;
 }
 
 AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample> samples) {
   AttemptMeasures out;
   out.duration_us = recordedDuration_us(header, samples);
-  out.values["time.total"] = static_cast<double>(out.duration_us) / kMicrosecondsPerSecond;
+  out.values[Quantity::kTime] = static_cast<double>(out.duration_us) / kMicrosecondsPerSecond;
   if (const Outcome<TrialMetrics> metrics = measureForeign(header, samples)) {
-    for (const MetricValue& metric : metrics->values) {
-      if (metric.value) {
-        out.values[std::string(metric.id)] = *metric.value;
+    for (const auto& [quantity, value] : metrics->all()) {
+      if (value) {
+        out.values[quantity] = *value;
       }
     }
   }

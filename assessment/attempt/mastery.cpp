@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "assessment/metrics/metric_cards.h"
-
 namespace torsio {
 
 namespace {
@@ -14,6 +12,18 @@ constexpr std::int64_t kWanted = 4;
 constexpr std::int64_t kOutOf = 5;
 
 }  // namespace
+
+Text MasteryRule::text() const {
+  if (!quantity) {
+    return Text::tr("A quantity that this version of Torsio does not measure");
+  }
+  const Phrase name = rowOf(*quantity).name;
+  const Text limit = shownValue(*quantity, threshold);
+  return isAnswer(*quantity)          ? Text::tr("%1: %2", name, limit)
+         : atMost && threshold == 0.0 ? Text::tr("%1: none", name)
+         : atMost                     ? Text::tr("%1: at most %2", name, limit)
+                                      : Text::tr("%1: at least %2", name, limit);
+}
 
 bool reaches(const MasteryRule& rule, double value) noexcept {
   return rule.atMost ? value <= rule.threshold : value >= rule.threshold;
@@ -32,24 +42,6 @@ MasteryProgress masteryProgress(const MasteryRule& rule, std::span<const std::op
 std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least) noexcept {
   const std::int64_t counted = std::max({twists, least, std::int64_t{1}});
   return (kWanted * counted + kOutOf - 1) / kOutOf;
-}
-
-bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept {
-  return onTarget >= wantedOnTarget(twists);
-}
-
-bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
-               std::int64_t onTarget, std::int64_t twists) {
-  if (rules.empty()) {
-    if (const auto done = values.find(kDetorsionDoneMetric); done != values.end()) {
-      return done->second > 0.0;
-    }
-    return enoughOnTarget(onTarget, twists);
-  }
-  return std::all_of(rules.begin(), rules.end(), [&](const MasteryRule& rule) {
-    const auto value = values.find(rule.metric);
-    return value != values.end() && reaches(rule, value->second);
-  });
 }
 
 }  // namespace torsio

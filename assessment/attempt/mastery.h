@@ -2,20 +2,21 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
+
+#include "assessment/catalogue/quantity.h"
 
 namespace torsio {
 
-/// "The metric reaches the threshold in so many attempts in a row."
+/// "The quantity reaches the threshold in so many attempts in a row."
 struct MasteryRule {
-  std::string metric{};
-  bool atMost = false;  ///< the value must be at most the threshold; false: at least
+  std::optional<Quantity> quantity{};  ///< empty: this version of Torsio does not measure it
+  bool atMost = false;                 ///< the value must be at most the threshold; false: at least
   double threshold = 0.0;
   std::int64_t consecutive = 1;
+  /// "Overshoot: at most 5.0°".
+  [[nodiscard]] Text text() const;
   friend bool operator==(const MasteryRule&, const MasteryRule&) = default;
 };
 
@@ -37,14 +38,5 @@ struct MasteryProgress {
 /// Returns how many of `twists` completed twists must be released on target for a run to pass: four in five
 /// of them, or of the `least` number that the exercise asks for, and one at least.
 [[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least = 1) noexcept;
-
-/// Whether enough completed twists were released on target.
-[[nodiscard]] bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept;
-
-/// Whether one attempt satisfies all mastery rules of its exercise, by the `values` of its measures; without
-/// rules, whether enough of its completed twists were released on target, or the organ of an untwisting was
-/// undone.
-[[nodiscard]] bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
-                             std::int64_t onTarget, std::int64_t twists);
 
 }  // namespace torsio

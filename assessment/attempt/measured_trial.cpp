@@ -136,14 +136,14 @@ Outcome<TrialMetrics> measuredGrip(const TrialTrace& trace, const TrialTargets& 
   }
   TrialMetrics metrics = *grip;
   const RecordedLoads loads = recordedLoads(since);
-  const auto set = [&metrics](std::string_view id, const std::optional<double>& peak) {
-    metrics.set(
-        id, peak ? Outcome<double>(*peak)
-                 : Outcome<double>::undefined(Text::tr("the answer of the tissue is not known throughout")));
+  const auto set = [&metrics](Quantity quantity, const std::optional<double>& peak) {
+    metrics.set(quantity, peak ? Outcome<double>(*peak)
+                               : Outcome<double>::undefined(
+                                     Text::tr("the answer of the tissue is not known throughout")));
   };
-  set(kPeakForceMetric, loads.tissueForce_N);
-  set(kDeviceForceMetric, loads.deviceForce_N);
-  set(kPeakTorqueMetric, loads.torque_Nm);
+  set(Quantity::kPeakForce, loads.tissueForce_N);
+  set(Quantity::kDeviceForce, loads.deviceForce_N);
+  set(Quantity::kPeakTorque, loads.torque_Nm);
   return metrics;
 }
 
@@ -170,35 +170,44 @@ MeasuredDetorsion measuredDetorsion(const Reading& reading, std::span<const Samp
   return out;
 }
 
-void addValue(const Outcome<double>& value, std::vector<double>& values) {
-  if (value) {
+template <class Metrics>
+void addValue(const Outcome<Metrics>& metrics, Quantity quantity, std::vector<double>& values) {
+  if (const std::optional<double> value = metrics ? metrics->valueOf(quantity) : std::nullopt) {
     values.push_back(*value);
   }
 }
 
-/// Whether a metric is read off the whole recording of an untwisting, not grip by grip.
-bool isOfWhole(std::string_view metric) {
-  return metric == "time.total" || metric == "tip.path" || metric == "tip.idle";
-}
-
-std::vector<double> valuesOfDetorsion(const MeasuredDetorsion& detorsion, std::string_view metric) {
+std::vector<double> valuesOfDetorsion(const MeasuredDetorsion& detorsion, Quantity quantity) {
   std::vector<double> values;
-  if (isDetorsionMetric(metric)) {
-    if (detorsion.metrics) {
-      addValue(detorsion.metrics->at(metric), values);
-    }
-  } else if (isOfWhole(metric)) {
-    if (detorsion.whole) {
-      addValue(detorsion.whole->at(metric), values);
-    }
-  } else {
-    for (const Outcome<TrialMetrics>& grip : detorsion.grips) {
-      if (grip) {
-        addValue(grip->at(metric), values);
+  switch (rowOf(quantity).scope) {
+    case QuantityScope::kUntwisting:
+      addValue(detorsion.metrics, quantity, values);
+      break;
+    case QuantityScope::kHand:
+      addValue(detorsion.whole, quantity, values);
+      break;
+    case QuantityScope::kGrip:
+      for (const Outcome<TrialMetrics>& grip : detorsion.grips) {
+        addValue(grip, quantity, values);
       }
-    }
+      break;
+    case QuantityScope::kRun:
+      break;
   }
   return values;
+}
+
+/// Counts what a gap in the samples kept from being measured.
+std::int64_t tornIn(const Reading& reading, const MeasuredTrial& measured) {
+  if (longGaps(reading.times.us).empty()) {
+    return 0;
+  }
+  if (measured.detorsion) {
+    return measured.detorsion->metrics ? 0 : 1;
+  }
+  return std::count_if(measured.twists.begin(), measured.twists.end(), [](const MeasuredTwist& twist) {
+    return !twist.metrics || twist.twist.ending == TwistEnding::kNotSeen;
+  });
 }
 
 }  // namespace
@@ -222,18 +231,13 @@ std::int64_t MeasuredTrial::unfinished() const noexcept {
                        [](const MeasuredTwist& twist) { return !twist.twist.completed(); });
 }
 
-std::vector<double> MeasuredTrial::valuesOf(std::string_view metric) const {
+std::vector<double> MeasuredTrial::valuesOf(Quantity quantity) const {
   if (detorsion) {
-    return valuesOfDetorsion(*detorsion, metric);
+    return valuesOfDetorsion(*detorsion, quantity);
   }
   std::vector<double> values;
-  if (isDetorsionMetric(metric)) {
-    return values;
-  }
   for (const MeasuredTwist* twist : completed()) {
-    if (twist->metrics && twist->metrics->at(metric)) {
-      values.push_back(*twist->metrics->at(metric));
-    }
+    addValue(twist->metrics, quantity, values);
   }
   return values;
 }
@@ -251,6 +255,7 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
                     .loads = recordedLoads(samples)};
   if (comesTwisted(samples)) {
     out.detorsion = measuredDetorsion(reading, samples, rules, organ);
+    out.torn = tornIn(reading, out);
     return out;
   }
   if (reading.twists.empty()) {
@@ -275,6 +280,7 @@ MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> s
                                  twist.end)});
     since = twist.letGo;
   }
+  out.torn = tornIn(reading, out);
   return out;
 }
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "assessment/attempt/mastery.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/detorsion.h"
@@ -18,7 +18,7 @@
 
 namespace torsio {
 
-/// By what a run is judged: the tolerance and the limits of its exercise.
+/// By what a run is judged: everything that its exercise asks for.
 struct AttemptRules {
   double tolerance_rad = kDefaultTolerance_rad;  ///< > 0
   std::optional<double> forceLimit_N{};
@@ -26,6 +26,7 @@ struct AttemptRules {
   double hold_s = 0.0;           ///< on target before letting go, asked for to pass; changes no measure
   std::int64_t leastTwists = 1;  ///< completed, asked for to pass; changes no measure
   std::optional<DetorsionRules> detorsion{};  ///< of a recording that comesTwisted
+  std::vector<MasteryRule> mastery{};         ///< of the exercise, asked for to pass; change no measure
   friend bool operator==(const AttemptRules&, const AttemptRules&) = default;
 };
 
@@ -70,6 +71,9 @@ struct MeasuredTrial {
   std::vector<MeasuredTwist> twists{};           ///< all of them, in their order; none of an untwisting
   std::optional<MeasuredDetorsion> detorsion{};  ///< empty: an exercise of twisting
   RecordedLoads loads{};                         ///< over the whole recording
+  /// Twists, or 1 of an untwisting, that could not be measured because samples are missing for more than
+  /// 20 ms.
+  std::int64_t torn = 0;
 
   /// Duration in seconds.
   [[nodiscard]] double duration_s() const noexcept;
@@ -77,11 +81,11 @@ struct MeasuredTrial {
   [[nodiscard]] std::vector<const MeasuredTwist*> completed() const;
   /// Number of twists that were cut off by the end of the recording, a fault or missing samples.
   [[nodiscard]] std::int64_t unfinished() const noexcept;
-  /// Values of one metric over the completed twists in which it is defined. Of an untwisting: its own metrics
-  /// and those of the whole recording have one value or none, loads one a grip, metrics of twisting none.
-  /// Peaks of force and torque are those since the grip before was let go; those of the recording are
+  /// Values of one quantity over the completed twists in which it is defined. Of an untwisting: its own
+  /// metrics and those of the whole recording have one value or none, loads one a grip, metrics of twisting
+  /// none. Peaks of force and torque are those since the grip before was let go; those of the recording are
   /// `loads`.
-  [[nodiscard]] std::vector<double> valuesOf(std::string_view metric) const;
+  [[nodiscard]] std::vector<double> valuesOf(Quantity quantity) const;
 };
 
 /// Turns a recording into the trace that the metrics read: angle, target in force, force on the tissue and

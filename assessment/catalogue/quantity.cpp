@@ -45,6 +45,19 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      Text::tr("count of completed twists with |angle at letting go - target| <= tolerance"), "count",
      kNumber, kHigher, Text::tr("whole run"), QuantityScope::kRun,
      {.kind = QuantityKind::kCount, .asked = true}},
+    {Quantity::kCompletedTwists, "twist.completed", Text::tr("Twists completed"),
+     Text::tr("Number of the twists that were let go; the others are counted apart."),
+     Text::tr("count of twists that were let go"), "count", kNumber, kHigher, Text::tr("whole run"),
+     QuantityScope::kRun, {.kind = QuantityKind::kCount}},
+    {Quantity::kShortestHold, "twist.shortest_hold", Text::tr("Shortest hold on target"),
+     Text::tr("How long the angle was on target before letting go, in the twist on target where that "
+         "was shortest."),
+     Text::tr("min over twists on target of the last stay inside target +- tolerance"), "s", kSeconds,
+     kHigher, Text::tr("whole run"), QuantityScope::kRun, {.missing = Text::tr("none")}},
+    {Quantity::kTornTwists, "run.torn", Text::tr("Twists with lost samples"),
+     Text::tr("How many twists the computer recorded with a gap of more than 20 ms; an untwisting "
+         "counts as one."), Text::tr("count of twists with a gap of more than 20 ms"), "count", kNumber,
+     kLower, Text::tr("whole run"), QuantityScope::kRun, {.kind = QuantityKind::kCount}},
     {Quantity::kTime, "time.total", Text::tr("Time"),
      Text::tr("How long a twist took, from the grip to the end of its return; of an untwisting the "
          "whole run."), Text::verbatim("t_end - t_start"), "s", kSeconds, kLower, kTask,

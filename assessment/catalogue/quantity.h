@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,12 +16,15 @@ namespace torsio {
 /// Version of all formulas by which a recording is measured: quantities, what a twist is, what is on target.
 /// It is stored beside every value. Count it up whenever a number changes: values of an older version are not
 /// read, the recording is measured again.
-inline constexpr std::int64_t kMetricsVersion = 6;
+inline constexpr std::int64_t kMetricsVersion = 7;
 
 /// What is measured of a run. The order is that of all lists and tables.
 enum class Quantity : std::uint8_t {
   kOnTarget,
   kTargetsReached,
+  kCompletedTwists,
+  kShortestHold,
+  kTornTwists,
   kTime,
   kTipPath,
   kAngularPath,
@@ -89,7 +93,7 @@ enum class QuantityKind : std::uint8_t {
 
 /// What a quantity is measured of.
 enum class QuantityScope : std::uint8_t {
-  kRun,         ///< the twists of a run together
+  kRun,         ///< the run as a whole
   kHand,        ///< each twist; of an untwisting or of a foreign recording the whole recording
   kGrip,        ///< each twist, or each grip of an untwisting
   kUntwisting,  ///< the untwisting of an organ that came twisted; there the quantities of twisting are
@@ -132,7 +136,7 @@ struct QuantityTraits {
   MeritWeight merit{};
   Phrase advice{};  ///< to a trainee whose weakness it is; empty: none
   QuantityMoment moment = QuantityMoment::kWholeTwist;
-  Phrase missing = Text::tr("not defined");  ///< stands in place of a value that a run does not have
+  Phrase missing = Text::tr("not measured");  ///< stands in place of a value that a run does not have
 };
 
 /// One row of the catalogue: everything that is known of a quantity whatever its value.
@@ -165,6 +169,13 @@ struct QuantityRow {
 }
 [[nodiscard]] inline bool isOfUntwisting(Quantity quantity) {
   return rowOf(quantity).scope == QuantityScope::kUntwisting;
+}
+
+/// Values by quantity, SI; what is not defined is missing.
+using QuantityValues = std::map<Quantity, double>;
+[[nodiscard]] inline std::optional<double> valueIn(const QuantityValues& values, Quantity quantity) {
+  const auto found = values.find(quantity);
+  return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Returns the shown number of a stored value without its unit: "12.4", "\u22120.8". `more`: further

@@ -53,12 +53,7 @@ class DetorsionMeasurer {
   }
 
  private:
-  void set(std::string_view id, Outcome<double> value) {
-    const auto found = std::find_if(out_.values.begin(), out_.values.end(),
-                                    [&](const MetricValue& metric) { return metric.id == id; });
-    TORSIO_EXPECTS(found != out_.values.end());
-    found->value = std::move(value);
-  }
+  void set(Quantity quantity, Outcome<double> value) { out_.set(quantity, std::move(value)); }
 
   /// Seconds from the first tick to tick i.
   [[nodiscard]] double at_s(std::size_t i) const {
@@ -102,18 +97,18 @@ class DetorsionMeasurer {
       }
     }
     if (start_rad == 0.0) {
-      set("detorse.first_direction", Outcome<double>::undefined(Text::tr("the organ did not come twisted")));
+      set(Quantity::kFirstDirection, Outcome<double>::undefined(Text::tr("the organ did not come twisted")));
     } else if (chosen == ticks_.size()) {
-      set("detorse.first_direction",
+      set(Quantity::kFirstDirection,
           Outcome<double>::undefined(Text::tr("the hand never turned the organ by 15 degrees")));
     } else {
-      set("detorse.first_direction", yesNo((turned_rad < 0.0) == (start_rad > 0.0)));
+      set(Quantity::kFirstDirection, yesNo((turned_rad < 0.0) == (start_rad > 0.0)));
     }
-    set("detorse.wrong_way", farthest_rad - std::abs(start_rad));
+    set(Quantity::kWrongWay, farthest_rad - std::abs(start_rad));
     if (rules_.vent) {
-      set("detorse.vented_first", yesNo(vented < chosen));
+      set(Quantity::kVentedFirst, yesNo(vented < chosen));
     } else {
-      set("detorse.vented_first",
+      set(Quantity::kVentedFirst,
           Outcome<double>::undefined(Text::tr("nothing can be let out of this organ")));
     }
   }
@@ -121,16 +116,16 @@ class DetorsionMeasurer {
   void measureStages() {
     if (!rules_.stages.asked()) {
       const Text notAsked = Text::tr("this organ is not to be untwisted in stages");
-      set("detorse.longest_stage", Outcome<double>::undefined(notAsked));
-      set("detorse.in_stages", Outcome<double>::undefined(notAsked));
+      set(Quantity::kLongestStage, Outcome<double>::undefined(notAsked));
+      set(Quantity::kInStages, Outcome<double>::undefined(notAsked));
       return;
     }
     StagedTurn staged(rules_.stages, rules_.timeScale);
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
       staged.take(at_s(i), ticks_[i].angle_rad);
     }
-    set("detorse.longest_stage", staged.longest_rad());
-    set("detorse.in_stages", yesNo(staged.longest_rad() <= rules_.stages.turn_rad + kStageTolerance_rad));
+    set(Quantity::kLongestStage, staged.longest_rad());
+    set(Quantity::kInStages, yesNo(staged.longest_rad() <= rules_.stages.turn_rad + kStageTolerance_rad));
   }
 
   void measureGrips() {
@@ -147,9 +142,9 @@ class DetorsionMeasurer {
         slipBack_rad += std::max(0.0, angle_rad - *letGo_rad);
       }
     }
-    set("detorse.regrips", regrips);
-    set("detorse.least_regrips", leastRegrips(out_.start_rad));
-    set("detorse.slip_back", slipBack_rad);
+    set(Quantity::kRegrips, regrips);
+    set(Quantity::kLeastRegrips, leastRegrips(out_.start_rad));
+    set(Quantity::kSlipBack, slipBack_rad);
   }
 
   void measureBlood() {
@@ -159,18 +154,18 @@ class DetorsionMeasurer {
       patency = std::min(patency, tick.patency);
       dose = std::max(dose, tick.dose);
     }
-    set("detorse.min_patency", patency);
-    set("detorse.dose", dose);
+    set(Quantity::kLeastPatency, patency);
+    set(Quantity::kDose, dose);
     const std::size_t back =
         lasting(kFlowBack_s, [&](const DetorsionTick& tick) { return tick.flow >= rules_.enoughFlow; });
     if (back == ticks_.size()) {
       const Text never = Text::tr("blood did not come back for 5 s before the recording ended");
-      set("detorse.time_to_flow", Outcome<double>::undefined(never));
-      set("detorse.dose_at_flow", Outcome<double>::undefined(never));
+      set(Quantity::kTimeToFlow, Outcome<double>::undefined(never));
+      set(Quantity::kDoseAtFlow, Outcome<double>::undefined(never));
       return;
     }
-    set("detorse.time_to_flow", at_s(back));
-    set("detorse.dose_at_flow", ticks_[back].dose);
+    set(Quantity::kTimeToFlow, at_s(back));
+    set(Quantity::kDoseAtFlow, ticks_[back].dose);
   }
 
   void measureLoads() {
@@ -191,10 +186,10 @@ class DetorsionMeasurer {
         over_s += i + 1 < ticks_.size() ? at_s(i + 1) - at_s(i) : spanOf_s(1);
       }
     }
-    set("detorse.overload_time", over_s);
-    set("detorse.peak_jaw", jaw_Pa ? Outcome<double>(*jaw_Pa)
+    set(Quantity::kOverloadTime, over_s);
+    set(Quantity::kPeakJaw, jaw_Pa ? Outcome<double>(*jaw_Pa)
                                    : Outcome<double>::undefined(Text::tr("the hand never held the organ")));
-    set("detorse.peak_shear",
+    set(Quantity::kPeakShear,
         shear_Pa ? Outcome<double>(*shear_Pa)
                  : Outcome<double>::undefined(Text::tr("the stress of the wall needs the scene at hand")));
   }
@@ -220,19 +215,19 @@ class DetorsionMeasurer {
     const bool torn =
         std::any_of(ticks_.begin(), ticks_.end(), [&](const DetorsionTick& tick) { return tears(tick); });
     const bool done = undone < ticks_.size() && !torn;
-    set("detorse.done", yesNo(done));
+    set(Quantity::kUntwisted, yesNo(done));
     if (done) {
       out_.done_s = at_s(undone) + rules_.handsOff_s;
       const bool relapsed = std::any_of(
           ticks_.begin() + static_cast<std::ptrdiff_t>(undone), ticks_.end(),
           [&](const DetorsionTick& tick) { return std::abs(tick.angle_rad) > rules_.relapseFrom_rad; });
-      set("detorse.relapse", yesNo(relapsed));
+      set(Quantity::kRelapse, yesNo(relapsed));
     } else {
-      set("detorse.relapse",
+      set(Quantity::kRelapse,
           Outcome<double>::undefined(torn ? Text::tr("the wall was torn: that does not count as untwisted")
                                           : Text::tr("the organ was never untwisted")));
     }
-    set("detorse.residual", residual());
+    set(Quantity::kResidual, residual());
   }
 
   /// The angle handsOff_s after hand and clip have let go for the last time.
@@ -260,13 +255,6 @@ class DetorsionMeasurer {
 
 }  // namespace
 
-const Outcome<double>& DetorsionMetrics::at(std::string_view id) const {
-  const auto found =
-      std::find_if(values.begin(), values.end(), [&](const MetricValue& value) { return value.id == id; });
-  TORSIO_EXPECTS(found != values.end());
-  return found->value;
-}
-
 double leastRegrips(double start_rad) noexcept {
   constexpr double kRounding = 1e-4;  // 310 degrees, as they are recorded, are two turns of a hand
   return std::max(0.0, std::ceil(std::abs(start_rad) / kHandTurn_rad - kRounding) - 1.0);
@@ -276,12 +264,6 @@ DetorsionMetrics measureDetorsion(std::span<const DetorsionTick> ticks, const De
   checkTicks(ticks);
   DetorsionMetrics out;
   out.start_rad = ticks.front().angle_rad;
-  for (const MetricCard& card : metricCards()) {
-    if (isDetorsionMetric(card.id)) {
-      out.values.emplace_back();
-      out.values.back().id = card.id;
-    }
-  }
   DetorsionMeasurer(ticks, rules, out).run();
   return out;
 }

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/core/angle.h"
 #include "sim/core/hollow_pose.h"
@@ -60,12 +59,11 @@ struct DetorsionTick {
 };
 
 /// What an untwisting comes to.
-struct DetorsionMetrics {
-  std::vector<MetricValue>
-      values;              ///< one for each card whose id begins with kDetorsionMetrics, in their order
-  double start_rad = 0.0;  ///< angle with which the organ came, signed
+struct DetorsionMetrics : MetricValues {
+  DetorsionMetrics() : MetricValues({QuantityScope::kUntwisting}) {}
+
+  double start_rad = 0.0;          ///< angle with which the organ came, signed
   std::optional<double> done_s{};  ///< when it was done, since the first tick; the time hands off included
-  [[nodiscard]] const Outcome<double>& at(std::string_view id) const;
 };
 
 /// Returns how often a hand that turns kHandTurn_rad must grip again to undo an angle: ceil(|angle| / turn)

@@ -162,13 +162,13 @@ class Measurer {
       : trace_(trace), s_(signals), targets_(targets), out_(out), held_(longest(signals.phase, isHeld)) {}
 
   void run() {
-    set("time.total", static_cast<double>(s_.n - 1) / kRate_Hz);
+    set(Quantity::kTime, static_cast<double>(s_.n - 1) / kRate_Hz);
     if (!s_.tip.empty()) {
-      set("tip.path", pathLength(s_.tip));
-      set("tip.idle", idleTime(s_.tipSpeed, kIdleTip_m_per_s, kRate_Hz));
+      set(Quantity::kTipPath, pathLength(s_.tip));
+      set(Quantity::kIdleTime, idleTime(s_.tipSpeed, kIdleTip_m_per_s, kRate_Hz));
     }
     if (!s_.angle.empty()) {
-      set("twist.path", angularPath(s_.angle));
+      set(Quantity::kAngularPath, angularPath(s_.angle));
     }
     measurePeaks();
     if (held_.second - held_.first < 2) {
@@ -181,7 +181,7 @@ class Measurer {
   }
 
  private:
-  void set(std::string_view id, Outcome<double> value) { out_.set(id, std::move(value)); }
+  void set(Quantity quantity, Outcome<double> value) { out_.set(quantity, std::move(value)); }
 
   /// A signal in a stretch of the trial, filtered by itself: a filter over the whole trial would smear the
   /// release into the end of the hold.
@@ -194,53 +194,53 @@ class Measurer {
 
   /// Of the samples as they came: a limit is held against them, and a filter would take the top off.
   void measurePeaks() {
-    const auto largest = [this](std::string_view id, const std::vector<double>& list) {
+    const auto largest = [this](Quantity quantity, const std::vector<double>& list) {
       double most = 0.0;
       for (const double value : list) {
         most = std::max(most, std::abs(value));
       }
       if (!list.empty()) {
-        set(id, most);
+        set(quantity, most);
       }
     };
-    largest(kPeakForceMetric, trace_.force_N);
-    largest(kDeviceForceMetric, trace_.deviceForce_N);
-    largest(kPeakTorqueMetric, trace_.torque_Nm);
+    largest(Quantity::kPeakForce, trace_.force_N);
+    largest(Quantity::kDeviceForce, trace_.deviceForce_N);
+    largest(Quantity::kPeakTorque, trace_.torque_Nm);
   }
 
   void measureTurn() {
     const std::vector<double> angle = calm(s_.angleRaw, held_, kPoseCutoff_Hz);
     std::vector<double> speed = derivative(angle, kRate_Hz);
-    set("twist.ldlj",
+    set(Quantity::kLdlj,
         logDimensionlessJerk(speed, kRate_Hz));  // signed: a kink at each reversal would be our own
     for (double& value : speed) {
       value = std::abs(value);
     }
-    set("twist.ldlj_unsigned", logDimensionlessJerk(speed, kRate_Hz));
-    set("twist.sparc", spectralArcLength(speed, kRate_Hz));
-    set("twist.peaks", static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
+    set(Quantity::kLdljUnsigned, logDimensionlessJerk(speed, kRate_Hz));
+    set(Quantity::kSparc, spectralArcLength(speed, kRate_Hz));
+    set(Quantity::kSubMovements, static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
     const double target_rad = s_.target.empty() ? targets_.target_rad : s_.target[held_.second - 1];
     if (target_rad != 0.0) {
-      set("twist.economy", economy(std::abs(target_rad), angularPath(angle)));
+      set(Quantity::kEconomy, economy(std::abs(target_rad), angularPath(angle)));
       const TargetApproach approach = targetApproach(angle, target_rad, targets_.tolerance_rad, kRate_Hz);
-      set("twist.overshoot", approach.overshoot);
-      set("twist.excursions", static_cast<double>(approach.excursions));
-      set("twist.time_to_target", approach.timeToTarget);
-      set("twist.settling", approach.settling);
+      set(Quantity::kOvershoot, approach.overshoot);
+      set(Quantity::kExcursions, static_cast<double>(approach.excursions));
+      set(Quantity::kTimeToTarget, approach.timeToTarget);
+      set(Quantity::kSettling, approach.settling);
     }
     const std::span<const double> course = part(s_.target, held_);
     if (std::any_of(course.begin(), course.end(), [&](double target) { return target != target_rad; })) {
       const Outcome<TrackingError> error = trackingError(angle, course, kRate_Hz);
-      set("twist.rmse", error->rmse);
-      set("twist.mae", error->mae);
-      set("twist.bias", error->bias);
-      set("twist.lag", error->lag_s);
-      set("twist.rmse_without_lag", error->rmseWithoutLag);
+      set(Quantity::kTrackingRms, error->rmse);
+      set(Quantity::kTrackingMean, error->mae);
+      set(Quantity::kTrackingBias, error->bias);
+      set(Quantity::kLag, error->lag_s);
+      set(Quantity::kTrackingWithoutLag, error->rmseWithoutLag);
     }
     const auto still = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kHolding; });
-    set("twist.hold_steadiness", holdSteadiness(calm(s_.angleRaw, still, kPoseCutoff_Hz)));
+    set(Quantity::kHoldSteadiness, holdSteadiness(calm(s_.angleRaw, still, kPoseCutoff_Hz)));
     if (targets_.axisPoint_m && !s_.tip.empty()) {
-      set("twist.axis_wander", axisWander(part(s_.tip, held_), *targets_.axisPoint_m, targets_.axis));
+      set(Quantity::kAxisWander, axisWander(part(s_.tip, held_), *targets_.axisPoint_m, targets_.axis));
     }
   }
 
@@ -248,15 +248,15 @@ class Measurer {
     if (!s_.force.empty()) {
       const std::vector<double> force = calm(s_.force, held_, kForceCutoff_Hz);
       const Outcome<Loading> load = loadingOf(force, kRate_Hz);
-      set("force.mean", load->mean);
-      set("force.p95", load->p95);
-      set("force.impulse", load->impulse);
-      set("force.rate", load->largestRate);
+      set(Quantity::kMeanForce, load->mean);
+      set(Quantity::kHighForce, load->p95);
+      set(Quantity::kForceImpulse, load->impulse);
+      set(Quantity::kForceRate, load->largestRate);
       if (targets_.forceLimit_N) {
         const Violations violations = violationsOf(force, *targets_.forceLimit_N, kRate_Hz);
-        set("force.violations", static_cast<double>(violations.count));
-        set("force.violation_time", violations.time_s);
-        set("force.excess", violations.excessImpulse);
+        set(Quantity::kForceViolations, static_cast<double>(violations.count));
+        set(Quantity::kForceViolationTime, violations.time_s);
+        set(Quantity::kForceExcess, violations.excessImpulse);
       }
     }
     if (!s_.torque.empty()) {
@@ -266,21 +266,22 @@ class Measurer {
         magnitude.push_back(std::abs(value));
       }
       const Outcome<Loading> load = loadingOf(magnitude, kRate_Hz);
-      set("torque.mean", load->mean);
+      set(Quantity::kMeanTorque, load->mean);
       if (targets_.torqueLimit_Nm) {
-        set("torque.violations",
+        set(Quantity::kTorqueViolations,
             static_cast<double>(violationsOf(magnitude, *targets_.torqueLimit_Nm, kRate_Hz).count));
       }
       const auto letGo = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kReleasing; });
-      set("torque.release_rate", releaseRate(part(filtered(s_.torque, kForceCutoff_Hz), letGo), kRate_Hz));
+      set(Quantity::kReleaseRate, releaseRate(part(filtered(s_.torque, kForceCutoff_Hz), letGo), kRate_Hz));
       if (!s_.angle.empty()) {
         const Outcome<TwistWork> work = twistWork(torque, calm(s_.angleRaw, held_, kPoseCutoff_Hz));
-        set("work.delivered", work->delivered_J);
-        set("work.loop", work->loop_J);
+        set(Quantity::kWorkDelivered, work->delivered_J);
+        set(Quantity::kWorkLoop, work->loop_J);
       }
     }
     if (!s_.shear.empty() && targets_.shearLimit_Pa) {
-      set("shear.over_limit", violationsOf(part(s_.shear, held_), *targets_.shearLimit_Pa, kRate_Hz).time_s);
+      set(Quantity::kShearOverLimit,
+          violationsOf(part(s_.shear, held_), *targets_.shearLimit_Pa, kRate_Hz).time_s);
     }
   }
 
@@ -293,30 +294,43 @@ class Measurer {
 
 }  // namespace
 
-const Outcome<double>& TrialMetrics::at(std::string_view id) const {
-  const auto found =
-      std::find_if(values.begin(), values.end(), [&](const MetricValue& v) { return v.id == id; });
-  TORSIO_EXPECTS(found != values.end());
-  return found->value;
+MetricValues::MetricValues(std::initializer_list<QuantityScope> scopes) {
+  for (const QuantityRow& row : quantityRows()) {
+    if (std::find(scopes.begin(), scopes.end(), row.scope) != scopes.end()) {
+      values_.emplace(row.quantity, Outcome<double>::undefined(Text::tr("not applicable")));
+    }
+  }
 }
 
-void TrialMetrics::set(std::string_view id, Outcome<double> value) {
-  const auto found =
-      std::find_if(values.begin(), values.end(), [&](const MetricValue& v) { return v.id == id; });
-  TORSIO_EXPECTS(found != values.end());
-  found->value = std::move(value);
+const Outcome<double>& MetricValues::at(Quantity quantity) const {
+  const auto found = values_.find(quantity);
+  TORSIO_EXPECTS(found != values_.end());
+  return found->second;
+}
+
+void MetricValues::set(Quantity quantity, Outcome<double> value) {
+  const auto found = values_.find(quantity);
+  TORSIO_EXPECTS(found != values_.end());
+  found->second = std::move(value);
+}
+
+std::optional<double> MetricValues::valueOf(Quantity quantity) const {
+  const auto found = values_.find(quantity);
+  return found != values_.end() && found->second ? std::optional(*found->second) : std::nullopt;
+}
+
+void MetricValues::explainMissing(const Text& reason) {
+  for (auto& [quantity, value] : values_) {
+    if (!value) {
+      value = Outcome<double>::undefined(reason);
+    }
+  }
 }
 
 TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets) {
   TORSIO_EXPECTS(targets.tolerance_rad > 0.0);
   const Prepared signals = prepare(trace);
   TrialMetrics out;
-  for (const MetricCard& card : metricCards()) {
-    if (!isDetorsionMetric(card.id)) {
-      out.values.emplace_back();
-      out.values.back().id = card.id;
-    }
-  }
   out.lostSamples = signals.lost;
   out.poseCutoff_Hz = kPoseCutoff_Hz;
   out.forceCutoff_Hz = kForceCutoff_Hz;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
+#include <map>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/statistics/values.h"
 #include "sim/core/angle.h"
 #include "sim/core/vec3.h"
@@ -47,18 +47,30 @@ struct TrialTargets {
   Vec3 axis{0.0, 0.0, 1.0};
 };
 
-struct MetricValue {
-  std::string_view id;  ///< of a card
-  Outcome<double> value = Outcome<double>::undefined(Text::tr("not applicable"));
+/// What was measured, or why it could not be.
+class MetricValues {
+ public:
+  /// Holds the quantities of these scopes, all of them undefined.
+  explicit MetricValues(std::initializer_list<QuantityScope> scopes);
+  /// The value of a quantity that it holds; another is a bug of Torsio.
+  [[nodiscard]] const Outcome<double>& at(Quantity quantity) const;
+  void set(Quantity quantity, Outcome<double> value);
+  [[nodiscard]] std::optional<double> valueOf(Quantity quantity) const;
+  /// Gives this reason to everything that has no value.
+  void explainMissing(const Text& reason);
+  [[nodiscard]] const std::map<Quantity, Outcome<double>>& all() const noexcept { return values_; }
+
+ private:
+  std::map<Quantity, Outcome<double>> values_;
 };
 
-struct TrialMetrics {
-  std::vector<MetricValue> values;  ///< one a card that is not kDetorsionMetrics, in their order
+/// Quantities of kHand and kGrip of a stretch of a recording.
+struct TrialMetrics : MetricValues {
+  TrialMetrics() : MetricValues({QuantityScope::kHand, QuantityScope::kGrip}) {}
+
   std::size_t lostSamples = 0;
   double poseCutoff_Hz = 0.0;
   double forceCutoff_Hz = 0.0;
-  [[nodiscard]] const Outcome<double>& at(std::string_view id) const;
-  void set(std::string_view id, Outcome<double> value);
 };
 
 /// All metrics of one trial, in the order of preparation: uniform time, filter, derive, measure. Throws

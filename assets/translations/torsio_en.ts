@@ -55,34 +55,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1, in %n run(s) in a row</source>
-        <translation>
-            <numerusform>%1, in one run</numerusform>
-            <numerusform>%1, in %n runs in a row</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, in %n run(s) in a row (%2 so far)</source>
-        <translation>
-            <numerusform>%1, in one run (%2 so far)</numerusform>
-            <numerusform>%1, in %n runs in a row (%2 so far)</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Last time: %1 of %n twist(s) on target</source>
-        <translation>
-            <numerusform>Last time: %1 of %n twist on target</numerusform>
-            <numerusform>Last time: %1 of %n twists on target</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more attempt(s) until a level is shown</source>
-        <translation>
-            <numerusform>One more attempt until a level is shown</numerusform>
-            <numerusform>%n more attempts until a level is shown</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
         <translation>
             <numerusform>Competence not shown yet. %n successful attempt would show it.</numerusform>

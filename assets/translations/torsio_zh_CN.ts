@@ -1364,44 +1364,12 @@
         <translation>请向管理员申请追加尝试。</translation>
     </message>
     <message>
-        <source>%1: none</source>
-        <translation>%1：无</translation>
-    </message>
-    <message>
-        <source>%1: at most %2</source>
-        <translation>%1：不超过 %2</translation>
-    </message>
-    <message>
-        <source>%1: at least %2</source>
-        <translation>%1：不低于 %2</translation>
-    </message>
-    <message>
         <source>Not tried yet</source>
         <translation>尚未尝试</translation>
     </message>
     <message>
         <source>Unlocks: %1</source>
         <translation>解锁：%1</translation>
-    </message>
-    <message>
-        <source>not measured</source>
-        <translation>未测得</translation>
-    </message>
-    <message>
-        <source>Learning</source>
-        <translation>学习中</translation>
-    </message>
-    <message>
-        <source>Steady</source>
-        <translation>稳定</translation>
-    </message>
-    <message>
-        <source>Watch</source>
-        <translation>需关注</translation>
-    </message>
-    <message>
-        <source>Relapsed</source>
-        <translation>退步</translation>
     </message>
     <message>
         <source>Connected</source>
@@ -1440,37 +1408,8 @@
         <translation>未就绪</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>not untwisted, ischaemic dose %1</source>
-        <translation>未复位，缺血剂量 %1</translation>
-    </message>
-    <message>
-        <source>untwisted, blood after %1, ischaemic dose %2</source>
-        <translation>已复位，%1 后恢复血流，缺血剂量 %2</translation>
-    </message>
-    <message>
-        <source>untwisted, ischaemic dose %1</source>
-        <translation>已复位，缺血剂量 %1</translation>
-    </message>
-    <message>
         <source>Last time: %1</source>
         <translation>上次：%1</translation>
-    </message>
-    <message>
-        <source>blood did not come back</source>
-        <translation>血流未恢复</translation>
-    </message>
-    <message>
-        <source>not defined</source>
-        <translation>无定义</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>quantity and value</comment>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Measured before by version %1 of the definitions: peak force %2, within the limits. That is kept and no longer counts.</source>
@@ -1492,38 +1431,10 @@
         <source>Previously competent; the latest attempts raise doubts.</source>
         <translation>此前已胜任；最近几次尝试令人存疑。</translation>
     </message>
-    <message>
-        <source>Previously competent, but not now. Practise until your level is steady again.</source>
-        <translation>此前已胜任，目前未达到。请继续练习，直到水平重新稳定。</translation>
-    </message>
     <message numerus="yes">
         <source>%n day(s)</source>
         <translation>
             <numerusform>%n 天</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, in %n run(s) in a row</source>
-        <translation>
-            <numerusform>%1，连续 %n 次操作</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, in %n run(s) in a row (%2 so far)</source>
-        <translation>
-            <numerusform>%1，连续 %n 次操作（目前 %2 次）</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Last time: %1 of %n twist(s) on target</source>
-        <translation>
-            <numerusform>上次：%n 次扭转中 %1 次达标</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more attempt(s) until a level is shown</source>
-        <translation>
-            <numerusform>再尝试 %n 次后才能判定水平</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1540,13 +1451,13 @@
         <source>Level: %1. %2</source>
         <translation>水平：%1。%2</translation>
     </message>
+    <message>
+        <source>Previously competent, but not now. Practise until you are competent again.</source>
+        <translation>曾经胜任，但目前不再胜任。请练习，直到再次胜任。</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
-    <message>
-        <source>%1 (1 yes, 0 no)</source>
-        <translation>%1（1 为是，0 为否）</translation>
-    </message>
     <message>
         <source>before training</source>
         <translation>训练前</translation>
@@ -15732,10 +15643,6 @@ audit trail %3</source>
         <translation>全部阶段已完成</translation>
     </message>
     <message>
-        <source>An untwisting: the traces show how the organ fared.</source>
-        <translation>解除扭转：曲线显示器官的状况。</translation>
-    </message>
-    <message>
         <source>Answer</source>
         <translation>答复</translation>
     </message>
@@ -17096,10 +17003,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>达到目标次数</translation>
     </message>
     <message>
-        <source>Time of a twist</source>
-        <translation>单次扭转时间</translation>
-    </message>
-    <message>
         <source>Time to target</source>
         <translation>到达目标时间</translation>
     </message>
@@ -17116,14 +17019,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>保持稳定度</translation>
     </message>
     <message>
-        <source>Smoothness</source>
-        <translation>平滑度</translation>
-    </message>
-    <message>
-        <source>Smoothness (jerk)</source>
-        <translation>平滑度（急动度）</translation>
-    </message>
-    <message>
         <source>Economy of turning</source>
         <translation>转动经济性</translation>
     </message>
@@ -17134,10 +17029,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Angular path</source>
         <translation>角路径</translation>
-    </message>
-    <message>
-        <source>Tracking error</source>
-        <translation>跟踪误差</translation>
     </message>
     <message>
         <source>Excursions</source>
@@ -17230,54 +17121,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Untwisted, open and supplied with hands off: not measured</source>
-        <translation>松手后已复位、通畅且有血供：未测量</translation>
-    </message>
-    <message>
-        <source>Untwisted, open and supplied with hands off: yes</source>
-        <translation>松手后已复位、通畅且有血供：是</translation>
-    </message>
-    <message>
-        <source>Untwisted, open and supplied with hands off: no</source>
-        <translation>松手后已复位、通畅且有血供：否</translation>
-    </message>
-    <message>
-        <source>Twists completed: %1, at least %2 wanted</source>
-        <translation>已完成扭转：%1 次，要求至少 %2 次</translation>
-    </message>
-    <message>
-        <source>Twists completed: %1 of %2</source>
-        <translation>已完成的扭转：%1 / %2</translation>
-    </message>
-    <message>
-        <source>Twists released on target: %1 of %2, wanted %3</source>
-        <translation>达标释放：%1 / %2，要求 %3</translation>
-    </message>
-    <message>
-        <source>Shortest hold on target: %1 s, wanted %2 s</source>
-        <translation>目标处最短保持：%1 s，要求 %2 s</translation>
-    </message>
-    <message>
-        <source>Hold on target: none, wanted %1 s</source>
-        <translation>目标处保持：无，要求 %1 s</translation>
-    </message>
-    <message>
-        <source>Peak force on the tissue: %1 N, limit %2 N</source>
-        <translation>组织所受最大力：%1 N，限值 %2 N</translation>
-    </message>
-    <message>
-        <source>Peak force: not measured, limit %1 N</source>
-        <translation>最大力：未测得，限值 %1 N</translation>
-    </message>
-    <message>
-        <source>Peak torque: %1 N m, limit %2 N m</source>
-        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
-    </message>
-    <message>
-        <source>Peak torque: not measured, limit %1 N m</source>
-        <translation>最大扭矩：未测得，限值 %1 N m</translation>
     </message>
     <message>
         <source>%1: %2, wanted %3</source>
@@ -18570,6 +18413,214 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>real arm</source>
         <translation>实物手臂</translation>
+    </message>
+    <message>
+        <source>%1, with a force of at most %2</source>
+        <translation>%1，且力不超过 %2</translation>
+    </message>
+    <message>
+        <source>%1, with a torque of at most %2</source>
+        <translation>%1，且扭矩不超过 %2</translation>
+    </message>
+    <message>
+        <source>%1, in a run that was finished</source>
+        <translation>%1，且该次操作已完成</translation>
+    </message>
+    <message>
+        <source>not untwisted, ischaemic dose %1</source>
+        <translation>未复位，缺血剂量 %1</translation>
+    </message>
+    <message>
+        <source>untwisted, blood after %1, ischaemic dose %2</source>
+        <translation>已复位，%1 后恢复血流，缺血剂量 %2</translation>
+    </message>
+    <message>
+        <source>untwisted, ischaemic dose %1</source>
+        <translation>已复位，缺血剂量 %1</translation>
+    </message>
+    <message>
+        <source>%1, in %2 {run|runs} in a row</source>
+        <translation>%1，连续 %2 次</translation>
+    </message>
+    <message>
+        <source>%1, in %2 {run|runs} in a row (%3 so far)</source>
+        <translation>%1，连续 %2 次（目前 %3 次）</translation>
+    </message>
+    <message>
+        <source>%1:%2 h</source>
+        <translation>%1:%2 小时</translation>
+    </message>
+    <message>
+        <source>The first turn went the right way.</source>
+        <translation>第一次转动方向正确。</translation>
+    </message>
+    <message>
+        <source>The first turn went the wrong way.</source>
+        <translation>第一次转动方向错误。</translation>
+    </message>
+    <message>
+        <source>The organ was twisted %1 further than at the start.</source>
+        <translation>器官比开始时多扭了 %1。</translation>
+    </message>
+    <message>
+        <source>Blood flow was sufficient from the start.</source>
+        <translation>血流从一开始就足够。</translation>
+    </message>
+    <message>
+        <source>Blood flow returned after %1; %2 for the tissue.</source>
+        <translation>%1 后血流恢复；组织时间为 %2。</translation>
+    </message>
+    <message>
+        <source>Blood flow did not return in this run.</source>
+        <translation>本次操作中血流未恢复。</translation>
+    </message>
+    <message>
+        <source>The ischaemic dose reached %1: from 1 the tissue is lost.</source>
+        <translation>缺血剂量达到 %1：达到 1 则组织坏死。</translation>
+    </message>
+    <message>
+        <source>The ischaemic dose reached %1: the tissue survives; at 1 it would be lost.</source>
+        <translation>缺血剂量为 %1：组织存活，达到 1 则坏死。</translation>
+    </message>
+    <message>
+        <source>Re-grips: %1; a hand with the usual range of motion needs at least %2.</source>
+        <translation>重新夹持：%1 次；一般手的转动范围至少需要 %2 次。</translation>
+    </message>
+    <message>
+        <source>%1 were lost again between grips: set the clip before releasing.</source>
+        <translation>两次夹持之间又回转了 %1：松开前请先上夹子。</translation>
+    </message>
+    <message>
+        <source>Untwisted in stages: at most %1 without a rest.</source>
+        <translation>已分阶段复位：未停歇时最多转 %1。</translation>
+    </message>
+    <message>
+        <source>Turned back by %1 without a rest: let blood flow return in stages.</source>
+        <translation>未停歇就转回了 %1：应分阶段让血流恢复。</translation>
+    </message>
+    <message>
+        <source>For %1, jaw pressure or force exceeded what the ischaemic wall bears.</source>
+        <translation>钳口压力或拉力超过缺血组织承受能力的时间：%1。</translation>
+    </message>
+    <message>
+        <source>Tears in the wall: %1. A torn organ does not count as untwisted.</source>
+        <translation>壁撕裂：%1 处。器官撕裂不算复位。</translation>
+    </message>
+    <message>
+        <source>Bruises from the jaw: %1. Grip more gently: ischaemic tissue bears only half the pressure.</source>
+        <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
+    </message>
+    <message>
+        <source>Slips of the instrument: %1.</source>
+        <translation>器械滑脱：%1 次。</translation>
+    </message>
+    <message>
+        <source>The organ twisted again after it had been untwisted.</source>
+        <translation>复位后又回转。</translation>
+    </message>
+    <message>
+        <source>Remaining twist: %1.</source>
+        <translation>剩余扭转：%1。</translation>
+    </message>
+    <message>
+        <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
+        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次操作的器官。</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>结果说明</translation>
+    </message>
+    <message>
+        <source>A quantity that this version of Torsio does not measure</source>
+        <translation>此版本的 Torsio 不测量的量</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1：无</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1：不超过 %2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1：不低于 %2</translation>
+    </message>
+    <message>
+        <source>Passed: every target was reached</source>
+        <translation>通过：所有目标均已达到</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>尚未通过</translation>
+    </message>
+    <message>
+        <source>Not judged: the computer was too busy</source>
+        <translation>未作评判：计算机当时过于繁忙</translation>
+    </message>
+    <message>
+        <source>Interrupted: kept, not counted</source>
+        <translation>已中断：已保存，不计次数</translation>
+    </message>
+    <message>
+        <source>Not judged: nothing is asked of such a recording</source>
+        <translation>未评定：此类记录没有目标要求</translation>
+    </message>
+    <message>
+        <source>This is not your fault: the computer lost part of this run, so not all of it could be measured.</source>
+        <translation>这不是您的过错：计算机丢失了这次操作的一部分，因此无法全部测量。</translation>
+    </message>
+    <message>
+        <source>The computer lost part of this run. The verdict rests on what could be measured.</source>
+        <translation>计算机丢失了这次操作的一部分。结论依据能够测量的部分得出。</translation>
+    </message>
+    <message>
+        <source>Close other programs at this station, then repeat the run.</source>
+        <translation>请关闭此工作站上的其他程序，然后重新操作。</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>未评定</translation>
+    </message>
+    <message>
+        <source>not judged (no targets)</source>
+        <translation>未评定（无目标）</translation>
+    </message>
+    <message>
+        <source>Twists completed</source>
+        <translation>已完成扭转</translation>
+    </message>
+    <message>
+        <source>Number of the twists that were let go; the others are counted apart.</source>
+        <translation>已松开的扭转次数；其余的另行计数。</translation>
+    </message>
+    <message>
+        <source>count of twists that were let go</source>
+        <translation>已松开的扭转数</translation>
+    </message>
+    <message>
+        <source>Shortest hold on target</source>
+        <translation>目标上的最短保持</translation>
+    </message>
+    <message>
+        <source>How long the angle was on target before letting go, in the twist on target where that was shortest.</source>
+        <translation>松开之前角度处于目标上的时间，取达标扭转中最短者。</translation>
+    </message>
+    <message>
+        <source>min over twists on target of the last stay inside target +- tolerance</source>
+        <translation>达标扭转中最后一次停留在 目标 +- 容差 之内的时间的最小值</translation>
+    </message>
+    <message>
+        <source>Twists with lost samples</source>
+        <translation>样本丢失的扭转</translation>
+    </message>
+    <message>
+        <source>How many twists the computer recorded with a gap of more than 20 ms; an untwisting counts as one.</source>
+        <translation>计算机记录时有超过 20 ms 空缺的扭转次数；一次复位计为一次。</translation>
+    </message>
+    <message>
+        <source>count of twists with a gap of more than 20 ms</source>
+        <translation>空缺超过 20 ms 的扭转数</translation>
     </message>
 </context>
 <context>
@@ -21281,18 +21332,6 @@ MSM = 质点弹簧</translation>
         <translation>完成第一次操作后，这里会显示优点和需要改进之处。</translation>
     </message>
     <message>
-        <source>Interrupted: kept, not counted</source>
-        <translation>已中断：已保存，不计次数</translation>
-    </message>
-    <message>
-        <source>Passed: every target was reached</source>
-        <translation>通过：所有目标均已达到</translation>
-    </message>
-    <message>
-        <source>Not passed yet</source>
-        <translation>尚未通过</translation>
-    </message>
-    <message>
         <source>passed</source>
         <translation>通过</translation>
     </message>
@@ -21311,14 +21350,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Too little of this run could be measured to compare it with the expert&apos;s.</source>
         <translation>本次操作可测量的部分太少，无法与专家的操作比较。</translation>
-    </message>
-    <message>
-        <source>This is not your fault: the computer lost part of this run, so not all of it could be measured. Close other programs at this station, then press Again.</source>
-        <translation>这不是您的问题：计算机丢失了本次操作的一部分，因此未能全部测量。请关闭本工作站上的其他程序，然后按“再来一次”。</translation>
-    </message>
-    <message>
-        <source>Not judged: the computer was too busy</source>
-        <translation>未作评判：计算机当时过于繁忙</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -21529,82 +21560,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Waiting with hands off</source>
         <translation>松手等待</translation>
-    </message>
-    <message>
-        <source>The first turn went the right way.</source>
-        <translation>第一次转动方向正确。</translation>
-    </message>
-    <message>
-        <source>The first turn went the wrong way.</source>
-        <translation>第一次转动方向错误。</translation>
-    </message>
-    <message>
-        <source>The organ was twisted %1 further than at the start.</source>
-        <translation>器官比开始时多扭了 %1。</translation>
-    </message>
-    <message>
-        <source>Blood flow returned after %1; %2 for the tissue.</source>
-        <translation>%1 后血流恢复；组织时间为 %2。</translation>
-    </message>
-    <message>
-        <source>Blood flow did not return in this run.</source>
-        <translation>本次操作中血流未恢复。</translation>
-    </message>
-    <message>
-        <source>The ischaemic dose reached %1: from 1 the tissue is lost.</source>
-        <translation>缺血剂量达到 %1：达到 1 则组织坏死。</translation>
-    </message>
-    <message>
-        <source>The ischaemic dose reached %1: the tissue survives; at 1 it would be lost.</source>
-        <translation>缺血剂量为 %1：组织存活，达到 1 则坏死。</translation>
-    </message>
-    <message>
-        <source>Re-grips: %1; a hand with the usual range of motion needs at least %2.</source>
-        <translation>重新夹持：%1 次；一般手的转动范围至少需要 %2 次。</translation>
-    </message>
-    <message>
-        <source>%1 were lost again between grips: set the clip before releasing.</source>
-        <translation>两次夹持之间又回转了 %1：松开前请先上夹子。</translation>
-    </message>
-    <message>
-        <source>For %1, jaw pressure or force exceeded what the ischaemic wall bears.</source>
-        <translation>钳口压力或拉力超过缺血组织承受能力的时间：%1。</translation>
-    </message>
-    <message>
-        <source>The organ twisted again after it had been untwisted.</source>
-        <translation>复位后又回转。</translation>
-    </message>
-    <message>
-        <source>Remaining twist: %1.</source>
-        <translation>剩余扭转：%1。</translation>
-    </message>
-    <message>
-        <source>Bruises from the jaw: %1. Grip more gently: ischaemic tissue bears only half the pressure.</source>
-        <translation>钳伤：%1 处。夹持要轻，缺血组织只能承受一半的压力。</translation>
-    </message>
-    <message>
-        <source>Bruises, tears, slips and relapses are not marked: the organ of this run is not on this machine.</source>
-        <translation>未标出钳伤、撕裂、滑脱和回转：本机没有此次操作的器官。</translation>
-    </message>
-    <message>
-        <source>Blood flow was sufficient from the start.</source>
-        <translation>血流从一开始就足够。</translation>
-    </message>
-    <message>
-        <source>Untwisted in stages: at most %1 without a rest.</source>
-        <translation>已分阶段复位：未停歇时最多转 %1。</translation>
-    </message>
-    <message>
-        <source>Turned back by %1 without a rest: let blood flow return in stages.</source>
-        <translation>未停歇就转回了 %1：应分阶段让血流恢复。</translation>
-    </message>
-    <message>
-        <source>Slips of the instrument: %1.</source>
-        <translation>器械滑脱：%1 次。</translation>
-    </message>
-    <message>
-        <source>Tears in the wall: %1. A torn organ does not count as untwisted.</source>
-        <translation>壁撕裂：%1 处。器官撕裂不算复位。</translation>
     </message>
     <message>
         <source>%1: %2 (%3 %)</source>
@@ -24418,6 +24373,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>In a row</source>
         <translation>连续次数</translation>
+    </message>
+    <message>
+        <source>%1 (1 yes, 0 no)</source>
+        <translation>%1（1 为是，0 为否）</translation>
     </message>
 </context>
 <context>
@@ -29811,10 +29770,6 @@ T-02,master,17</translation>
         <translation>时长</translation>
     </message>
     <message>
-        <source>Twists on target</source>
-        <translation>达标扭转</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>备注</translation>
     </message>
@@ -29825,10 +29780,6 @@ T-02,master,17</translation>
     <message>
         <source>Practice</source>
         <translation>练习</translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>已中断</translation>
     </message>
     <message>
         <source>running</source>
@@ -29869,6 +29820,10 @@ T-02,master,17</translation>
     <message>
         <source>Competence is judged as in “%1”.</source>
         <translation>胜任的判定方式同“%1”。</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>结论</translation>
     </message>
 </context>
 <context>
@@ -29930,10 +29885,6 @@ T-02,master,17</translation>
         <translation>历次尝试</translation>
     </message>
     <message>
-        <source>Filled circle: passed. Triangle: not passed.</source>
-        <translation>实心圆：通过。三角：未通过。</translation>
-    </message>
-    <message>
         <source>A learning curve is drawn from eight attempts on.</source>
         <translation>满八次后绘制学习曲线。</translation>
     </message>
@@ -29974,14 +29925,6 @@ T-02,master,17</translation>
         <translation>练习</translation>
     </message>
     <message>
-        <source>Passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>Not passed</source>
-        <translation>未通过</translation>
-    </message>
-    <message>
         <source>Not reached</source>
         <translation>未达到</translation>
     </message>
@@ -29993,6 +29936,10 @@ T-02,master,17</translation>
         <source>A yes or no has no learning curve.</source>
         <translation>是或否的指标没有学习曲线。</translation>
     </message>
+    <message>
+        <source>Filled circle: passed. Triangle: not passed. Grey square: not judged.</source>
+        <translation>实心圆：通过。三角：未通过。灰色方块：未评定。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::TrendPlot</name>
@@ -30003,10 +29950,6 @@ T-02,master,17</translation>
     <message>
         <source>Attempt</source>
         <translation>次序</translation>
-    </message>
-    <message>
-        <source>%1 in %2</source>
-        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>threshold</source>

@@ -8,10 +8,9 @@ import { trendChart } from './trend_chart.js';
 
 export const kPatience_ms = 120_000; // runs without metrics are measured first
 
-/// Returns "3 of 4 on target", or the text of an untwisting.
+/// "3 of 4 on target · passed", in the words of the window.
 export function runText(run) {
-  if (run.interrupted) return t('interrupted');
-  return run.untwisting ? t('untwisting') : t('%1 of %2 on target', figure(run.on_target), figure(run.twists));
+  return run.result === '' ? t('running') : `${run.result}  \u00b7  ${run.outcome.word}`;
 }
 
 /// A level is never shown alone, but with the criterion of competence and its error rates. Returns a function

@@ -24,8 +24,7 @@ export class RunPage {
     this.run = await api.get(this.path, { patience_ms: kPatience_ms });
     const { run } = this;
     this.player = new Player(this.path, { rules: { speeds: kSpeeds } }, { played: () => this.frame.active(), paused: () => {} });
-    const facts = [dayText(run.started_utc_us), t('%1 long', clockTenths(1e6 * run.duration_s)), run.passed ? t('passed') : t('not passed')];
-    if (run.interrupted) facts.push(t('interrupted'));
+    const facts = [dayText(run.started_utc_us), t('%1 long', clockTenths(1e6 * run.duration_s))];
     if (!run.force_felt) facts.push(t('without felt force'));
     this.element.replaceChildren(
       h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
@@ -48,7 +47,7 @@ export class RunPage {
   }
   #twists() {
     const { twists, unfinished, untwisting } = this.run;
-    if (untwisting) return h('p', {}, t('An untwisting: the traces show how the organ fared.'));
+    if (untwisting) return null;
     return h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Twists')),
       h('table', {},
         h('thead', {}, h('tr', {}, [t('From'), t('Asked for'), t('Released at'), t('Held'), t('On target')].map((head) => h('th', { scope: 'col' }, head)))),
@@ -66,13 +65,19 @@ export class RunPage {
 
   /// The task, what was good and what to improve, with the window's sentences.
   #debriefing() {
-    const { checks, strengths, weaknesses } = this.run.told;
-    const finding = (one) => h('li', {}, this.#goTo(one.from_s), ' ', one.text, one.advice ? h('p', { class: 'advice' }, one.advice) : null);
+    const { checks, strengths, weaknesses, findings } = this.run.told;
+    const { code, sentence, cause, remedy } = this.run.outcome;
+    const look = (passed) => (passed ? 'good' : 'caution');
+    const finding = (one) => h('li', {}, one.from_s === null ? null : this.#goTo(one.from_s), ' ', one.text, one.advice ? h('p', { class: 'advice' }, one.advice) : null);
     const list = (title, lines) => (lines.length === 0 ? null : h('section', { class: 'card' }, h('h2', {}, title), h('ul', { class: 'told' }, lines)));
+    const mark = (one) => (one.lost ? '\u2013' : one.passed ? '\u2713' : '\u2717');
     return [
-      list(t('Targets'), checks.map((one) => h('li', { class: one.passed ? 'good' : 'caution' }, `${one.passed ? '\u2713' : '\u2717'} ${one.text}`))),
+      h('section', { class: 'card' }, h('p', { class: look(code === 'passed') }, sentence),
+        cause ? h('p', { class: 'quiet' }, joinedSentences([cause, remedy])) : null),
+      list(t('Targets'), checks.map((one) => h('li', { class: one.lost ? 'quiet' : look(one.passed) }, `${mark(one)} ${one.text}`))),
       list(t('What went well'), strengths.map(finding)),
-      list(t('What to work on'), weaknesses.map(finding))];
+      list(t('What to work on'), weaknesses.map(finding)),
+      list(t('Findings'), findings.map(finding))];
   }
   #bookmarks() {
     const { bookmarks } = this.run;

@@ -8,11 +8,7 @@ import { t } from './texts.js';
 const kWidth = 640;
 const kHeight = 200;
 const kEdge = 12;
-
-function withUnit(value, unit) {
-  const text = figure(value, Math.abs(value) >= 10 ? 0 : 2);
-  return unit === '' ? text : unit === '\u00b0' ? text + unit : `${text} ${unit}`;
-}
+const kMarks = { passed: 'passed', not_judged: 'not-judged' };
 
 /// `module`: of GET /api/own.
 export function trendChart(module) {
@@ -25,8 +21,7 @@ export function trendChart(module) {
   const x = (attempt) => kEdge + ((attempt - 1) / (last - 1)) * (kWidth - 2 * kEdge);
   const y = (value) => kHeight - kEdge - ((value - low) / (high - low || 1)) * (kHeight - 2 * kEdge);
   const chart = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}`, class: 'trend', role: 'img',
-    'aria-label': t('%1 over %2 {try|tries}: first %3, last %4', module.metric, figure(defined.length),
-      withUnit(defined[0].value, module.unit), withUnit(defined.at(-1).value, module.unit)) });
+    'aria-label': t('%1 over %2 {try|tries}: first %3, last %4', module.metric, figure(defined.length), defined[0].told, defined.at(-1).told) });
   if (module.threshold !== null) {
     chart.append(svg('line', { x1: kEdge, x2: kWidth - kEdge, y1: y(module.threshold), y2: y(module.threshold), class: 'threshold' }));
   }
@@ -34,7 +29,7 @@ export function trendChart(module) {
     chart.append(svg('polyline', { points: module.curve.map(([at, value]) => `${x(at)},${y(value)}`).join(' '), class: 'curve' }));
   }
   for (const point of defined) {
-    chart.append(svg('circle', { cx: x(point.attempt), cy: y(point.value), r: point.counted ? 5 : 3, class: point.passed ? 'passed' : 'tried' }));
+    chart.append(svg('circle', { cx: x(point.attempt), cy: y(point.value), r: point.counted ? 5 : 3, class: kMarks[point.outcome.code] ?? 'tried' }));
   }
   return chart;
 }

@@ -14,5 +14,7 @@ namespace torsio {
 [[nodiscard]] std::string clockText(std::int64_t time_us);
 /// Whole seconds that are still to come, begun ones too: "2:05"; "0:00" when nothing is left.
 [[nodiscard]] std::string clockLeftText(std::int64_t left_us);
+/// To the nearest tenth: "2:05.4".
+[[nodiscard]] std::string clockTenthsText(double time_s);
 
 }  // namespace torsio

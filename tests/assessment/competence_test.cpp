@@ -161,7 +161,7 @@ TEST(Competence, AnAttemptIsATwistWithinTheToleranceOrAWholeUntwisting) {
   rough.withinLimits = false;
   CompetenceRun undone;
   undone.untwisting = true;
-  undone.passed = true;
+  undone.outcome = RunOutcome::kPassed;
 
   EXPECT_EQ(failedAttempts(design, std::vector<CompetenceRun>{run, rough, undone}),
             (std::vector<bool>{false, true, true, true, false}));

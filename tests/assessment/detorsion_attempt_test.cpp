@@ -4,8 +4,8 @@
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
-#include "assessment/attempt/pass_rule.h"
 #include "assessment/attempt/recorded_detorsion.h"
+#include "assessment/attempt/run_verdict.h"
 
 namespace torsio {
 namespace {
@@ -77,22 +77,22 @@ TEST(RecordedDetorsion, IsMeasuredInsteadOfTwists) {
   EXPECT_TRUE(got.twists.empty());
   EXPECT_EQ(got.unfinished, 0);
   EXPECT_FALSE(got.meanAbsoluteError_deg);
-  EXPECT_FALSE(got.peakTorque_Nm);  // twists only
-  EXPECT_EQ(got.values.at("detorse.done"), 1.0);
-  EXPECT_EQ(got.values.at("detorse.first_direction"), 1.0);
-  EXPECT_EQ(got.values.at("detorse.regrips"), 0.0);
-  EXPECT_EQ(got.values.at("detorse.least_regrips"), 1.0);
-  EXPECT_EQ(got.values.at("detorse.dose"), 0.2);
-  EXPECT_EQ(got.values.at("detorse.min_patency"), 0.4);
-  EXPECT_EQ(got.values.at("detorse.peak_jaw"), 200e3);  // half of 400 kPa
-  EXPECT_EQ(got.values.at("detorse.vented_first"), 0.0);
-  EXPECT_EQ(got.values.at("detorse.time_to_flow"), 3.1);
-  EXPECT_NEAR(got.values.at("force.peak"), 3.0, 0.01);
-  EXPECT_NEAR(got.values.at("torque.peak"), 0.05, 1e-3);
-  EXPECT_NEAR(got.values.at("time.total"), 13.999, 1e-9);
-  for (const auto& [id, value] : got.values) {
-    EXPECT_NE(id.substr(0, 6), "twist.") << value;
-    EXPECT_NE(id.substr(0, 5), "work.") << value;
+  EXPECT_FALSE(got.peakTorque_Nm);  // of twists alone
+  EXPECT_EQ(got.values.at(Quantity::kUntwisted), 1.0);
+  EXPECT_EQ(got.values.at(Quantity::kFirstDirection), 1.0);
+  EXPECT_EQ(got.values.at(Quantity::kRegrips), 0.0);
+  EXPECT_EQ(got.values.at(Quantity::kLeastRegrips), 1.0);
+  EXPECT_EQ(got.values.at(Quantity::kDose), 0.2);
+  EXPECT_EQ(got.values.at(Quantity::kLeastPatency), 0.4);
+  EXPECT_EQ(got.values.at(Quantity::kPeakJaw), 200e3);  // half of 400 kPa
+  EXPECT_EQ(got.values.at(Quantity::kVentedFirst), 0.0);
+  EXPECT_EQ(got.values.at(Quantity::kTimeToFlow), 3.1);
+  EXPECT_NEAR(got.values.at(Quantity::kPeakForce), 3.0, 0.01);
+  EXPECT_NEAR(got.values.at(Quantity::kPeakTorque), 0.05, 1e-3);
+  EXPECT_NEAR(got.values.at(Quantity::kTime), 13.999, 1e-9);
+  for (const auto& [quantity, value] : got.values) {
+    EXPECT_NE(idOf(quantity).substr(0, 6), "twist.") << value;
+    EXPECT_NE(idOf(quantity).substr(0, 5), "work.") << value;
   }
 }
 
@@ -103,9 +103,9 @@ TEST(RecordedDetorsion, HandsOffStartsWhenTheClipIsRemoved) {
   enough.stage(ExercisePhase::kTracking, 10'000, 0.0);
   tooFew.stage(ExercisePhase::kTracking, 9'999, 0.0);
 
-  EXPECT_EQ(enough.measured().values.at("detorse.done"), 1.0);
-  EXPECT_EQ(tooFew.measured().values.at("detorse.done"), 0.0);
-  EXPECT_FALSE(tooFew.measured().values.contains("detorse.residual"));
+  EXPECT_EQ(enough.measured().values.at(Quantity::kUntwisted), 1.0);
+  EXPECT_EQ(tooFew.measured().values.at(Quantity::kUntwisted), 0.0);
+  EXPECT_FALSE(tooFew.measured().values.contains(Quantity::kResidual));
 }
 
 TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipOnEachPressAtTheOrgan) {
@@ -116,12 +116,12 @@ TEST(RecordedDetorsion, TheSecondButtonTogglesTheClipOnEachPressAtTheOrgan) {
   run.stage(ExercisePhase::kContact, 1000, 0.0);
   run.now().device.buttons = 0;
   run.stage(ExercisePhase::kContact, 11'000, 0.0);
-  const double clipped = run.measured().values.at("detorse.done");
+  const double clipped = run.measured().values.at(Quantity::kUntwisted);
   run.now().device.buttons = kButtonSecond;
   run.stage(ExercisePhase::kContact, 10'000, 0.0);
 
   EXPECT_EQ(clipped, 0.0);
-  EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+  EXPECT_EQ(run.measured().values.at(Quantity::kUntwisted), 1.0);
 }
 
 TEST(RecordedDetorsion, TheSecondButtonAwayFromTheOrganDoesNothing) {
@@ -130,7 +130,7 @@ TEST(RecordedDetorsion, TheSecondButtonAwayFromTheOrganDoesNothing) {
   run.now().device.buttons = kButtonSecond;
   run.stage(ExercisePhase::kTracking, 9'000, 0.0);
 
-  EXPECT_EQ(run.measured().values.at("detorse.done"), 1.0);
+  EXPECT_EQ(run.measured().values.at(Quantity::kUntwisted), 1.0);
 }
 
 TEST(RecordedSwitches, ReactOnlyToAPressAtTheOrgan) {
@@ -170,7 +170,7 @@ TEST(RecordedDetorsion, TheGripButtonClosesTheJawFully) {
   run.now().device.buttons = kButtonGrip;
   run.stage(ExercisePhase::kTwisting, 100, 200.0);
 
-  EXPECT_EQ(run.measured().values.at("detorse.peak_jaw"), 400e3);
+  EXPECT_EQ(run.measured().values.at(Quantity::kPeakJaw), 400e3);
 }
 
 TEST(RecordedDetorsion, TheVentOpenedBeforeTheTurnCounts) {
@@ -178,19 +178,18 @@ TEST(RecordedDetorsion, TheVentOpenedBeforeTheTurnCounts) {
   run.stage(ExercisePhase::kTracking, 100, 200.0).command(ServoCommand::Kind::kVent, 1.0);
   run.stage(ExercisePhase::kTracking, 3001, 200.0).stage(ExercisePhase::kTwisting, 500, 100.0);
 
-  EXPECT_EQ(run.measured().values.at("detorse.vented_first"), 1.0);
+  EXPECT_EQ(run.measured().values.at(Quantity::kVentedFirst), 1.0);
 }
 
 TEST(RecordedDetorsion, PassesWhenUndoneUnlessARuleDemandsMore) {
   RecordedUntwisting run = undone();
   run.stage(ExercisePhase::kTracking, 10'000, 0.0);
   RecordedUntwisting notYet = undone();
-  const MasteryRule quick{.metric = "detorse.time_to_flow", .atMost = true, .threshold = 3.0};
-  const MasteryRule calm{.metric = "detorse.dose", .atMost = true, .threshold = 0.2};
+  const MasteryRule quick{.quantity = Quantity::kTimeToFlow, .atMost = true, .threshold = 3.0};
+  const MasteryRule calm{.quantity = Quantity::kDose, .atMost = true, .threshold = 0.2};
 
   const auto passes = [](const RecordedUntwisting& made, std::vector<MasteryRule> rules) {
-    const AttemptMeasures got = made.measured();
-    return passesAll(rules, got.values, got.twistsOnTarget(), std::ssize(got.twists));
+    return judgeRun(made.measured().values, {.mastery = std::move(rules)}).passed();
   };
 
   EXPECT_TRUE(passes(run, {}));
@@ -206,13 +205,13 @@ TEST(RecordedDetorsion, IsCheckedForBeingUndoneAndForItsLoads) {
   rules.forceLimit_N = 2.0;
   rules.hold_s = 5.0;  // twists only
 
-  const std::vector<TargetCheck> checks = targetChecks(run.trial(), rules);
+  const std::vector<TargetCheck> checks = judgeRun(run.measured().values, rules).checks;
 
   ASSERT_EQ(checks.size(), 2U);
-  EXPECT_EQ(checks[0].kind, TargetCheck::Kind::kUndone);
+  EXPECT_EQ(checks[0].quantity, Quantity::kUntwisted);
   EXPECT_TRUE(checks[0].passed);
   EXPECT_EQ(checks[0].value, 1.0);
-  EXPECT_EQ(checks[1].kind, TargetCheck::Kind::kForce);
+  EXPECT_EQ(checks[1].quantity, Quantity::kPeakForce);
   EXPECT_FALSE(checks[1].passed);  // 3 N
 }
 
@@ -225,10 +224,11 @@ TEST(RecordedDetorsion, MissingSamplesOrUnknownLimitsLeaveItUndefined) {
   const AttemptMeasures gap = torn.measured();
   const AttemptMeasures unknown = measureAttempt({}, run.samples, {});
 
-  EXPECT_FALSE(gap.values.contains("detorse.done"));
-  EXPECT_FALSE(unknown.values.contains("detorse.done"));
+  EXPECT_FALSE(gap.values.contains(Quantity::kUntwisted));
+  EXPECT_FALSE(unknown.values.contains(Quantity::kUntwisted));
   EXPECT_TRUE(unknown.twists.empty());
-  EXPECT_FALSE(passesAll({}, unknown.values, 0, 0));
+  EXPECT_EQ(judgeRun(unknown.values, {}).outcome, RunOutcome::kNotPassed);
+  EXPECT_EQ(judgeRun(gap.values, {}).outcome, RunOutcome::kNotJudged);
 }
 
 TEST(RecordedDetorsion, AnOrdinaryTwistHasNoneOfItsMetrics) {
@@ -239,8 +239,8 @@ TEST(RecordedDetorsion, AnOrdinaryTwistHasNoneOfItsMetrics) {
 
   const AttemptMeasures got = measureAttempt({}, run.samples, {});
 
-  EXPECT_FALSE(got.values.contains("detorse.done"));
-  EXPECT_TRUE(got.values.contains("twist.on_target"));
+  EXPECT_FALSE(got.values.contains(Quantity::kUntwisted));
+  EXPECT_TRUE(got.values.contains(Quantity::kOnTarget));
 }
 
 }  // namespace

@@ -86,16 +86,16 @@ TEST(Detorsion, ACorrectRunMeasuresTheSameOnBothSides) {
     const DetorsionMetrics got = run.measured();
 
     EXPECT_EQ(got.start_rad, radians(sign * 200.0));
-    EXPECT_EQ(*got.at("detorse.first_direction"), 1.0);
-    EXPECT_EQ(*got.at("detorse.wrong_way"), 0.0);
-    EXPECT_EQ(*got.at("detorse.time_to_flow"), 2.0);  // 1 s of looking, 1 s of turning
-    EXPECT_EQ(*got.at("detorse.regrips"), 1.0);  // at 40 degrees; the last release, at 10, does not count
-    EXPECT_EQ(*got.at("detorse.least_regrips"), 1.0);  // ceil(200 / 155) - 1
-    EXPECT_EQ(*got.at("detorse.slip_back"), 0.0);      // clipped
-    EXPECT_EQ(*got.at("detorse.min_patency"), 0.3);
-    EXPECT_EQ(*got.at("detorse.residual"), radians(10.0));
-    EXPECT_EQ(*got.at("detorse.done"), 1.0);
-    EXPECT_EQ(*got.at("detorse.relapse"), 0.0);
+    EXPECT_EQ(*got.at(Quantity::kFirstDirection), 1.0);
+    EXPECT_EQ(*got.at(Quantity::kWrongWay), 0.0);
+    EXPECT_EQ(*got.at(Quantity::kTimeToFlow), 2.0);    // 1 s of looking, 1 s of turning
+    EXPECT_EQ(*got.at(Quantity::kRegrips), 1.0);       // at 40 degrees; the last release, at 10, is none
+    EXPECT_EQ(*got.at(Quantity::kLeastRegrips), 1.0);  // ceil(200 / 155) - 1
+    EXPECT_EQ(*got.at(Quantity::kSlipBack), 0.0);      // clipped
+    EXPECT_EQ(*got.at(Quantity::kLeastPatency), 0.3);
+    EXPECT_EQ(*got.at(Quantity::kResidual), radians(10.0));
+    EXPECT_EQ(*got.at(Quantity::kUntwisted), 1.0);
+    EXPECT_EQ(*got.at(Quantity::kRelapse), 0.0);
     EXPECT_DOUBLE_EQ(got.done_s.value(), 15.0);  // let go at 5 s
   }
 }
@@ -108,8 +108,8 @@ TEST(Detorsion, AnInitialTurnInTheWrongDirectionIsMeasured) {
 
   const DetorsionMetrics got = run.measured();
 
-  EXPECT_EQ(*got.at("detorse.first_direction"), 0.0);
-  EXPECT_NEAR(*got.at("detorse.wrong_way"), radians(60.0), 1e-12);
+  EXPECT_EQ(*got.at(Quantity::kFirstDirection), 0.0);
+  EXPECT_NEAR(*got.at(Quantity::kWrongWay), radians(60.0), 1e-12);
 }
 
 TEST(Detorsion, SmallHeldTurnsAddUpToADirectionAndFreeTurnsDoNot) {
@@ -119,8 +119,8 @@ TEST(Detorsion, SmallHeldTurnsAddUpToADirectionAndFreeTurnsDoNot) {
   const Untwisting once = run;
   run.hand(true).pass(1).turnTo(192.0, 100);
 
-  EXPECT_FALSE(once.measured().at("detorse.first_direction"));
-  EXPECT_EQ(*run.measured().at("detorse.first_direction"), 1.0);
+  EXPECT_FALSE(once.measured().at(Quantity::kFirstDirection));
+  EXPECT_EQ(*run.measured().at(Quantity::kFirstDirection), 1.0);
 }
 
 TEST(Detorsion, SlippingBackBetweenGripsAddsUp) {
@@ -133,8 +133,8 @@ TEST(Detorsion, SlippingBackBetweenGripsAddsUp) {
 
   const DetorsionMetrics got = run.measured();
 
-  EXPECT_NEAR(*got.at("detorse.slip_back"), radians(15.0), 1e-12);
-  EXPECT_EQ(*got.at("detorse.regrips"), 3.0);
+  EXPECT_NEAR(*got.at(Quantity::kSlipBack), radians(15.0), 1e-12);
+  EXPECT_EQ(*got.at(Quantity::kRegrips), 3.0);
 }
 
 TEST(Detorsion, AReleaseByALostDeviceIsNoRegrip) {
@@ -143,7 +143,7 @@ TEST(Detorsion, AReleaseByALostDeviceIsNoRegrip) {
   run.now().handGone = true;
   run.hand(false).pass(100);
 
-  EXPECT_EQ(*run.measured().at("detorse.regrips"), 0.0);
+  EXPECT_EQ(*run.measured().at(Quantity::kRegrips), 0.0);
 }
 
 TEST(Detorsion, IfBloodNeverReturnsItsTimesAreUndefined) {
@@ -156,19 +156,19 @@ TEST(Detorsion, IfBloodNeverReturnsItsTimesAreUndefined) {
   run.blood(0.5, 0.5).pass(5000);
   const DetorsionMetrics atLast = run.measured();
 
-  EXPECT_FALSE(never.at("detorse.time_to_flow"));
-  EXPECT_FALSE(never.at("detorse.time_to_flow").reason().str().empty());
-  EXPECT_FALSE(never.at("detorse.dose_at_flow"));
-  EXPECT_EQ(*never.at("detorse.dose"), 0.4);
-  EXPECT_EQ(*atLast.at("detorse.time_to_flow"), 7.999);
-  EXPECT_EQ(*atLast.at("detorse.dose_at_flow"), 0.4);
+  EXPECT_FALSE(never.at(Quantity::kTimeToFlow));
+  EXPECT_FALSE(never.at(Quantity::kTimeToFlow).reason().str().empty());
+  EXPECT_FALSE(never.at(Quantity::kDoseAtFlow));
+  EXPECT_EQ(*never.at(Quantity::kDose), 0.4);
+  EXPECT_EQ(*atLast.at(Quantity::kTimeToFlow), 7.999);
+  EXPECT_EQ(*atLast.at(Quantity::kDoseAtFlow), 0.4);
 }
 
 TEST(Detorsion, ATissueAlwaysSuppliedHasBloodFromTheStart) {
   Untwisting run(90.0);
   run.blood(0.99, 0.9).pass(6000);
 
-  EXPECT_EQ(*run.measured().at("detorse.time_to_flow"), 0.0);
+  EXPECT_EQ(*run.measured().at(Quantity::kTimeToFlow), 0.0);
 }
 
 TEST(Detorsion, ARelapseAfterSuccessIsBoth) {
@@ -178,10 +178,10 @@ TEST(Detorsion, ARelapseAfterSuccessIsBoth) {
   Untwisting less = rightWay(1.0);
   less.pass(10'000).turnTo(89.0, 1000);
 
-  EXPECT_EQ(*back.at("detorse.done"), 1.0);
-  EXPECT_EQ(*back.at("detorse.relapse"), 1.0);
-  EXPECT_EQ(*back.at("detorse.residual"), radians(10.0));  // 10 s after the last release
-  EXPECT_EQ(*less.measured().at("detorse.relapse"), 0.0);
+  EXPECT_EQ(*back.at(Quantity::kUntwisted), 1.0);
+  EXPECT_EQ(*back.at(Quantity::kRelapse), 1.0);
+  EXPECT_EQ(*back.at(Quantity::kResidual), radians(10.0));  // 10 s after the last release
+  EXPECT_EQ(*less.measured().at(Quantity::kRelapse), 0.0);
 }
 
 TEST(Detorsion, AnOrganWithTheClipOnIsNotHandsOff) {
@@ -190,9 +190,9 @@ TEST(Detorsion, AnOrganWithTheClipOnIsNotHandsOff) {
 
   const DetorsionMetrics got = run.measured();
 
-  EXPECT_EQ(*got.at("detorse.done"), 0.0);
-  EXPECT_FALSE(got.at("detorse.residual"));
-  EXPECT_FALSE(got.at("detorse.relapse"));
+  EXPECT_EQ(*got.at(Quantity::kUntwisted), 0.0);
+  EXPECT_FALSE(got.at(Quantity::kResidual));
+  EXPECT_FALSE(got.at(Quantity::kRelapse));
   EXPECT_FALSE(got.done_s);
 }
 
@@ -202,9 +202,9 @@ TEST(Detorsion, ARecordingThatEndsTooEarlyIsNotDoneAndHasNoResidual) {
 
   const DetorsionMetrics got = early.measured();
 
-  EXPECT_EQ(*got.at("detorse.done"), 0.0);
-  EXPECT_FALSE(got.at("detorse.residual"));
-  EXPECT_EQ(*got.at("detorse.dose"), 0.0);  // so far
+  EXPECT_EQ(*got.at(Quantity::kUntwisted), 0.0);
+  EXPECT_FALSE(got.at(Quantity::kResidual));
+  EXPECT_EQ(*got.at(Quantity::kDose), 0.0);  // so far, all the same
 }
 
 TEST(Detorsion, WaitingAfterwardsDoesNotReduceTheDose) {
@@ -215,14 +215,14 @@ TEST(Detorsion, WaitingAfterwardsDoesNotReduceTheDose) {
   run.now().dose = 0.8;  // supplied tissue recovers
   run.pass(100);
 
-  EXPECT_EQ(*run.measured().at("detorse.dose"), 0.95);
+  EXPECT_EQ(*run.measured().at(Quantity::kDose), 0.95);
 }
 
 TEST(Detorsion, AngleLumenAndBloodMustAllBeRight) {
   const auto done = [](double angle_deg, double flow, double patency) {
     Untwisting run(200.0);
     run.pass(10).hand(true).turnTo(angle_deg, 1000).hand(false).blood(flow, patency).pass(10'000);
-    return *run.measured().at("detorse.done");
+    return *run.measured().at(Quantity::kUntwisted);
   };
 
   EXPECT_EQ(done(15.0, 0.8, 0.8), 1.0);
@@ -243,7 +243,7 @@ TEST(Detorsion, ATornOrganIsNotUndone) {
     run.pass(1);
     run.now().jaw_Pa = run.now().force_N = 0.0;
     run.hand(false).blood(1.0, 1.0).pass(10'000);
-    return *run.measured().at("detorse.done");
+    return *run.measured().at(Quantity::kUntwisted);
   };
 
   EXPECT_EQ(done(659e3, 0.0, 0.0), 1.0);
@@ -272,9 +272,9 @@ TEST(Detorsion, OverloadLimitsDependOnTheTissuesDose) {
 
   const DetorsionMetrics got = run.measured();
 
-  EXPECT_NEAR(*got.at("detorse.overload_time"), 0.120, 1e-12);
-  EXPECT_EQ(*got.at("detorse.peak_jaw"), 400e3);
-  EXPECT_FALSE(got.at("detorse.peak_shear"));
+  EXPECT_NEAR(*got.at(Quantity::kOverloadTime), 0.120, 1e-12);
+  EXPECT_EQ(*got.at(Quantity::kPeakJaw), 400e3);
+  EXPECT_FALSE(got.at(Quantity::kPeakShear));
 }
 
 TEST(Detorsion, TheWallsStressRequiresTheScene) {
@@ -286,8 +286,8 @@ TEST(Detorsion, TheWallsStressRequiresTheScene) {
   run.now().shear_Pa = 1e3;
   run.pass(10);
 
-  EXPECT_EQ(*run.measured().at("detorse.peak_shear"), 9e3);
-  EXPECT_FALSE(run.measured().at("detorse.peak_jaw"));  // never held
+  EXPECT_EQ(*run.measured().at(Quantity::kPeakShear), 9e3);
+  EXPECT_FALSE(run.measured().at(Quantity::kPeakJaw));  // never held
 }
 
 TEST(Detorsion, VentingCountsOnlyBeforeTheTurn) {
@@ -302,10 +302,10 @@ TEST(Detorsion, VentingCountsOnlyBeforeTheTurn) {
   after.pass(4000);
   const DetorsionRules vented{.vent = true};
 
-  EXPECT_EQ(*before.measured(vented).at("detorse.vented_first"), 1.0);
-  EXPECT_EQ(*after.measured(vented).at("detorse.vented_first"), 0.0);
-  EXPECT_EQ(*never.measured(vented).at("detorse.vented_first"), 0.0);
-  EXPECT_FALSE(before.measured().at("detorse.vented_first"));
+  EXPECT_EQ(*before.measured(vented).at(Quantity::kVentedFirst), 1.0);
+  EXPECT_EQ(*after.measured(vented).at(Quantity::kVentedFirst), 0.0);
+  EXPECT_EQ(*never.measured(vented).at(Quantity::kVentedFirst), 0.0);
+  EXPECT_FALSE(before.measured().at(Quantity::kVentedFirst));
 }
 
 TEST(Detorsion, AVentClosedAtOnceReleasesNothing) {
@@ -316,7 +316,7 @@ TEST(Detorsion, AVentClosedAtOnceReleasesNothing) {
     run.pass(500).now().venting = true;
     run.pass(second).now().venting = false;
     run.hand(true).turnTo(100.0, 100);
-    return *run.measured({.vent = true}).at("detorse.vented_first");
+    return *run.measured({.vent = true}).at(Quantity::kVentedFirst);
   };
 
   EXPECT_EQ(opened(1, 0), 0.0);
@@ -334,8 +334,8 @@ TEST(Detorsion, AnOrganThatRestsAfterAWholeTurnIsUndoneInStages) {
   run.pass(1).hand(true).turnTo(-365.0, 2000).hand(false).clip(true).pass(5000);
   run.clip(false).hand(true).turnTo(0.0, 2000);
 
-  EXPECT_NEAR(*run.measured(rules).at("detorse.longest_stage"), radians(365.0), 1e-9);
-  EXPECT_EQ(*run.measured(rules).at("detorse.in_stages"), 1.0);
+  EXPECT_NEAR(*run.measured(rules).at(Quantity::kLongestStage), radians(365.0), 1e-9);
+  EXPECT_EQ(*run.measured(rules).at(Quantity::kInStages), 1.0);
 }
 
 TEST(Detorsion, AShortOrMovingRestStartsNoStage) {
@@ -345,9 +345,9 @@ TEST(Detorsion, AShortOrMovingRestStartsNoStage) {
   Untwisting slow(720.0);
   slow.hand(true).turnTo(0.0, 30000);
 
-  EXPECT_NEAR(*hasty.measured(rules).at("detorse.longest_stage"), radians(720.0), 1e-9);
-  EXPECT_EQ(*hasty.measured(rules).at("detorse.in_stages"), 0.0);
-  EXPECT_EQ(*slow.measured(rules).at("detorse.in_stages"), 0.0);
+  EXPECT_NEAR(*hasty.measured(rules).at(Quantity::kLongestStage), radians(720.0), 1e-9);
+  EXPECT_EQ(*hasty.measured(rules).at(Quantity::kInStages), 0.0);
+  EXPECT_EQ(*slow.measured(rules).at(Quantity::kInStages), 0.0);
 }
 
 TEST(Detorsion, TurningBackDuringTheRestBelongsToTheStage) {
@@ -355,15 +355,15 @@ TEST(Detorsion, TurningBackDuringTheRestBelongsToTheStage) {
   Untwisting run(400.0);
   run.pass(1).hand(true).turnTo(200.0, 1000).hand(false).turnTo(390.0, 1000).hand(true).turnTo(100.0, 1000);
 
-  EXPECT_NEAR(*run.measured(rules).at("detorse.longest_stage"), radians(300.0), 1e-9);
+  EXPECT_NEAR(*run.measured(rules).at(Quantity::kLongestStage), radians(300.0), 1e-9);
 }
 
 TEST(Detorsion, StagesAreUndefinedIfNoneAreRequired) {
   Untwisting run(720.0);
   run.hand(true).turnTo(0.0, 1000);
 
-  EXPECT_FALSE(run.measured().at("detorse.in_stages"));
-  EXPECT_FALSE(run.measured().at("detorse.longest_stage"));
+  EXPECT_FALSE(run.measured().at(Quantity::kInStages));
+  EXPECT_FALSE(run.measured().at(Quantity::kLongestStage));
 }
 
 TEST(StagedTurn, IsDueBeforeTheHandLeavesTheStageUntilItHasRested) {
@@ -397,19 +397,17 @@ TEST(Detorsion, TheLeastNumberOfRegripsFollowsFromTurnsOf155Degrees) {
   EXPECT_EQ(leastRegrips(0.0), 0.0);
 }
 
-TEST(Detorsion, HasAValueOrAReasonForEachOfItsCards) {
+TEST(Detorsion, HasAValueOrAReasonForEachOfItsQuantities) {
   Untwisting run(0.0);
   run.pass(2);
 
   const DetorsionMetrics got = run.measured();
 
-  for (const MetricCard& card : metricCards()) {
-    if (isDetorsionMetric(card.id)) {
-      EXPECT_TRUE(got.at(card.id) || !got.at(card.id).reason().str().empty()) << card.id;
-    }
+  for (const auto& [quantity, value] : got.all()) {
+    EXPECT_TRUE(isOfUntwisting(quantity) && (value || !value.reason().str().empty())) << idOf(quantity);
   }
-  EXPECT_EQ(got.values.size(), 18U);
-  EXPECT_FALSE(got.at("detorse.first_direction"));  // not twisted initially
+  EXPECT_EQ(got.all().size(), 18U);
+  EXPECT_FALSE(got.at(Quantity::kFirstDirection));  // it did not come twisted
 }
 
 TEST(Detorsion, GapsAndRepeatedTimesAreRejected) {

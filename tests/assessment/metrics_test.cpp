@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/metrics/loading.h"
-#include "assessment/metrics/metric_cards.h"
 #include "assessment/metrics/movement.h"
 #include "assessment/metrics/signal.h"
 #include "assessment/metrics/tracking.h"
@@ -318,17 +318,6 @@ TEST(TwistWork, ReturnsTheEnergyStoredByElasticTissue) {
   EXPECT_NEAR(twistWork(lossy, angle)->loop_J, 0.2, 1e-3);  // friction 0.1 N m over 1 rad, both ways
 }
 
-TEST(MetricCards, AreCompleteAndUnique) {
-  std::set<std::string_view> ids;
-  for (const MetricCard& card : metricCards()) {
-    EXPECT_TRUE(ids.insert(card.id).second) << card.id;
-    for (const std::string_view text : {card.name, card.meaning, card.formula, card.unit, card.window}) {
-      EXPECT_FALSE(text.empty()) << card.id;
-    }
-  }
-  EXPECT_EQ(metricCard("twist.sparc").direction, Direction::kHigherIsBetter);
-}
-
 TrialTrace twistTrial() {
   TrialTrace trace;
   for (int i = 0; i <= 4000; ++i) {
@@ -354,7 +343,7 @@ TEST(MeasureTrial, AReversalHasAKinkOnlyInTheUnsignedSpeed) {
     trace.angle_rad[i] = 0.5 * std::sin(kPi_ * static_cast<double>(i - 500) / 2000.0);
   }
   const TrialMetrics got = measureTrial(trace, {});
-  EXPECT_LT(*got.at("twist.ldlj_unsigned"), *got.at("twist.ldlj") - 0.1);
+  EXPECT_LT(*got.at(Quantity::kLdljUnsigned), *got.at(Quantity::kLdlj) - 0.1);
 }
 
 TEST(MeasureTrial, ReturnsEveryApplicableMetricAndLeavesTheOthersUndefined) {
@@ -363,22 +352,22 @@ TEST(MeasureTrial, ReturnsEveryApplicableMetricAndLeavesTheOthersUndefined) {
   targets.forceLimit_N = 1.5;
   targets.axisPoint_m = Vec3{};
   const TrialMetrics got = measureTrial(twistTrial(), targets);
-  EXPECT_EQ(got.values.size(), 36U);  // none of an untwisting
-  // It never reverses, except for filter effects at the end of the turn.
-  EXPECT_NEAR(*got.at("twist.ldlj"), *got.at("twist.ldlj_unsigned"), 0.1);
-  EXPECT_DOUBLE_EQ(*got.at("time.total"), 4.0);
-  EXPECT_NEAR(*got.at("twist.economy"), 1.0, 1e-3);
+  EXPECT_EQ(got.all().size(), 36U);  // none of an untwisting
+  // It never turns back, but for what the filter leaves of the end of the turn.
+  EXPECT_NEAR(*got.at(Quantity::kLdlj), *got.at(Quantity::kLdljUnsigned), 0.1);
+  EXPECT_DOUBLE_EQ(*got.at(Quantity::kTime), 4.0);
+  EXPECT_NEAR(*got.at(Quantity::kEconomy), 1.0, 1e-3);
   // A turn of 2 s and a hold of 1 s in one window: longer than the turn alone, but as smooth.
-  EXPECT_LT(*got.at("twist.sparc"), -1.3);
-  EXPECT_GT(*got.at("twist.sparc"), -1.7);
-  EXPECT_EQ(*got.at("twist.peaks"), 1.0);
-  EXPECT_NEAR(*got.at("twist.hold_steadiness"), 0.0, 2e-3);
-  EXPECT_EQ(*got.at("force.violations"), 1.0);
-  EXPECT_NEAR(*got.at("force.peak"), 2.0, 0.01);
-  EXPECT_NEAR(*got.at("work.delivered"), 0.1 * 0.25 * kPi_ * kPi_, 2e-3);
-  EXPECT_NEAR(*got.at("twist.axis_wander"), 0.0, 1e-4);
-  EXPECT_FALSE(got.at("twist.rmse"));  // no course was shown
-  EXPECT_FALSE(got.at("shear.over_limit"));
+  EXPECT_LT(*got.at(Quantity::kSparc), -1.3);
+  EXPECT_GT(*got.at(Quantity::kSparc), -1.7);
+  EXPECT_EQ(*got.at(Quantity::kSubMovements), 1.0);
+  EXPECT_NEAR(*got.at(Quantity::kHoldSteadiness), 0.0, 2e-3);
+  EXPECT_EQ(*got.at(Quantity::kForceViolations), 1.0);
+  EXPECT_NEAR(*got.at(Quantity::kPeakForce), 2.0, 0.01);
+  EXPECT_NEAR(*got.at(Quantity::kWorkDelivered), 0.1 * 0.25 * kPi_ * kPi_, 2e-3);
+  EXPECT_NEAR(*got.at(Quantity::kAxisWander), 0.0, 1e-4);
+  EXPECT_FALSE(got.at(Quantity::kTrackingRms));  // no course was shown
+  EXPECT_FALSE(got.at(Quantity::kShearOverLimit));
   EXPECT_EQ(got.poseCutoff_Hz, kPoseCutoff_Hz);
 }
 
@@ -398,9 +387,9 @@ TEST(MeasureTrial, AQuickReleaseChangesNeitherTheSteadinessOfTheHoldNorItsWork) 
 
   const TrialMetrics got = measureTrial(trace, targets);
 
-  EXPECT_NEAR(*got.at("twist.hold_steadiness"), 0.01 / std::sqrt(2.0), 0.03 * 0.01);
-  // 1/2 0.2 theta^2 up to the target; each of three tremors returns what it takes: 0.2 theta 2 a.
-  EXPECT_NEAR(*got.at("work.loop"), 0.1 * 0.25 * kPi_ * kPi_, 1e-3);
+  EXPECT_NEAR(*got.at(Quantity::kHoldSteadiness), 0.01 / std::sqrt(2.0), 0.03 * 0.01);
+  // 1/2 0.2 theta^2 up to the target; each of three tremors gives back what it takes: 0.2 theta 2 a.
+  EXPECT_NEAR(*got.at(Quantity::kWorkLoop), 0.1 * 0.25 * kPi_ * kPi_, 1e-3);
 }
 
 /// A twist released during a gap of 15 samples, with timestamps that jitter by up to 0.3 ms: twisting until
@@ -426,7 +415,7 @@ TEST(MeasureTrial, APhaseIsTakenFromTheSampleBeforeAndNeverInterpolated) {
 
   EXPECT_EQ(got.lostSamples,
             16U);  // of the grid: 1000 to 1015 ms after the first stamp, which is 0.3 ms early
-  EXPECT_FALSE(got.at("twist.hold_steadiness")) << "between twisting and releasing lies no hold";
+  EXPECT_FALSE(got.at(Quantity::kHoldSteadiness)) << "between twisting and releasing lies no hold";
 }
 
 TEST(MeasureTrial, NoTwistingComesBetweenFreeAndHolding) {
@@ -438,8 +427,8 @@ TEST(MeasureTrial, NoTwistingComesBetweenFreeAndHolding) {
 
   const TrialMetrics got = measureTrial(trace, {});
 
-  // The organ is held from 1015.3 ms after the first timestamp: 484 grid points, 1016 to 1499.
-  EXPECT_NEAR(*got.at("force.impulse"), 0.483, 1e-9);
+  // The organ is held from 1015.3 ms after the first stamp on: 484 points of the grid, 1016 to 1499.
+  EXPECT_NEAR(*got.at(Quantity::kForceImpulse), 0.483, 1e-9);
 }
 
 TEST(SamplesInForce, AreTheLatestAtOrBeforeEachGridPoint) {

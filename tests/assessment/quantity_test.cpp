@@ -52,7 +52,9 @@ TEST(QuantityCatalogue, ValuesAreShownInTheUnitOfTheWard) {
   EXPECT_EQ(shownValue(Quantity::kSparc, -1.6).str(), "\u22121.60");
   EXPECT_EQ(shownValue(Quantity::kPeakJaw, 123'400.0).str(), "123 kPa");
   EXPECT_EQ(shownValue(Quantity::kUntwisted, 1.0).str(), "yes");
+  EXPECT_EQ(shownValue(Quantity::kResidual, radians(42.0)).str(), "42\u00b0");
   EXPECT_EQ(shownValue(Quantity::kTimeToFlow, std::nullopt).str(), "blood did not come back");
+  EXPECT_EQ(shownValue(Quantity::kSettling, std::nullopt).str(), "not measured");
   EXPECT_EQ(shownNumber(Quantity::kPeakForce, 3.3049, 1), "3.305");
   EXPECT_EQ(titleWithUnit(Quantity::kPeakTorque).str(), "Peak torque (N m)");
   EXPECT_EQ(titleWithUnit(Quantity::kRegrips).str(), "Re-grips");

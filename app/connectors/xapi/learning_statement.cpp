@@ -13,7 +13,7 @@
 #include "app/outputs/tables/pseudonyms.h"
 #include "app/services/base/build_info.h"
 #include "app/services/recording/competence.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/system/learning_repository.h"
@@ -106,27 +106,29 @@ std::optional<std::pair<Json, Json>> judged(const Telling& telling, ExerciseRule
     return std::nullopt;
   }
   const AttemptMeasures measures = measuresFrom(digestOf(telling.connection, trial, rules, now_us));
-  const auto twists = static_cast<std::int64_t>(std::ssize(measures.twists));
-  const bool passed = passesModule(*telling.module, measures.values, measures.twistsOnTarget(), twists);
-  Json result{
-      {"success", passed}, {"completion", true}, {"duration", isoDuration(telling.facts.duration_us)}};
-  const auto undone = measures.values.find(kDetorsionDoneMetric);
+  const RunVerdict verdict = judgeRun(measures.values, rulesOf(*telling.module),
+                                      trial.summary->outcome == TrialOutcome::kInterrupted);
+  if (verdict.outcome != RunOutcome::kPassed && verdict.outcome != RunOutcome::kNotPassed) {
+    return std::nullopt;  // interrupted or not judged: neither passed nor failed
+  }
+  Json result{{"success", verdict.passed()},
+              {"completion", true},
+              {"duration", isoDuration(telling.facts.duration_us)}};
+  const std::optional<double> undone = valueIn(measures.values, Quantity::kUntwisted);
   const std::int64_t of =
-      undone == measures.values.end() ? std::max(twists, telling.module->leastTwists) : std::int64_t{1};
-  const std::int64_t reached = undone == measures.values.end()
-                                   ? measures.twistsOnTarget()
-                                   : static_cast<std::int64_t>(undone->second > 0.0 ? 1 : 0);
+      undone ? std::int64_t{1} : std::max(std::ssize(measures.twists), telling.module->leastTwists);
+  const std::int64_t reached = undone ? (*undone > 0.0 ? 1 : 0) : measures.twistsOnTarget();
   if (of > 0) {
     result["score"] = {{"scaled", static_cast<double>(reached) / static_cast<double>(of)},
                        {"raw", reached},
                        {"min", 0},
                        {"max", of}};
   }
-  const CompetenceVerdict verdict = competenceOf(telling.connection, trial.traineeCode, *telling.module,
-                                                 rules, now_us, trial.startedUtc_us);
-  result["extensions"] = competenceExtensions(verdict);
-  return std::pair(passed ? verbOf("http://adlnet.gov/expapi/verbs/passed", "passed")
-                          : verbOf("http://adlnet.gov/expapi/verbs/failed", "failed"),
+  result["extensions"] = competenceExtensions(competenceOf(
+      telling.connection, trial.traineeCode, *telling.module, rules, now_us, trial.startedUtc_us));
+  result["extensions"][std::string(kXapiExtensions) + "verdict"] = storedText(verdict.outcome);
+  return std::pair(verdict.passed() ? verbOf("http://adlnet.gov/expapi/verbs/passed", "passed")
+                                    : verbOf("http://adlnet.gov/expapi/verbs/failed", "failed"),
                    std::move(result));
 }
 

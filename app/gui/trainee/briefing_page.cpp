@@ -303,14 +303,14 @@ void BriefingPage::fill() {
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
   for (const RuleProgress& progress : step_.rules) {
-    goals << StationLabels::rule(progress);
+    goals << toQString(progress.text());
   }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   able_->setTitle(tr("When you count as competent"));
   able_->setVisible(competence_.errors.attempts > 0);
   if (competence_.errors.attempts > 0) {
-    design_->setText(StationLabels::competenceDesign(competence_));
+    design_->setText(StationLabels::competenceRule(competence_));
     errors_->setText(StationLabels::competenceErrors(competence_));
   }
   hints_->setText(

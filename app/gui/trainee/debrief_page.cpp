@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
@@ -224,13 +225,13 @@ void DebriefPage::showBookmark(double at_s) {
   plot_->addBookmark(debrief_.bookmarks.back());
 }
 
-void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength) {
+void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding) {
   auto* words = plainLabel(this);
-  words->setText(StationLabels::finding(finding, strength));
+  words->setText(toQString(finding.text()));
   column->addWidget(words);
-  if (!strength) {
+  if (const Text next = finding.advice(); !next.empty()) {
     auto* advice = plainLabel(this, "quiet");
-    advice->setText(StationLabels::advice(finding.metric));
+    advice->setText(toQString(next));
     column->addWidget(advice);
   }
   auto* look = linkButton(this);
@@ -246,7 +247,9 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
 }
 
 void DebriefPage::readQuestions() {
-  attempt(shell(), [&] { ask_->setRun(debrief_.interrupted ? TrialId() : debrief_.trialId); });
+  attempt(shell(), [&] {
+    ask_->setRun(debrief_.verdict.outcome == RunOutcome::kInterrupted ? TrialId() : debrief_.trialId);
+  });
 }
 
 void DebriefPage::retranslate() {
@@ -312,9 +315,8 @@ void DebriefPage::fillNotes() {
     words->setText(text);
     checks_->addWidget(words);
   };
-  if (debrief_.torn) {
-    add("torn", tr("This is not your fault: the computer lost part of this run, so not all of it could be "
-                   "measured. Close other programs at this station, then press Again."));
+  if (debrief_.verdict.torn) {
+    add("torn", joinedSentences({toQString(debrief_.verdict.cause()), toQString(debrief_.verdict.remedy())}));
   }
   if (debrief_.unfinishedTwists > 0) {
     add("unfinished", tr("%n twist(s) not completed and not counted.", nullptr,
@@ -359,25 +361,19 @@ void DebriefPage::fill() {
   if (!any) {
     return;
   }
-  // What was measured and missed is missed, however busy the computer was.
-  const bool unjudged =
-      debrief_.torn && std::all_of(debrief_.checks.begin(), debrief_.checks.end(),
-                                   [](const TargetCheck& check) { return check.passed || !check.value; });
-  verdict_->setText(debrief_.interrupted ? tr("Interrupted: kept, not counted")
-                    : debrief_.passed    ? tr("Passed: every target was reached")
-                    : unjudged           ? tr("Not judged: the computer was too busy")
-                                         : tr("Not passed yet"));
-  setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
-  setLook(verdict_, "caution", !debrief_.passed);
+  const RunVerdict& verdict = debrief_.verdict;
+  verdict_->setText(toQString(verdict.sentence()));
+  setLook(verdict_, "good", verdict.passed());
+  setLook(verdict_, "caution", !verdict.passed());
   if (const CompetenceVerdict& all = debrief_.competence; all.errors.attempts > 0) {
     competence_->setText(tr("A single run decides nothing. Over all runs: %1. %2 %3")
                              .arg(StationLabels::level(all), StationLabels::levelMeaning(all),
                                   StationLabels::competenceErrors(all)));
   }
-  for (const TargetCheck& check : debrief_.checks) {
+  for (const TargetCheck& check : verdict.checks) {
     auto* row = new QHBoxLayout;
     auto* mark = new QLabel(targets_);
-    const bool lost = debrief_.torn && !check.value;
+    const bool lost = verdict.torn && !check.value;
     showIcon(mark,
              lost           ? QStringLiteral("info")
              : check.passed ? QStringLiteral("check")
@@ -388,21 +384,21 @@ void DebriefPage::fill() {
              16);
     mark->setAccessibleName(lost ? tr("not measured") : check.passed ? tr("passed") : tr("not passed"));
     auto* words = plainLabel(targets_);
-    words->setText(StationLabels::check(check, debrief_.twists.size()));
+    words->setText(toQString(check.text()));
     row->addWidget(mark, 0, Qt::AlignTop);
     row->addWidget(words, 1);
     checks_->addLayout(row);
   }
   fillNotes();
   for (const DebriefFinding& finding : debrief_.strengths) {
-    addFinding(strengths_, finding, true);
+    addFinding(strengths_, finding);
   }
   for (const DebriefFinding& finding : debrief_.weaknesses) {
-    addFinding(weaknesses_, finding, false);
+    addFinding(weaknesses_, finding);
   }
   if (debrief_.strengths.empty()) {
     const QString tooLittle =
-        debrief_.torn
+        debrief_.verdict.torn
             ? tr("The computer was too busy to record your twists without gaps: nothing can be said "
                  "of them.")
             : tr("Too little of this run could be measured to compare it with the expert's.");

@@ -54,7 +54,7 @@ class DebriefPage : public Page {
   /// The run in three dimensions beside its trace, or above it where the page is too narrow for both.
   void arrangeLooks();
   void fillTexts(bool any);
-  void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
+  void addFinding(QVBoxLayout* column, const DebriefFinding& finding);
   void seek(double at_s);
   void setMoment(double at_s);
   void addBookmarkAt(double at_s);

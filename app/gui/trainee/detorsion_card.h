@@ -29,7 +29,7 @@ class DetorsionCard : public QWidget {
   /// Says where the seconds went, longest first, in the user's language; what took none is left out.
   [[nodiscard]] static QStringList secondsText(const DetorsionStory& story);
   /// Says what the numbers come to, in sentences.
-  [[nodiscard]] static QStringList verdicts(const DetorsionStory& story);
+  [[nodiscard]] static QStringList findings(const DetorsionStory& story);
 
  private:
   DetorsionStory story_;

@@ -12,7 +12,8 @@ void SessionStory::begin(std::int64_t now_us) {
 
 bool SessionStory::add(const Debrief& debrief) {
   const bool ofThisSession = begunUtc_us_ && debrief.startedUtc_us >= *begunUtc_us_;
-  if (!ofThisSession || debrief.interrupted || !seen_.insert(debrief.trialId).second) {
+  if (!ofThisSession || debrief.verdict.outcome == RunOutcome::kInterrupted ||
+      !seen_.insert(debrief.trialId).second) {
     return false;
   }
   bool better = false;

@@ -113,7 +113,9 @@ void showFinding(Page& page) {
 QVariant untwisting(SessionContext& session) {
   static_cast<void>(laidOut(session));
   const std::vector<Attempt> attempts = attemptsOf(session, session.actor().personId);
-  const auto last = std::find_if(attempts.rbegin(), attempts.rend(), isUntwisting);
+  const auto last = std::find_if(attempts.rbegin(), attempts.rend(), [](const Attempt& attempt) {
+    return attempt.values.contains(Quantity::kUntwisted);
+  });
   TORSIO_EXPECTS(last != attempts.rend());
   return toQString(last->trialId);
 }
@@ -143,7 +145,7 @@ std::vector<ScreenEntry> stationScreens() {
           screen(
               "station-trend", PageId::kTrend,
               [](SessionContext& session) -> QVariant { return toQString(laidOut(session).firstModuleId); },
-              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
+              [](Page& page) { static_cast<TrendPage&>(page).chooseQuantity(Quantity::kTime); }),
           screen("station-remarks", PageId::kRemarks, nothing),
           screen("station-transcript", PageId::kTranscript, nothing)};
 }

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/trainee_labels.h"
 
-#include <optional>
-
 #include <QStringList>
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/services/recording/competence_text.h"
-#include "app/services/training/debrief_labels.h"
+#include "assessment/catalogue/quantity.h"
 
 namespace torsio::gui {
-
-namespace {}  // namespace
-
-QString StationLabels::metric(const std::string& id) {
-  return toQString(metricName(id));
-}
-
-double StationLabels::inDisplayUnit(const std::string& metric, double value) {
-  return value * metricScale(metric);
-}
-
-QString StationLabels::unitOf(const std::string& metric) {
-  return toQString(Text(metricUnit(metric)));
-}
-
-QString StationLabels::without(const std::string& metric) {
-  return metric == "detorse.time_to_flow" || metric == "detorse.dose_at_flow" ? tr("blood did not come back")
-                                                                              : tr("not defined");
-}
-
-QString StationLabels::quantity(const std::string& metric, double value) {
-  return toQString(quantityText(metric, value));
-}
 
 QString StationLabels::minutes(std::int64_t span_us) {
   if (span_us < 60'000'000) {
@@ -83,7 +58,7 @@ QString StationLabels::why(const ModuleStep& step) {
   }
   QStringList parts;
   for (const RuleProgress& progress : step.rules) {
-    parts << rule(progress);
+    parts << toQString(progress.text());
   }
   if (step.competence) {
     parts << tr("Level: %1. %2").arg(level(*step.competence), competenceErrors(*step.competence));
@@ -91,60 +66,13 @@ QString StationLabels::why(const ModuleStep& step) {
   return parts.join(QLatin1Char('\n'));
 }
 
-QString StationLabels::rule(const RuleProgress& progress) {
-  const QString threshold = quantity(progress.rule.metric, progress.rule.threshold);
-  const QString name = metric(progress.rule.metric);
-  const bool atMost = progress.rule.comparison == "at_most";
-  const QString goal = isAnswerMetric(progress.rule.metric)
-                           ? tr("%1: %2", "quantity and value").arg(name, threshold)
-                       : atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
-                       : atMost                                   ? tr("%1: at most %2").arg(name, threshold)
-                                : tr("%1: at least %2").arg(name, threshold);
-  if (progress.rule.consecutive <= 1) {
-    return goal;
-  }
-  if (progress.met) {
-    return tr("%1, in %n run(s) in a row", nullptr, static_cast<int>(progress.rule.consecutive)).arg(goal);
-  }
-  return tr("%1, in %n run(s) in a row (%2 so far)", nullptr, static_cast<int>(progress.rule.consecutive))
-      .arg(goal)
-      .arg(progress.streak);
-}
-
-QString StationLabels::result(const Attempt& attempt) {
-  const auto value = [&attempt](const char* metric) {
-    const auto found = attempt.values.find(metric);
-    return found == attempt.values.end() ? std::optional<double>() : found->second;
-  };
-  const std::optional<double> done = value(kDetorsionDoneMetric);
-  if (!done) {
-    return attempt.values.empty() ? tr("not measured")
-                                  : tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists);
-  }
-  const QString dose = quantity("detorse.dose", value("detorse.dose").value_or(0.0));
-  if (*done == 0.0) {
-    return tr("not untwisted, ischaemic dose %1").arg(dose);
-  }
-  const std::optional<double> flow_s = value("detorse.time_to_flow");
-  constexpr double kAtOnce_s = 0.05;  // it flowed as the organ came
-  return flow_s && *flow_s >= kAtOnce_s ? tr("untwisted, blood after %1, ischaemic dose %2")
-                                              .arg(quantity("detorse.time_to_flow", *flow_s), dose)
-                                        : tr("untwisted, ischaemic dose %1").arg(dose);
-}
-
 QString StationLabels::lastResult(const ModuleStep& step) {
   if (!step.last) {
     return tr("Not tried yet");
   }
   const Attempt& last = *step.last;
-  if (last.interrupted) {
-    return tr("Last time: interrupted after %1").arg(clockTenths(last.duration_s));
-  }
-  if (isUntwisting(last)) {
-    return tr("Last time: %1").arg(result(last));
-  }
-  return tr("Last time: %1 of %n twist(s) on target", nullptr, static_cast<int>(last.twists))
-      .arg(last.onTarget);
+  return last.interrupted() ? tr("Last time: interrupted after %1").arg(clockTenths(last.duration_s))
+                            : tr("Last time: %1").arg(toQString(last.result()));
 }
 
 QString StationLabels::unlocks(const ModuleStep& step) {
@@ -158,12 +86,8 @@ QString StationLabels::unlocks(const ModuleStep& step) {
   return tr("Unlocks: %1").arg(titles.join(tr(", ", "between titles")));
 }
 
-QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
-  return toQString(checkText(check, twists));
-}
-
 QString StationLabels::earlier(const EarlierMeasure& earlier) {
-  const QString force = quantity(kPeakForceMetric, earlier.peakForce_N.value_or(0.0));
+  const QString force = toQString(shownValue(Quantity::kPeakForce, earlier.peakForce_N));
   return earlier.withinLimits ? tr("Measured before by version %1 of the definitions: peak force %2, within "
                                    "the limits. That is kept and no longer counts.")
                                     .arg(earlier.version)
@@ -174,29 +98,8 @@ QString StationLabels::earlier(const EarlierMeasure& earlier) {
                                     .arg(force);
 }
 
-QString StationLabels::finding(const DebriefFinding& finding, bool strength) {
-  return toQString(findingText(finding, strength));
-}
-
-QString StationLabels::advice(const std::string& id) {
-  return toQString(adviceText(id));
-}
-
 QString StationLabels::level(const CompetenceVerdict& verdict) {
-  switch (verdict.level) {
-    case SkillLevel::kNotShown:
-      return tr("%n more attempt(s) until a level is shown", nullptr,
-                static_cast<int>(verdict.attemptsUntilLevel));
-    case SkillLevel::kLearning:
-      return tr("Learning");
-    case SkillLevel::kSteady:
-      return tr("Steady");
-    case SkillLevel::kWatch:
-      return tr("Watch");
-    case SkillLevel::kRelapsed:
-      return tr("Relapsed");
-  }
-  return {};
+  return capitalised(toQString(competenceLevelText(verdict)));
 }
 
 QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
@@ -211,13 +114,13 @@ QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
     case SkillLevel::kWatch:
       return tr("Previously competent; the latest attempts raise doubts.");
     case SkillLevel::kRelapsed:
-      return tr("Previously competent, but not now. Practise until your level is steady again.");
+      return tr("Previously competent, but not now. Practise until you are competent again.");
   }
   return {};
 }
 
-QString StationLabels::competenceDesign(const CompetenceVerdict& verdict) {
-  return toQString(competenceDesignText(verdict.design, verdict.untwisting));
+QString StationLabels::competenceRule(const CompetenceVerdict& verdict) {
+  return toQString(competenceRuleText(verdict));
 }
 
 QString StationLabels::competenceErrors(const CompetenceVerdict& verdict) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/transcript_page.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <system_error>
 
@@ -103,29 +101,27 @@ QString TranscriptPage::html(bool paper) const {
                 .arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence)));
-    const QString judgedHow = joinedSentences({StationLabels::competenceDesign(module.competence),
+    const QString judgedHow = joinedSentences({StationLabels::competenceRule(module.competence),
                                                StationLabels::competenceErrors(module.competence)});
     const auto [first, isNew] = judgedAs.try_emplace(judgedHow, title);
     line(isNew ? judgedHow : tr("Competence is judged as in \u201c%1\u201d.").arg(first->second));
     if (module.attempts.empty()) {
       continue;
     }
-    const bool untwisted = std::any_of(module.attempts.begin(), module.attempts.end(), isUntwisting);
-    const QString judged = untwisted ? tr("Result") : tr("Twists on target");
     page += QStringLiteral("<table style='margin-top: 8px'><tr>");
-    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), judged, tr("Note")}) {
+    for (const QString& head :
+         {tr("When"), tr("Mode"), tr("Length"), tr("Result"), tr("Verdict"), tr("Note")}) {
       page += QStringLiteral("<th align='left' style='padding: 3px 14px 3px 0'>%1</th>")
                   .arg(head.toHtmlEscaped());
     }
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
-      page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
+      page += QStringLiteral("<tr>%1%2%3%4%5%6</tr>")
                   .arg(cell(shownTime(attempt.startedUtc_us)),
                        cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
-                       cell(clockTenths(attempt.duration_s)), cell(StationLabels::result(attempt)),
-                       cell(attempt.interrupted ? tr("interrupted")
-                            : !attempt.ended    ? tr("running")
-                            : attempt.forceCuts == 0
+                       cell(clockTenths(attempt.duration_s)), cell(toQString(attempt.result())),
+                       cell(attempt.ended ? toQString(wordOf(attempt.verdict.outcome)) : tr("running")),
+                       cell(attempt.forceCuts == 0
                                 ? QString()
                                 : tr("force cut by the machine, times: %1").arg(attempt.forceCuts)));
     }

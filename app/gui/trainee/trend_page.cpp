@@ -26,11 +26,6 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr const char* kDefaultMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
-                                           "twist.sparc",     "force.peak",     "time.total"};
-constexpr const char* kDefaultOfUntwisting[] = {
-    "detorse.done",    "detorse.time_to_flow", "detorse.dose",          "detorse.residual",
-    "detorse.regrips", "detorse.slip_back",    "detorse.overload_time", "detorse.peak_jaw"};
 constexpr int kTableHeight = 260;
 constexpr std::size_t kFewest = 8;
 
@@ -131,8 +126,10 @@ void TrendPage::readTrend() {
   attempt(shell(), [&] {
     trend_ = {};
     if (!module_.empty()) {
-      trend_ = torsio::trend(shell().session(), steps_.personId, module_,
-                             metrics_->currentData().toString().toStdString());
+      const QVariant chosen = metrics_->currentData();
+      trend_ = torsio::trend(
+          shell().session(), steps_.personId, module_,
+          chosen.isValid() ? std::optional(static_cast<Quantity>(chosen.toInt())) : std::nullopt);
     }
   });
   fill();
@@ -145,32 +142,16 @@ void TrendPage::fillChoices() {
     modules_->addItem(toQString(Text(step.module.title)), toQString(step.module.id));
   }
   modules_->setCurrentIndex(modules_->findData(toQString(module_)));
-  std::vector<std::string> metrics;
-  if (trend_.untwisting) {
-    metrics.assign(std::begin(kDefaultOfUntwisting), std::end(kDefaultOfUntwisting));
-  } else {
-    metrics.assign(std::begin(kDefaultMetrics), std::end(kDefaultMetrics));
-  }
-  for (const ModuleStep& step : steps_.modules) {
-    if (step.module.id != module_) {
-      continue;
-    }
-    for (const MasteryCriterion& rule : step.module.mastery) {
-      if (std::find(metrics.begin(), metrics.end(), rule.metric) == metrics.end()) {
-        metrics.push_back(rule.metric);
-      }
-    }
-  }
   metrics_->clear();
-  for (const std::string& id : metrics) {
-    metrics_->addItem(StationLabels::metric(id), toQString(id));
+  for (const Quantity quantity : trend_.offered) {
+    metrics_->addItem(toQString(Text(rowOf(quantity).name)), static_cast<int>(quantity));
   }
-  metrics_->setCurrentIndex(metrics_->findData(toQString(trend_.metric)));
+  metrics_->setCurrentIndex(metrics_->findData(static_cast<int>(trend_.quantity)));
   filling_ = false;
 }
 
-void TrendPage::chooseMetric(const std::string& metric) {
-  metrics_->setCurrentIndex(metrics_->findData(toQString(metric)));
+void TrendPage::chooseQuantity(Quantity quantity) {
+  metrics_->setCurrentIndex(metrics_->findData(static_cast<int>(quantity)));
 }
 
 void TrendPage::retranslate() {
@@ -195,44 +176,38 @@ void TrendPage::fill() {
   levelMeaning_->setText(StationLabels::levelMeaning(verdict));
   competence_->setVisible(verdict.errors.attempts > 0);
   if (verdict.errors.attempts > 0) {
-    competence_->setText(StationLabels::competenceDesign(verdict) + QLatin1Char('\n') +
+    competence_->setText(StationLabels::competenceRule(verdict) + QLatin1Char('\n') +
                          StationLabels::competenceErrors(verdict));
   }
   distance_->setTitle(tr("Distance to the threshold"));
-  if (trend_.distance && *trend_.distance > 0.0 && isAnswerMetric(trend_.metric)) {
-    distanceFigure_->setText(tr("Not reached"));
-    distanceText_->setText(tr("in the last run; wanted: %1")
-                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
-  } else if (trend_.distance && *trend_.distance > 0.0) {
-    distanceFigure_->setText(StationLabels::quantity(trend_.metric, *trend_.distance));
-    distanceText_->setText(tr("missing in the last run; threshold %1")
-                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
-  } else if (trend_.distance) {
-    distanceFigure_->setText(tr("Reached"));
-    distanceText_->setText((isAnswerMetric(trend_.metric) ? tr("in the last run; wanted: %1")
-                                                          : tr("in the last run; threshold %1"))
-                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
-  } else {
-    distanceFigure_->setText(QStringLiteral("\u2013"));
-    distanceText_->setText(tr("This quantity has no threshold in this module."));
-  }
+  const bool answer = isAnswer(trend_.quantity);
+  const QString threshold = toQString(shownValue(trend_.quantity, trend_.threshold));
+  const bool missed = trend_.distance && *trend_.distance > 0.0;
+  distanceFigure_->setText(!trend_.distance ? QStringLiteral("\u2013")
+                           : !missed        ? tr("Reached")
+                           : answer         ? tr("Not reached")
+                                            : toQString(shownValue(trend_.quantity, *trend_.distance)));
+  distanceText_->setText(!trend_.distance ? tr("This quantity has no threshold in this module.")
+                         : answer         ? tr("in the last run; wanted: %1").arg(threshold)
+                         : missed         ? tr("missing in the last run; threshold %1").arg(threshold)
+                                          : tr("in the last run; threshold %1").arg(threshold));
   left_->setTitle(tr("Attempts"));
   leftFigure_->setText(QString::number(trend_.points.size()));
   leftText_->setText(trend_.attemptsLeft ? tr("Graded attempts left: %1").arg(*trend_.attemptsLeft)
                                          : tr("No limit in this module."));
   chart_->setTitle(tr("Attempts over time"));
   plot_->setTrend(trend_);
-  const QString marks = tr("Filled circle: passed. Triangle: not passed.");
+  const QString marks = tr("Filled circle: passed. Triangle: not passed. Grey square: not judged.");
   const bool few = trend_.points.size() < kFewest;
   const QString curve = !trend_.curve.empty() ? tr("Line and band: learning curve with its 95 % band.")
-                        : isAnswerMetric(trend_.metric) ? tr("A yes or no has no learning curve.")
-                        : few ? tr("A learning curve is drawn from eight attempts on.")
-                              : tr("No learning curve fits these values.");
+                        : answer              ? tr("A yes or no has no learning curve.")
+                        : few                 ? tr("A learning curve is drawn from eight attempts on.")
+                                              : tr("No learning curve fits these values.");
   note_->setText(joinedSentences({marks, curve}));
   table_->setColumns({{tr("Attempt"), true},
                       {tr("When")},
                       {tr("Mode")},
-                      {StationLabels::metric(trend_.metric), true},
+                      {toQString(Text(rowOf(trend_.quantity).name)), true},
                       {tr("Result")}});
   table_->setEmptyText(tr("No attempt yet. Your runs at this module appear here."));
   std::vector<Row> rows;
@@ -243,10 +218,9 @@ void TrendPage::fill() {
     row.cells.push_back(
         {shownTime(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
     row.cells.push_back({point.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")});
-    row.cells.push_back({point.value ? StationLabels::quantity(trend_.metric, *point.value)
-                                     : StationLabels::without(trend_.metric),
+    row.cells.push_back({toQString(shownValue(trend_.quantity, point.value)),
                          point.value ? QVariant(*point.value) : QVariant()});
-    row.cells.push_back({point.passed ? tr("Passed") : tr("Not passed")});
+    row.cells.push_back({capitalised(toQString(wordOf(point.outcome)))});
     rows.push_back(std::move(row));
   }
   table_->setRows(std::move(rows));

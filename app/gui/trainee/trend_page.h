@@ -29,7 +29,7 @@ class TrendPage : public Page {
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
   /// One of the quantities of the list.
-  void chooseMetric(const std::string& metric);
+  void chooseQuantity(Quantity quantity);
   [[nodiscard]] const Trend& trend() const noexcept { return trend_; }
 
  private:

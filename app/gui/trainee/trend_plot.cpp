@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/number_text.h"
 
 namespace torsio::gui {
@@ -40,11 +40,11 @@ void TrendPlot::setTheme(const Theme& theme) {
 }
 
 void TrendPlot::retranslate() {
-  setAccessibleName(tr("%1 over the attempts").arg(StationLabels::metric(trend_.metric)));
+  setAccessibleName(tr("%1 over the attempts").arg(toQString(Text(rowOf(trend_.quantity).name))));
   QStringList values;
   for (const TrendPoint& point : trend_.points) {
     if (point.value) {
-      values << StationLabels::quantity(trend_.metric, *point.value);
+      values << toQString(shownValue(trend_.quantity, *point.value));
     }
   }
   setAccessibleDescription(values.join(QStringLiteral(", ")));
@@ -55,14 +55,14 @@ void TrendPlot::findRange() {
   std::vector<double> seen;
   for (const TrendPoint& point : trend_.points) {
     if (point.value) {
-      seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *point.value));
+      seen.push_back(shown(*point.value));
     }
   }
   for (const TrendCurvePoint& point : trend_.curve) {
-    seen.push_back(StationLabels::inDisplayUnit(trend_.metric, point.value));
+    seen.push_back(shown(point.value));
   }
   if (trend_.threshold) {
-    seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
+    seen.push_back(shown(*trend_.threshold));
   }
   if (seen.empty()) {
     seen = {0.0, 1.0};
@@ -71,13 +71,17 @@ void TrendPlot::findRange() {
   // Values that are all the same (no violation in any attempt) still get an axis that says something.
   const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
   const double room = *high > *low ? std::max(0.12 * (*high - *low), 0.05 * std::abs(*high)) : flat;
-  if (isAnswerMetric(trend_.metric)) {
+  if (isAnswer(trend_.quantity)) {
     low_ = -0.25;
     high_ = 1.25;
     return;
   }
   low_ = *low >= 0.0 ? std::max(0.0, *low - room) : *low - room;
   high_ = *high + room;
+}
+
+double TrendPlot::shown(double value) const {
+  return value * rowOf(trend_.quantity).shown.scale;
 }
 
 double TrendPlot::xOf(double attempt) const {
@@ -98,7 +102,7 @@ std::vector<double> TrendPlot::marks() const {
       break;
     }
   }
-  if (isAnswerMetric(trend_.metric) || isCountMetric(trend_.metric)) {
+  if (rowOf(trend_.quantity).traits.kind != QuantityKind::kMeasure) {
     step = std::max(1.0, std::round(step));
   }
   std::vector<double> all;
@@ -113,7 +117,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   QFont small = font();
   small.setPointSizeF(kSmallText_pt);
   painter.setFont(small);
-  const bool answer = isAnswerMetric(trend_.metric);
+  const bool answer = isAnswer(trend_.quantity);
   const std::vector<double> values = marks();
   const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
@@ -122,7 +126,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
     painter.drawLine(QPointF(kTrendLeft, yOf(v)), QPointF(width() - kTrendRight, yOf(v)));
     painter.setPen(theme_->quietText);
     painter.drawText(QRectF(0.0, yOf(v) - 9.0, kTrendLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
-                     answer ? StationLabels::quantity(trend_.metric, v) : numberText(v, decimals));
+                     answer ? toQString(shownValue(trend_.quantity, v)) : numberText(v, decimals));
   }
   const std::size_t last = std::max<std::size_t>(4, trend_.points.size());
   const std::size_t every = last > 20 ? last / 10 : 1;
@@ -132,10 +136,7 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   }
   painter.drawText(QRectF(kTrendLeft, height() - 20.0, width() - kTrendLeft - kTrendRight, 18.0),
                    Qt::AlignHCenter, tr("Attempt"));
-  const QString unit = StationLabels::unitOf(trend_.metric);
-  painter.drawText(QRectF(0.0, 2.0, width(), 18.0), Qt::AlignLeft,
-                   unit.isEmpty() ? StationLabels::metric(trend_.metric)
-                                  : tr("%1 in %2").arg(StationLabels::metric(trend_.metric), unit));
+  painter.drawText(QRectF(0.0, 2.0, width(), 18.0), Qt::AlignLeft, toQString(titleWithUnit(trend_.quantity)));
 }
 
 void TrendPlot::drawCurve(QPainter& painter) const {
@@ -145,11 +146,11 @@ void TrendPlot::drawCurve(QPainter& painter) const {
   QPolygonF middle;
   QPolygonF band;
   for (const TrendCurvePoint& point : trend_.curve) {
-    middle << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.value)));
-    band << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.upper)));
+    middle << QPointF(xOf(point.attempt), yOf(shown(point.value)));
+    band << QPointF(xOf(point.attempt), yOf(shown(point.upper)));
   }
   for (auto point = trend_.curve.rbegin(); point != trend_.curve.rend(); ++point) {
-    band << QPointF(xOf(point->attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point->lower)));
+    band << QPointF(xOf(point->attempt), yOf(shown(point->lower)));
   }
   QColor shade = theme_->accent;
   shade.setAlphaF(0.13F);
@@ -166,13 +167,17 @@ void TrendPlot::drawPoints(QPainter& painter) const {
     if (!point.value) {
       continue;
     }
-    const QPointF at(xOf(static_cast<double>(point.attempt)),
-                     yOf(StationLabels::inDisplayUnit(trend_.metric, *point.value)));
-    const QColor colour = point.passed ? theme_->good : theme_->caution;
+    const QPointF at(xOf(static_cast<double>(point.attempt)), yOf(shown(*point.value)));
+    const bool passed = point.outcome == RunOutcome::kPassed;
+    const QColor colour = passed                                    ? theme_->good
+                          : point.outcome == RunOutcome::kNotJudged ? theme_->quietText
+                                                                    : theme_->caution;
     painter.setPen(QPen(colour, 2.0));
-    painter.setBrush(point.passed ? colour : theme_->surface);
-    if (point.passed) {
+    painter.setBrush(passed ? colour : theme_->surface);
+    if (passed) {
       painter.drawEllipse(at, kMark, kMark);
+    } else if (point.outcome == RunOutcome::kNotJudged) {
+      painter.drawRect(QRectF(at.x() - kMark, at.y() - kMark, 2.0 * kMark, 2.0 * kMark));
     } else {
       painter.drawPolygon(QPolygonF({at + QPointF(0.0, -kMark - 1.0), at + QPointF(kMark + 1.0, kMark),
                                      at + QPointF(-kMark - 1.0, kMark)}));
@@ -187,11 +192,11 @@ void TrendPlot::paintEvent(QPaintEvent*) {
   painter.setClipRect(QRectF(kTrendLeft, kTrendTop - 6.0, width() - kTrendLeft - kTrendRight,
                              height() - kTrendTop - kTrendBottom + 12.0));
   if (trend_.threshold) {
-    const double y = yOf(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
+    const double y = yOf(shown(*trend_.threshold));
     painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(kTrendLeft, y), QPointF(width() - kTrendRight, y));
     painter.setPen(theme_->text);
-    const bool answer = isAnswerMetric(trend_.metric);  // its points lie on the line
+    const bool answer = isAnswer(trend_.quantity);  // its points lie on the line
     painter.drawText(
         QRectF(kTrendLeft, y - (answer ? 26.0 : 18.0), width() - kTrendLeft - kTrendRight - 6.0, 16.0),
         Qt::AlignRight, tr("threshold"));

@@ -31,6 +31,8 @@ class TrendPlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// A stored value in the unit that is shown.
+  [[nodiscard]] double shown(double value) const;
   [[nodiscard]] double xOf(double attempt) const;
   [[nodiscard]] double yOf(double value) const;
   void findRange();

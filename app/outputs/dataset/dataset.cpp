@@ -15,7 +15,7 @@
 #include "app/outputs/dataset/dataset_study.h"
 #include "app/outputs/dataset/trajectory.h"
 #include "app/outputs/tables/table_files.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/migrations/file_in_the_making.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
@@ -220,14 +220,14 @@ class DatasetWriter {
 
   [[nodiscard]] static std::string metricsJson() {
     Json cards = Json::array();
-    for (const MetricCard& card : metricCards()) {
-      cards.push_back({{"id", card.id},
-                       {"name", card.name},
-                       {"meaning", card.meaning},
-                       {"formula", card.formula},
-                       {"unit", card.unit},
-                       {"window", card.window},
-                       {"version", card.version}});
+    for (const QuantityRow& row : quantityRows()) {
+      cards.push_back({{"id", row.id},
+                       {"name", row.name.english()},
+                       {"meaning", row.meaning.english()},
+                       {"formula", row.formula.english()},
+                       {"unit", row.unit},
+                       {"window", row.window.english()},
+                       {"version", row.version}});
     }
     return cards.dump(2) + "\n";
   }

@@ -8,8 +8,8 @@
 #include "app/services/recording/competence_text.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
-#include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -24,11 +24,10 @@ constexpr std::int64_t kMaxRuns = 10'000;
 CompetenceRun runOf(const TrainingModule& module, const TrialDigest& digest) {
   const AttemptMeasures measures = measuresFrom(digest);
   CompetenceRun run;
-  run.untwisting = measures.values.contains(kDetorsionDoneMetric);
-  run.passed = passesModule(module, measures.values, measures.twistsOnTarget(), std::ssize(measures.twists));
-  run.withinLimits = meetsDemands(
-      {.leastTwists = 0, .forceLimit_N = digest.forceLimit_N, .torqueLimit_Nm = digest.torqueLimit_Nm},
-      measures.values, 0);
+  run.untwisting = isUntwisting(measures.values);
+  run.outcome = judgeRun(measures.values, rulesOf(module)).outcome;
+  run.withinLimits = withinLimits(
+      measures.values, {.forceLimit_N = digest.forceLimit_N, .torqueLimit_Nm = digest.torqueLimit_Nm});
   run.tolerance_rad = digest.tolerance_rad;
   run.twists = measures.twists;
   return run;
@@ -40,35 +39,22 @@ bool isFinished(const TrialListing& trial) {
 
 }  // namespace
 
-MasteryRule masteryRule(const MasteryCriterion& stored) {
-  return {.metric = stored.metric,
-          .atMost = stored.comparison == "at_most",
-          .threshold = stored.threshold,
-          .consecutive = stored.consecutive};
-}
-
 bool asksForUntwisting(const TrainingModule& module) {
-  return std::any_of(module.mastery.begin(), module.mastery.end(),
-                     [](const MasteryCriterion& rule) { return isDetorsionMetric(rule.metric); });
+  return std::any_of(module.mastery.begin(), module.mastery.end(), [](const MasteryCriterion& rule) {
+    const std::optional<Quantity> quantity = quantityOf(rule.metric);
+    return quantity && isOfUntwisting(*quantity);
+  });
 }
 
 bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept {
   return mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice;
 }
 
-AttemptDemands demandsOf(const TrainingModule& module) {
-  return {.leastTwists = module.leastTwists,
+CompetenceRule ruleOf(const TrainingModule& module, const CompetenceDesign& design) {
+  return {.design = design,
+          .untwisting = asksForUntwisting(module),
           .forceLimit_N = module.maxForce_N,
           .torqueLimit_Nm = module.maxTorque_Nm};
-}
-
-bool passesModule(const TrainingModule& module, const std::map<std::string, double>& values,
-                  std::int64_t onTarget, std::int64_t twists) {
-  std::vector<MasteryRule> rules;
-  for (const MasteryCriterion& rule : module.mastery) {
-    rules.push_back(masteryRule(rule));
-  }
-  return meetsDemands(demandsOf(module), values, twists) && passesAll(rules, values, onTarget, twists);
 }
 
 CompetenceVerdict competenceOf(Connection& connection, const std::string& traineeCode,
@@ -92,9 +78,9 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   const CompetenceDesign design = designInForce(CompetenceRepository(connection).ofModule(module.id),
                                                 shippedCompetence(module.id, module.tolerance_rad), began_us);
   CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(design, runs));
-  verdict.untwisting =
-      std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; }) ||
-      asksForUntwisting(module);
+  static_cast<CompetenceRule&>(verdict) = ruleOf(module, design);
+  verdict.untwisting |=
+      std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; });
   return verdict;
 }
 
@@ -129,7 +115,7 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
       one.falseAlarm = verdict.errors.falseAlarm;
       one.withinAttempts = verdict.errors.attempts;
       one.designVersion = verdict.design.version;
-      one.design = competenceDesignText(verdict.design, verdict.untwisting);
+      one.design = competenceRuleText(verdict);
       one.errors =
           competenceErrorText(verdict.design, competenceErrors(verdict.design, verdict.design.attempts));
       all.push_back(std::move(one));

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "app/services/recording/kept_digests.h"
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/mastery.h"
-#include "assessment/attempt/pass_rule.h"
+#include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/domain/study/protocol_terms.h"
@@ -21,21 +20,14 @@ namespace torsio {
 
 class Connection;
 
-/// Returns the rule as the domain knows it.
-[[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
-
 /// Whether the rules of a module ask for the untwisting of an organ.
 [[nodiscard]] bool asksForUntwisting(const TrainingModule& module);
 
 /// Whether a run in this mode counts at a module: graded, unless the module is there for practice.
 [[nodiscard]] bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept;
 
-/// What a module demands of every run, whatever its rules ask for.
-[[nodiscard]] AttemptDemands demandsOf(const TrainingModule& module);
-
-/// Whether one run meets the demands and satisfies all rules of its module (meetsDemands, passesAll).
-[[nodiscard]] bool passesModule(const TrainingModule& module, const std::map<std::string, double>& values,
-                                std::int64_t onTarget, std::int64_t twists);
+/// The rule of competence of a module by a design; whether organs are untwisted as far as its rules tell.
+[[nodiscard]] CompetenceRule ruleOf(const TrainingModule& module, const CompetenceDesign& design);
 
 /// Judges a trainee at one module: the design in force, its error rates, the level. Trainee's screen,
 /// transcript, report and export all show this answer and compute none of their own. Recordings that were not

@@ -94,9 +94,10 @@ std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
       found = true;
       const CurriculumVersion version = repository.version(id).value();
       for (const TrainingModule& module : version.modules) {
-        all.push_back({module.id, curriculum.name, version.number, module.code, module.title,
-                       asksForUntwisting(module), shippedCompetence(module.id, module.tolerance_rad),
-                       designs.ofModule(module.id)});
+        const CompetenceDesign shipped = shippedCompetence(module.id, module.tolerance_rad);
+        const std::vector<CompetenceDesign> registered = designs.ofModule(module.id);
+        all.push_back({module.id, curriculum.name, version.number, module.code, module.title, shipped,
+                       registered, ruleOf(module, designInForce(registered, shipped, std::nullopt))});
       }
     }
   }

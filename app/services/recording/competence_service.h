@@ -19,9 +19,9 @@ struct ExerciseDesigns {
   std::int64_t curriculumVersion = 1;
   std::string code{};
   std::string title{};
-  bool untwisting = false;  ///< an attempt is a whole untwisting
   CompetenceDesign shipped{};
   std::vector<CompetenceDesign> registered{};  ///< oldest first
+  CompetenceRule inForce{};                    ///< for who begins now: the newest design
 };
 
 /// The exercises of a published version in their order; no version: of all that were published.

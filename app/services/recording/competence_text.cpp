@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/recording/competence_text.h"
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 
@@ -12,11 +13,32 @@ std::string percentText(double share) {
   return number + "\u00A0%";  // no line ends between number and sign
 }
 
-Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
-  const Text success =
-      untwisting ? Text::tr("an untwisting that passes")
-                 : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
-                            formatFixed(degrees(design.tolerance_rad), 1), Text(labelOf(design.source)));
+namespace {
+
+/// "a twist released within 10.0 degrees (tolerance of the exercise), with a force of at most 3.30 N, in a
+/// run that was finished".
+Text successText(const CompetenceRule& rule) {
+  const CompetenceDesign& design = rule.design;
+  Text success = rule.untwisting
+                     ? Text(Text::tr("an untwisting that passes"))
+                     : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
+                                formatFixed(degrees(design.tolerance_rad), 1),
+                                Text(labelOf(design.source)));
+  if (rule.forceLimit_N) {
+    success = Text::tr("%1, with a force of at most %2", success,
+                       shownValue(Quantity::kPeakForce, *rule.forceLimit_N));
+  }
+  if (rule.torqueLimit_Nm) {
+    success = Text::tr("%1, with a torque of at most %2", success,
+                       shownValue(Quantity::kPeakTorque, *rule.torqueLimit_Nm));
+  }
+  return Text::tr("%1, in a run that was finished", success);
+}
+
+}  // namespace
+
+Text competenceRuleText(const CompetenceRule& rule) {
+  const CompetenceDesign& design = rule.design;
   const Text which =
       design.version > 0
           ? Text::tr("Competence design, version %1", design.version)
@@ -26,7 +48,7 @@ Text competenceDesignText(const CompetenceDesign& design, bool untwisting) {
       "%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for "
       "%6 "
       "{attempt|attempts}.",
-      which, success, percentText(design.adequate), percentText(design.inadequate),
+      which, successText(rule), percentText(design.adequate), percentText(design.inadequate),
       formatFixed(design.limit, 2), design.attempts);
 }
 

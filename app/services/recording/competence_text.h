@@ -13,8 +13,8 @@ namespace torsio {
 /// "4.9 %"; below a twentieth of a percent "below 0.1 %".
 [[nodiscard]] std::string percentText(double share);
 
-/// What counts as able: which design, tolerance, failure rates, attempts.
-[[nodiscard]] Text competenceDesignText(const CompetenceDesign& design, bool untwisting);
+/// The whole rule: which design, what a success is, failure rates, attempts.
+[[nodiscard]] Text competenceRuleText(const CompetenceRule& rule);
 /// The rates of false passes, false fails and false alarms, within how many attempts.
 [[nodiscard]] Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors);
 /// The level in a word, and in how many attempts it shows.

@@ -2,13 +2,15 @@
 #include "app/services/recording/kept_digests.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "app/services/base/assets.h"
 #include "app/services/recording/detorsion_rules.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
-#include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
@@ -19,19 +21,32 @@
 
 namespace torsio {
 
+MasteryRule masteryRule(const MasteryCriterion& stored) {
+  return {.quantity = quantityOf(stored.metric),
+          .atMost = stored.comparison == "at_most",
+          .threshold = stored.threshold,
+          .consecutive = stored.consecutive};
+}
+
+AttemptRules rulesOf(const TrainingModule& module) {
+  AttemptRules rules{.tolerance_rad = module.tolerance_rad,
+                     .forceLimit_N = module.maxForce_N,
+                     .torqueLimit_Nm = module.maxTorque_Nm,
+                     .hold_s = static_cast<double>(module.hold_us) * 1e-6,
+                     .leastTwists = module.leastTwists};
+  std::transform(module.mastery.begin(), module.mastery.end(), std::back_inserter(rules.mastery),
+                 masteryRule);
+  return rules;
+}
+
 AttemptRules ExerciseRules::of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
                                const ModuleId& moduleId) {
   if (!moduleId.empty()) {
     if (const auto known = modules_.find(moduleId); known != modules_.end()) {
       return known->second;
     }
-    if (const auto stored = DigestRepository(connection).rulesOfModule(moduleId)) {
-      const AttemptRules rules{.tolerance_rad = stored->tolerance_rad,
-                               .forceLimit_N = stored->forceLimit_N,
-                               .torqueLimit_Nm = stored->torqueLimit_Nm,
-                               .hold_s = static_cast<double>(stored->hold_us) * 1e-6,
-                               .leastTwists = stored->leastTwists};
-      return modules_.emplace(moduleId, rules).first->second;
+    if (const auto module = CurriculumRepository(connection).module(moduleId)) {
+      return modules_.emplace(moduleId, rulesOf(*module)).first->second;
     }
   }
   return ofPattern(sceneId, patternId);
@@ -89,7 +104,9 @@ TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, cons
   for (const JudgedTwist& twist : measures.twists) {
     kept.attempts.emplace_back(twist.error_deg, twist.onTarget);
   }
-  kept.measures = measures.values;
+  for (const auto& [quantity, value] : measures.values) {
+    kept.measures.emplace(idOf(quantity), value);
+  }
   kept.computedUtc_us = now_us;
   return kept;
 }
@@ -104,7 +121,11 @@ AttemptMeasures measuresFrom(const TrialDigest& kept) {
   measures.meanAbsoluteError_deg = kept.meanAbsoluteError_deg;
   measures.peakTorque_Nm = kept.peakTorque_Nm;
   measures.peakForce_N = kept.peakForce_N;
-  measures.values = kept.measures;
+  for (const auto& [id, value] : kept.measures) {
+    if (const std::optional<Quantity> quantity = quantityOf(id)) {
+      measures.values.emplace(*quantity, value);
+    }
+  }
   return measures;
 }
 
@@ -138,16 +159,15 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   row.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
   row.peakTorque_Nm = measures.peakTorque_Nm;
   row.peakForce_N = measures.peakForce_N;
-  const auto device = measures.values.find(kDeviceForceMetric);
-  if (device != measures.values.end() && measures.peakForce_N) {
-    row.peakDeviceForce_N = device->second;
+  if (measures.peakForce_N) {
+    row.peakDeviceForce_N = valueIn(measures.values, Quantity::kDeviceForce);
   }
   for (const JudgedTwist& twist : measures.twists) {
     row.attempts.push_back({twist.error_deg, twist.onTarget});
   }
-  for (const auto& [metric, value] : measures.values) {
-    if (isDetorsionMetric(metric) || digest.model == kForeignModel) {  // there are no twists
-      row.detorsion.emplace(metric, value);
+  for (const auto& [quantity, value] : measures.values) {
+    if (isOfUntwisting(quantity) || digest.model == kForeignModel) {  // there are no twists
+      row.detorsion.emplace(idOf(quantity), value);
     }
   }
   return row;

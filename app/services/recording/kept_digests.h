@@ -12,6 +12,7 @@
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/study/curriculum.h"
 #include "assessment/results/cohort_report.h"
 #include "sim/core/live_types.h"
 #include "sim/record/trial.h"
@@ -20,7 +21,13 @@ namespace torsio {
 
 class Connection;
 
-/// By what each recording is judged: its module's tolerance, hold and limits, else the tolerance of the
+/// Returns the rule as it is judged by.
+[[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
+
+/// Everything that a module asks of a run.
+[[nodiscard]] AttemptRules rulesOf(const TrainingModule& module);
+
+/// By what each recording is judged: what its module asks for, else the tolerance of the
 /// scene's pattern in the assets, else kDefaultTolerance_rad. Who looks, and when, changes nothing. One
 /// thread at a time.
 class ExerciseRules {

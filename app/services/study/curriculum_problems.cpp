@@ -9,8 +9,8 @@
 
 #include "app/services/study/curriculum_content.h"
 #include "app/services/study/target_reach.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/study/curriculum.h"
-#include "assessment/metrics/metric_cards.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene.h"
@@ -19,22 +19,6 @@
 namespace torsio {
 
 namespace {
-
-/// Unit of a metric that a mastery rule may name; empty: there is no such metric.
-std::optional<std::string_view> unitOf(const std::string& metric) {
-  if (metric == kOnTargetMetric) {
-    return "1";
-  }
-  if (metric == kTargetsReachedMetric) {
-    return "count";
-  }
-  for (const MetricCard& card : metricCards()) {
-    if (card.id == metric) {
-      return card.unit;
-    }
-  }
-  return std::nullopt;
-}
 
 /// Goes through a draft in reading order and collects what is wrong.
 class Examination {
@@ -196,12 +180,12 @@ class Examination {
     std::set<std::string> seen;
     for (const MasteryCriterion& rule : module.mastery) {
       const Text place = Text::tr("%1, mastery %2", where, rule.metric);
-      const std::optional<std::string_view> unit = unitOf(rule.metric);
-      if (!unit) {
+      const std::optional<Quantity> quantity = quantityOf(rule.metric);
+      if (!quantity) {
         add(place, Text::tr("is measured by nothing"), Text::tr("Choose a metric from the list"),
             CurriculumField::kMastery);
-      } else if (rule.unit != *unit) {
-        add(place, Text::tr("is given in \"%1\"", rule.unit), Text::tr("Give it in %1", std::string(*unit)),
+      } else if (const std::string_view unit = rowOf(*quantity).unit; rule.unit != unit) {
+        add(place, Text::tr("is given in \"%1\"", rule.unit), Text::tr("Give it in %1", unit),
             CurriculumField::kMastery);
       }
       if (!seen.insert(rule.metric).second) {

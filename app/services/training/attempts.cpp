@@ -7,8 +7,8 @@
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
-#include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/foreign_recording.h"
@@ -29,6 +29,10 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
     attempt.onTarget = measures.twistsOnTarget();
     attempt.unfinished = measures.unfinished;
     attempt.values = measures.values;
+    const bool interrupted = listing.summary->outcome == TrialOutcome::kInterrupted;
+    attempt.verdict = judgeRun(
+        attempt.values, rules.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId),
+        interrupted);
   }
   attempt.trialId = listing.trialId;
   attempt.moduleId = listing.moduleId;
@@ -37,7 +41,6 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
   attempt.startedUtc_us = listing.startedUtc_us;
   attempt.ended = listing.summary.has_value();
   attempt.forceCuts = listing.summary && listing.summary->health ? listing.summary->health->forceCuts : 0;
-  attempt.interrupted = listing.summary && listing.summary->outcome == TrialOutcome::kInterrupted;
   return attempt;
 }
 
@@ -74,29 +77,51 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   return attempts;
 }
 
-bool isUntwisting(const Attempt& attempt) {
-  return attempt.values.contains(kDetorsionDoneMetric);
+Text Attempt::result() const {
+  if (!isUntwisting(values)) {
+    return Text::tr("%1 of %2 on target", onTarget, twists);
+  }
+  const std::optional<double> done = valueIn(values, Quantity::kUntwisted);
+  if (!done) {
+    return Text::tr("not measured");
+  }
+  const Text dose = shownValue(Quantity::kDose, valueIn(values, Quantity::kDose));
+  if (*done == 0.0) {
+    return Text::tr("not untwisted, ischaemic dose %1", dose);
+  }
+  constexpr double kAtOnce_s = 0.05;  // it flowed as the organ came
+  const std::optional<double> flow_s = valueIn(values, Quantity::kTimeToFlow);
+  return flow_s && *flow_s >= kAtOnce_s ? Text::tr("untwisted, blood after %1, ischaemic dose %2",
+                                                   shownValue(Quantity::kTimeToFlow, *flow_s), dose)
+                                        : Text::tr("untwisted, ischaemic dose %1", dose);
+}
+
+Text RuleProgress::text() const {
+  const Text goal = rule.text();
+  if (rule.consecutive <= 1) {
+    return goal;
+  }
+  return met ? Text::tr("%1, in %2 {run|runs} in a row", goal, rule.consecutive)
+             : Text::tr("%1, in %2 {run|runs} in a row (%3 so far)", goal, rule.consecutive, streak);
 }
 
 bool counts(const Attempt& attempt, const TrainingModule& module) {
-  return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
+  return attempt.ended && !attempt.interrupted() && attempt.moduleId == module.id &&
          countsAt(module, attempt.mode);
 }
 
 std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<const Attempt> attempts) {
   std::vector<RuleProgress> progress;
-  for (const MasteryCriterion& rule : module.mastery) {
+  for (const MasteryCriterion& stored : module.mastery) {
+    const MasteryRule rule = masteryRule(stored);
     std::vector<std::optional<double>> values;
     for (const Attempt& attempt : attempts) {
-      if (!counts(attempt, module)) {
-        continue;
+      if (counts(attempt, module)) {
+        const bool valid = rule.quantity && meetsDemands(attempt.values, rulesOf(module));
+        values.push_back(valid ? valueIn(attempt.values, *rule.quantity) : std::nullopt);
       }
-      const auto value = attempt.values.find(rule.metric);
-      const bool missing =
-          value == attempt.values.end() || !meetsDemands(demandsOf(module), attempt.values, attempt.twists);
-      values.push_back(missing ? std::nullopt : std::optional(value->second));
     }
-    const MasteryProgress reached = masteryProgress(masteryRule(rule), values);
+    const MasteryProgress reached = masteryProgress(rule, values);
     progress.push_back({rule, reached.streak, reached.met, reached.last});
   }
   return progress;

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/merit.h"
 #include "assessment/attempt/recorded_loads.h"
 #include "assessment/attempt/recorded_twists.h"
-#include "assessment/metrics/metric_cards.h"
-#include "assessment/metrics/signal.h"
+#include "assessment/catalogue/quantity.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -19,7 +17,8 @@ namespace {
 
 constexpr std::size_t kTracePoints = 20'000;
 constexpr std::size_t kFindings = 2;
-constexpr double kMoment_s = 0.5;  // round the instant of a largest value
+constexpr double kClearlyBetter = 0.15;  // of the logarithm: about a sixth
+constexpr double kMoment_s = 0.5;        // round the instant of a largest value
 
 /// The samples of one recording with their times from the first.
 struct Timeline {
@@ -43,7 +42,7 @@ TwistResult resultOf(const MeasuredTwist& twist) {
 
 /// Where in the twist the eye should look. `since`: first sample after the twist before, from which a peak of
 /// force belongs to this one.
-Seconds whereIs(std::string_view metric, double value, const Timeline& line, const MeasuredTwist& measured,
+Seconds whereIs(Quantity quantity, double value, const Timeline& line, const MeasuredTwist& measured,
                 std::size_t since) {
   const RecordedTwist& twist = measured.twist;
   const Seconds whole{measured.start_s, measured.letGo_s};
@@ -59,21 +58,21 @@ Seconds whereIs(std::string_view metric, double value, const Timeline& line, con
     return Seconds{std::max(std::min(whole.from_s, t), t - kMoment_s),
                    std::min(whole.to_s + kMoment_s, std::max(t, whole.from_s) + kMoment_s)};
   };
-  if (metric == kPeakForceMetric) {
-    return momentOf(since, tissueForce_N);
-  }
-  if (metric == "twist.overshoot") {
-    const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
-    return momentOf(twist.first, [sign](const Sample& s) { return sign * s.response.angle_rad; });
-  }
-  if (metric == "twist.time_to_target" || metric == "twist.settling") {
-    return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
-  }
-  if (metric == "twist.hold_steadiness") {
-    return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
-  }
-  if (metric == "torque.release_rate") {
-    return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+  switch (rowOf(quantity).traits.moment) {
+    case QuantityMoment::kPeakForce:
+      return momentOf(since, tissueForce_N);
+    case QuantityMoment::kFarthestTurn: {
+      const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
+      return momentOf(twist.first, [sign](const Sample& s) { return sign * s.response.angle_rad; });
+    }
+    case QuantityMoment::kFromGrip:
+      return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
+    case QuantityMoment::kHold:
+      return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
+    case QuantityMoment::kRelease:
+      return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+    case QuantityMoment::kWholeTwist:
+      break;
   }
   return whole;
 }
@@ -87,18 +86,6 @@ std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
     }
   }
   return since;
-}
-
-/// Whether samples are missing where something was to be measured.
-bool tornRun(const Timeline& line, const MeasuredTrial& measured) {
-  if (longGaps(line.times_us).empty()) {
-    return false;
-  }
-  const bool tornTwist =
-      std::any_of(measured.twists.begin(), measured.twists.end(), [](const MeasuredTwist& twist) {
-        return !twist.metrics || twist.twist.ending == TwistEnding::kNotSeen;
-      });
-  return tornTwist || (measured.detorsion && !measured.detorsion->metrics);
 }
 
 DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
@@ -134,25 +121,45 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
     t -= grip_s;
   }
   const std::vector<const MeasuredTwist*> twists = own.completed();
-  const std::vector<CriterionMerit> all = meritsAgainst(own, reference);
-  const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found, bool strength) {
+  const std::vector<QuantityMerit> all = meritsAgainst(own, reference);
+  const auto finding = [&](const QuantityMerit& criterion, const TwistMerit& found, bool strength) {
     const MeasuredTwist& twist = *twists[found.twist];
     // What went well went well throughout the twist; what went wrong has its moment.
     const Seconds when = strength
                              ? Seconds{twist.start_s, twist.letGo_s}
-                             : whereIs(criterion.metric, found.value, line, twist, sinceBefore(own, twist));
-    return DebriefFinding{
-        std::string(criterion.metric), found.value, criterion.expert, found.merit, found.twist, when};
+                             : whereIs(criterion.quantity, found.value, line, twist, sinceBefore(own, twist));
+    return DebriefFinding{criterion.quantity, found.value, criterion.expert, found.merit,
+                          found.twist,        when,        strength};
   };
   const std::size_t each = std::min(kFindings, all.size() / 2);
   for (std::size_t i = 0; i < each; ++i) {
-    const CriterionMerit& last = all[all.size() - 1 - i];
+    const QuantityMerit& last = all[all.size() - 1 - i];
     out.strengths.push_back(finding(all[i], all[i].best, true));
     out.weaknesses.push_back(finding(last, last.worst, false));
   }
 }
 
 }  // namespace
+
+Text DebriefFinding::text() const {
+  // The peak of the run stands in its check; there is one of that name on the page.
+  const Text name = quantity == Quantity::kPeakForce ? Text(Text::tr("Peak force of one twist"))
+                                                     : Text(rowOf(quantity).name);
+  const Text own = shownValue(quantity, value);
+  const Text other = shownValue(quantity, expert);
+  if (!strength) {
+    return Text::tr("%1: %2, the expert had %3", name, own, other);
+  }
+  return merit > kClearlyBetter ? Text::tr("%1: %2, better than the expert (%3)", name, own, other)
+         : merit >= 0.0         ? Text::tr("%1: %2, as good as the expert (%3)", name, own, other)
+         : merit >= -kClearlyBetter
+             ? Text::tr("%1: %2, close to the expert (%3)", name, own, other)
+             : Text::tr("%1: %2, what came nearest to the expert (%3)", name, own, other);
+}
+
+Text DebriefFinding::advice() const {
+  return strength ? Text() : Text(rowOf(quantity).traits.advice);
+}
 
 Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const AttemptRules& rules,
                     const Trial* expert) {
@@ -180,16 +187,13 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
     out.grips_s.push_back(twist->start_s);
   }
   out.unfinishedTwists = measured.unfinished();
-  out.torn = tornRun(line, measured);
-  out.checks = targetChecks(measured, rules);
+  out.verdict = judgeRun(measureAttempt(measured).values, rules);
   out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {
     out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);
   } else if (expert != nullptr) {
     addExpert(*expert, rules, line, measured, out);
   }
-  out.passed =
-      std::all_of(out.checks.begin(), out.checks.end(), [](const TargetCheck& c) { return c.passed; });
   return out;
 }
 

@@ -13,7 +13,7 @@
 #include "app/services/training/attempts.h"
 #include "app/services/training/detorsion_story.h"
 #include "assessment/attempt/competence.h"
-#include "assessment/attempt/pass_rule.h"
+#include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "sim/core/text.h"
@@ -38,12 +38,18 @@ struct TwistResult {
 
 /// Something that was done well or badly, and where.
 struct DebriefFinding {
-  std::string metric{};  ///< id of a card
-  double value = 0.0;    ///< of that twist, SI
-  double expert = 0.0;   ///< of the expert run
-  double merit = 0.0;    ///< logarithm of how much better than the expert; negative: worse
+  Quantity quantity{};
+  double value = 0.0;   ///< of that twist, SI
+  double expert = 0.0;  ///< of the expert run
+  double merit = 0.0;   ///< logarithm of how much better than the expert; negative: worse
   std::size_t twist = 0;
-  Seconds when{};  ///< where to look
+  Seconds when{};         ///< where to look
+  bool strength = false;  ///< false: a weakness
+
+  /// What was good or bad, in one sentence.
+  [[nodiscard]] Text text() const;
+  /// What to try next; empty for a strength.
+  [[nodiscard]] Text advice() const;
 };
 
 /// A curve for the window, thinned for drawing.
@@ -61,7 +67,8 @@ struct DebriefBookmark {
   std::string text{};
 };
 
-/// The same run as an older version of the definitions measured it: kept beside, judged no more.
+/// The same run as an older version of the definitions measured it, where that says otherwise: kept beside,
+/// judged no more.
 struct EarlierMeasure {
   std::int64_t version = 0;  ///< of the definitions (kMetricsVersion)
   std::optional<double> peakForce_N{};
@@ -77,20 +84,17 @@ struct Debrief {
   std::optional<AttemptMode> mode{};
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
-  bool interrupted = false;
   bool demonstration = false;
-  bool forceFelt = true;           ///< false: computed and shown; its measures are marked
-  Text servoTrouble{};             ///< app/services/devices/device_readiness.h; empty: none
-  Text servoRemedy{};              ///< what to do about it
-  bool torn = false;               ///< the computer lost more than 20 ms of a twist: its measures are missing
-  bool passed = false;             ///< every check
+  bool forceFelt = true;  ///< false: computed and shown; its measures are marked
+  Text servoTrouble{};    ///< app/services/devices/device_readiness.h; empty: none
+  Text servoRemedy{};     ///< what to do about it
+  RunVerdict verdict{};
   CompetenceVerdict competence{};  ///< of all runs at the module; no attempts in its errors: there is none
   double target_rad = 0.0;
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;
-  std::optional<double> deviceForce_N{};    ///< largest that the device was told to give; never judged
-  std::optional<EarlierMeasure> earlier{};  ///< what an older version of the definitions had said
-  std::vector<TargetCheck> checks{};
+  std::optional<double> deviceForce_N{};     ///< largest that the device was told to give; never judged
+  std::optional<EarlierMeasure> earlier{};   ///< what an older version of the definitions had said
   std::vector<TwistResult> twists{};         ///< completed ones
   std::int64_t unfinishedTwists = 0;         ///< not completed, counted apart
   std::vector<DebriefFinding> strengths{};   ///< two, best first; fewer when fewer are defined

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <utility>
@@ -13,10 +14,10 @@
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/attempt/trial_listing.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/remark.h"
 #include "assessment/domain/study/curriculum.h"
-#include "assessment/metrics/metric_cards.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/remark_repository.h"
@@ -101,44 +102,33 @@ void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
 
 /// The newest of the older measurements of this very recording by these very rules.
 std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const TrialListing& listing,
-                                             const AttemptRules& rules) {
+                                             const AttemptRules& rules, const QuantityValues& now) {
   const std::vector<TrialDigest> older =
       DigestRepository(connection).olderOfTrial(listing.trialId, kMetricsVersion);
   const TrialDigest* kept = findDigest(older, listing.summary.value().contentHash, rules);
   if (kept == nullptr) {
     return std::nullopt;
   }
-  const auto force = kept->measures.find(kPeakForceMetric);
-  return EarlierMeasure{
-      .version = kept->formulaVersion,
-      .peakForce_N = force == kept->measures.end() ? std::nullopt : std::optional(force->second),
-      .withinLimits = meetsDemands(
-          {.leastTwists = 0, .forceLimit_N = rules.forceLimit_N, .torqueLimit_Nm = rules.torqueLimit_Nm},
-          kept->measures, 0)};
+  const QuantityValues values = measuresFrom(*kept).values;
+  const EarlierMeasure earlier{.version = kept->formulaVersion,
+                               .peakForce_N = valueIn(values, Quantity::kPeakForce),
+                               .withinLimits = withinLimits(values, rules)};
+  const bool same = earlier.peakForce_N == valueIn(now, Quantity::kPeakForce) &&
+                    earlier.withinLimits == withinLimits(now, rules);
+  return same ? std::nullopt : std::optional(earlier);
 }
 
-void addMastery(const TrainingModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
-                Debrief& out) {
-  std::vector<Attempt> untilNow;
-  for (const Attempt& earlier : all) {
-    untilNow.push_back(earlier);
-    if (earlier.trialId == attempt.trialId) {
-      break;
-    }
+/// Adds how many runs in a row each rule of mastery was reached in, up to this one.
+void addStreaks(const TrainingModule& module, const TrialId& trialId, std::vector<Attempt> attempts,
+                std::vector<TargetCheck>& checks) {
+  const auto present = std::find_if(attempts.begin(), attempts.end(),
+                                    [&](const Attempt& attempt) { return attempt.trialId == trialId; });
+  if (present != attempts.end()) {
+    attempts.erase(present + 1, attempts.end());
   }
-  for (const RuleProgress& progress : ruleProgress(module, untilNow)) {
-    const auto value = attempt.values.find(progress.rule.metric);
-    TargetCheck check{.kind = TargetCheck::Kind::kMastery, .metric = progress.rule.metric};
-    if (value != attempt.values.end()) {
-      check.value = value->second;
-    }
-    check.wanted = progress.rule.threshold;
-    check.atLeast = !masteryRule(progress.rule).atMost;
-    check.passed = check.value && reaches(masteryRule(progress.rule), *check.value);
-    check.streak = progress.streak;
-    check.consecutive = progress.rule.consecutive;
-    out.passed = out.passed && check.passed;
-    out.checks.push_back(std::move(check));
+  auto check = checks.end() - std::ssize(module.mastery);
+  for (const RuleProgress& progress : ruleProgress(module, attempts)) {
+    (check++)->streak = progress.streak;
   }
 }
 
@@ -160,8 +150,9 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   // Decoded and measured once, for the debrief and for what is kept beside the trial.
   const std::vector<Sample> samples = decodeTrial(trial);
   const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  const AttemptMeasures measures = measureAttempt(measured);
   if (listing.summary) {
-    keepDigest(session.connection(), trial, measureAttempt(measured), rules, session.now_us());
+    keepDigest(session.connection(), trial, measures, rules, session.now_us());
   }
   // An untwisting is judged by itself.
   const std::optional<Trial> expert =
@@ -175,18 +166,18 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
     tellMishaps(trial.header, samples, assets, scene, *out.detorsion);
   }
   if (listing.summary) {
-    out.earlier = earlierMeasure(session.connection(), listing, rules);
+    out.earlier = earlierMeasure(session.connection(), listing, rules, measures.values);
   }
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
-  out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
+  out.verdict = judgeRun(measures.values, rules, trial.summary.outcome == TrialOutcome::kInterrupted);
   if (const std::optional<ServoHealth>& health = trial.summary.health) {
     out.servoTrouble = servoTrouble(*health, trial.summary.samples);
     out.servoRemedy = servoRemedy(*health);
   }
   if (module != nullptr) {
     out.moduleTitle = module->title;
-    addMastery(*module, attemptOf(session, trialId), attemptsOf(session, record.personId, module->id), out);
+    addStreaks(*module, trialId, attemptsOf(session, record.personId, module->id), out.verdict.checks);
     out.competence = competenceOf(session.connection(), record.code, *module, exercises, session.now_us());
   }
   for (const Remark& remark : RemarkRepository(session.connection()).remarks(trialId)) {

@@ -89,7 +89,7 @@ DetorsionStory detorsionStory(std::span<const Sample> samples, std::span<const s
   story.residual_rad = rules.residual_rad;
   story.enoughFlow = rules.enoughFlow;
   if (metrics) {
-    story.metrics = metrics.value().values;
+    story.metrics = *metrics;
   }
   StoryTeller teller(story, rules);
   const std::size_t stride = std::max<std::size_t>(1, (samples.size() + kStoryPoints - 1) / kStoryPoints);

@@ -63,7 +63,7 @@ struct DetorsionStory {
   std::vector<Event> events{};                     ///< by time
   bool mishapsKnown = false;                       ///< whether the events hold the mishaps, too (addMishaps)
   std::array<double, kDetorsionDoings> spent_s{};  ///< by DetorsionDoing; their sum is the duration
-  std::vector<MetricValue> metrics{};              ///< of DetorsionMetrics; empty where they are undefined
+  DetorsionMetrics metrics{};  ///< as they were measured; undefined where they could not be
 };
 
 /// Tells how a recording that comesTwisted went. `times_us`: one a sample. `metrics`: as they were measured.

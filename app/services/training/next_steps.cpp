@@ -159,7 +159,7 @@ NextSteps nextSteps(SessionContext& session, const PersonId& personId) {
   steps.unreadRemarks = unreadRemarks(session);
   const std::vector<Attempt> all = attemptsOf(session, personId);
   for (const Attempt& attempt : all) {
-    if (attempt.interrupted) {
+    if (attempt.interrupted()) {
       steps.interrupted.insert(steps.interrupted.begin(), attempt);
     }
   }

@@ -7,9 +7,9 @@
 #include "app/services/recording/competence.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/trainee_record.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
-#include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/curve_fit.h"
 #include "sim/core/refusal.h"
 
@@ -19,23 +19,8 @@ namespace {
 
 constexpr int kCurvePoints = 60;
 
-void describeMetric(Trend& trend) {
-  if (trend.metric == kOnTargetMetric || trend.metric == kTargetsReachedMetric) {
-    trend.unit = trend.metric == kOnTargetMetric ? "1" : "count";
-    trend.lowerIsBetter = false;
-    return;
-  }
-  for (const MetricCard& card : metricCards()) {
-    if (card.id != trend.metric) {
-      continue;
-    }
-    trend.unit = std::string(card.unit);
-    trend.lowerIsBetter = card.direction != Direction::kHigherIsBetter;
-  }
-}
-
 void fitCurve(Trend& trend) {
-  if (isAnswerMetric(trend.metric)) {
+  if (isAnswer(trend.quantity)) {
     trend.noCurveReason = "a yes or no has no learning curve";
     return;
   }
@@ -67,12 +52,11 @@ void fitCurve(Trend& trend) {
 }
 
 void measureDistance(Trend& trend, const TrainingModule& module) {
-  for (const MasteryCriterion& rule : module.mastery) {
-    if (rule.metric != trend.metric) {
-      continue;
+  for (const MasteryCriterion& stored : module.mastery) {
+    if (const MasteryRule rule = masteryRule(stored); rule.quantity == trend.quantity) {
+      trend.threshold = rule.threshold;
+      trend.lowerIsBetter = rule.atMost;
     }
-    trend.threshold = rule.threshold;
-    trend.lowerIsBetter = rule.comparison == "at_most";
   }
   const auto last = std::find_if(trend.points.rbegin(), trend.points.rend(),
                                  [](const TrendPoint& point) { return point.value.has_value(); });
@@ -84,28 +68,45 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
 
 /// Whether the organ of a module comes twisted, as far as its rules and its attempts tell.
 bool isUndone(const TrainingModule& module, const std::vector<Attempt>& attempts) {
-  return std::any_of(attempts.begin(), attempts.end(), isUntwisting) || asksForUntwisting(module);
+  return std::any_of(attempts.begin(), attempts.end(),
+                     [](const Attempt& attempt) { return attempt.ended && isUntwisting(attempt.values); }) ||
+         asksForUntwisting(module);
 }
 
 /// What a module is followed by unless somebody chooses: what its rules ask for, how much before whether.
 /// Without rules it is whether the organ was undone where it came twisted, else the share of twists on
 /// target.
-std::string usualMetric(const TrainingModule& module, bool untwisting) {
-  for (const MasteryCriterion& rule : module.mastery) {
-    if (!isAnswerMetric(rule.metric)) {
-      return rule.metric;
+Quantity usualQuantity(const TrainingModule& module, bool untwisting) {
+  std::optional<Quantity> answer;
+  for (const MasteryCriterion& stored : module.mastery) {
+    const std::optional<Quantity> asked = masteryRule(stored).quantity;
+    if (asked && !isAnswer(*asked)) {
+      return *asked;
+    }
+    answer = answer ? answer : asked;
+  }
+  return answer.value_or(untwisting ? Quantity::kUntwisted : Quantity::kOnTarget);
+}
+
+/// What can be chosen: what trends usually show, and whatever the rules of the module ask for.
+std::vector<Quantity> offeredFor(const TrainingModule& module, bool untwisting) {
+  std::vector<Quantity> offered;
+  for (const QuantityRow& row : quantityRows()) {
+    const bool usual = row.traits.inTrend && (row.scope == QuantityScope::kUntwisting) == untwisting;
+    const bool asked =
+        std::any_of(module.mastery.begin(), module.mastery.end(),
+                    [&row](const MasteryCriterion& stored) { return stored.metric == row.id; });
+    if (usual || asked) {
+      offered.push_back(row.quantity);
     }
   }
-  if (!module.mastery.empty()) {
-    return module.mastery.front().metric;
-  }
-  return untwisting ? kDetorsionDoneMetric : kOnTargetMetric;
+  return offered;
 }
 
 }  // namespace
 
 Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
-            const std::string& metric) {
+            std::optional<Quantity> quantity) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const TrainingModule* module = record.module(moduleId);
@@ -116,16 +117,14 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
   Trend trend;
   trend.moduleId = moduleId;
   trend.moduleTitle = module->title;
-  trend.metric = metric;
   const std::vector<Attempt> attempts = attemptsOf(session, personId, moduleId);
   trend.untwisting = isUndone(*module, attempts);
-  if (metric.empty()) {
-    trend.metric = usualMetric(*module, trend.untwisting);
-  }
-  describeMetric(trend);
+  trend.quantity = quantity.value_or(usualQuantity(*module, trend.untwisting));
+  trend.offered = offeredFor(*module, trend.untwisting);
+  trend.lowerIsBetter = rowOf(trend.quantity).direction != Direction::kHigherIsBetter;
   std::int64_t made = 0;
   for (const Attempt& attempt : attempts) {
-    if (!attempt.ended || attempt.interrupted) {
+    if (!attempt.ended || attempt.interrupted()) {
       continue;
     }
     TrendPoint point;
@@ -133,12 +132,9 @@ Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& m
     point.attempt = static_cast<std::int64_t>(trend.points.size()) + 1;
     point.startedUtc_us = attempt.startedUtc_us;
     point.mode = attempt.mode;
-    const auto value = attempt.values.find(trend.metric);
-    if (value != attempt.values.end()) {
-      point.value = value->second;
-    }
+    point.value = valueIn(attempt.values, trend.quantity);
     point.counted = counts(attempt, *module);
-    point.passed = passesModule(*module, attempt.values, attempt.onTarget, attempt.twists);
+    point.outcome = attempt.verdict.outcome;
     made += point.counted ? 1 : 0;
     trend.points.push_back(std::move(point));
   }

@@ -22,7 +22,7 @@ struct TrendPoint {
   std::optional<double> value{};
   std::optional<AttemptMode> mode{};
   bool counted = false;
-  bool passed = false;  ///< all rules of the module
+  RunOutcome outcome = RunOutcome::kNotPassed;
 };
 
 struct TrendCurvePoint {
@@ -36,9 +36,10 @@ struct TrendCurvePoint {
 struct Trend {
   ModuleId moduleId{};
   std::string moduleTitle{};
-  std::string metric{};     ///< the chosen one, or the first with a scale among those of the mastery rules
-  bool untwisting = false;  ///< organs are undone: there are metrics of untwisting and none of twists
-  std::string unit{};       ///< "s", "rad", "N", "1"
+  /// The chosen one, or the first with a scale among those of the mastery rules.
+  Quantity quantity = Quantity::kOnTarget;
+  std::vector<Quantity> offered{};  ///< what the module can be followed by, in the order of the catalogue
+  bool untwisting = false;          ///< organs are undone: there are quantities of untwisting, none of twists
   bool lowerIsBetter = true;
   std::vector<TrendPoint> points{};
   std::optional<double> threshold{};
@@ -50,10 +51,10 @@ struct Trend {
   std::optional<std::int64_t> attemptsLeft{};
 };
 
-/// kTrialViewOwn, own attempts only. `metric`: empty: the first of the module's mastery rules that has
+/// kTrialViewOwn, own attempts only. `quantity`: empty: the first of the module's mastery rules that has
 /// a scale, not only yes and no. Throws Error{kBadParameter} for a module that is not in the trainee's
 /// curriculum.
 [[nodiscard]] Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
-                          const std::string& metric = {});
+                          std::optional<Quantity> quantity = {});
 
 }  // namespace torsio

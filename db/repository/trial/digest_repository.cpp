@@ -178,19 +178,4 @@ std::vector<TrialDigest> DigestRepository::olderOfTrial(const TrialId& trialId,
                    {trialId, formulaVersion}, digestFrom);
 }
 
-std::optional<ExerciseRulesRow> DigestRepository::rulesOfModule(const ModuleId& moduleId) const {
-  return selectFirst(
-      connection_,
-      "SELECT tolerance_rad, hold_us, least_twists, max_force_n, max_torque_nm FROM module WHERE id = ?",
-      {moduleId}, [](RowReader& row) {
-        ExerciseRulesRow rules;
-        rules.tolerance_rad = row.real();
-        rules.hold_us = row.int64();
-        rules.leastTwists = row.int64();
-        rules.forceLimit_N = row.maybeReal();
-        rules.torqueLimit_Nm = row.maybeReal();
-        return rules;
-      });
-}
-
 }  // namespace torsio

@@ -15,15 +15,6 @@
 
 namespace torsio {
 
-/// What a curriculum module requires of a run.
-struct ExerciseRulesRow {
-  double tolerance_rad = 0.0;
-  std::int64_t hold_us = 0;
-  std::int64_t leastTwists = 1;
-  std::optional<double> forceLimit_N{};
-  std::optional<double> torqueLimit_Nm{};
-};
-
 /// Digests of recordings. Append-only: other formulas or rules add a row.
 class DigestRepository {
  public:
@@ -40,9 +31,6 @@ class DigestRepository {
   /// Returns the digests of one trial with older formula versions, newest first.
   [[nodiscard]] std::vector<TrialDigest> olderOfTrial(const TrialId& trialId,
                                                       std::int64_t formulaVersion) const;
-
-  /// Returns a module's requirements; empty: no such module.
-  [[nodiscard]] std::optional<ExerciseRulesRow> rulesOfModule(const ModuleId& moduleId) const;
 
  private:
   Connection& connection_;

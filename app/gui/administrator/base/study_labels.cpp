@@ -7,9 +7,7 @@
 #include <QCoreApplication>
 
 #include "app/gui/base/translated_text.h"
-#include "app/services/training/debrief_labels.h"
 #include "assessment/domain/rating/sheet_state.h"
-#include "assessment/metrics/metric_cards.h"
 
 namespace torsio::gui {
 
@@ -102,65 +100,6 @@ QString sheetStateName(SheetState state) {
       return translated(QT_TRANSLATE_NOOP("Study", "taken back"));
   }
   return {};
-}
-
-std::vector<std::pair<std::string, QString>> masteryMetrics() {
-  static const char* const kMetrics[] = {kOnTargetMetric,
-                                         kTargetsReachedMetric,
-                                         "time.total",
-                                         "twist.overshoot",
-                                         "twist.settling",
-                                         "twist.hold_steadiness",
-                                         "twist.sparc",
-                                         "force.peak",
-                                         "force.violations",
-                                         "torque.peak",
-                                         "detorse.done",
-                                         "detorse.time_to_flow",
-                                         "detorse.dose",
-                                         "detorse.residual",
-                                         "detorse.relapse",
-                                         "detorse.first_direction",
-                                         "detorse.wrong_way",
-                                         "detorse.regrips",
-                                         "detorse.slip_back",
-                                         "detorse.peak_jaw",
-                                         "detorse.overload_time",
-                                         "detorse.vented_first",
-                                         "detorse.longest_stage",
-                                         "detorse.in_stages"};
-  std::vector<std::pair<std::string, QString>> out;
-  for (const char* id : kMetrics) {
-    const QString name = toQString(metricName(id));
-    out.emplace_back(
-        id, isAnswerMetric(id) ? QCoreApplication::translate("Study", "%1 (1 yes, 0 no)").arg(name) : name);
-  }
-  return out;
-}
-
-ShownMetric shownMetric(const std::string& id) {
-  const std::string unit = metricUnit(id);
-  const bool close = unit.empty() || unit == "\u00b0";
-  return {.scale = metricScale(id),
-          .decimals = metricDecimals(id),
-          .suffix = close ? toQString(unit) : QLatin1Char(' ') + toQString(unit)};
-}
-
-std::string metricBetter(const std::string& id) {
-  if (id == kOnTargetMetric || id == kTargetsReachedMetric) {
-    return "at_least";
-  }
-  return metricCard(id).direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
-}
-
-std::string storedUnit(const std::string& id) {
-  if (id == kOnTargetMetric) {
-    return "1";
-  }
-  if (id == kTargetsReachedMetric) {
-    return "count";
-  }
-  return std::string(metricCard(id).unit);
 }
 
 }  // namespace torsio::gui

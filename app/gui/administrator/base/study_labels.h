@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <QString>
 
@@ -25,18 +23,5 @@ namespace torsio::gui {
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
-
-/// What a mastery rule may be about: id and name.
-[[nodiscard]] std::vector<std::pair<std::string, QString>> masteryMetrics();
-/// "at_least" or "at_most", as it is better, and the unit that a rule about such a metric is stored in.
-[[nodiscard]] std::string metricBetter(const std::string& id);
-[[nodiscard]] std::string storedUnit(const std::string& id);
-/// How a value of it is shown, as everywhere else.
-struct ShownMetric {
-  double scale = 1.0;  ///< what is stored times this is what is shown
-  int decimals = 0;
-  QString suffix{};  ///< " %", "\u00b0"; empty: a mere number
-};
-[[nodiscard]] ShownMetric shownMetric(const std::string& id);
 
 }  // namespace torsio::gui

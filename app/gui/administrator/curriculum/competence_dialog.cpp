@@ -39,11 +39,6 @@ QDoubleSpinBox* shareField(QWidget* parent, const char* name) {
   return field;
 }
 
-/// The design that counts for somebody who begins now.
-const CompetenceDesign& newestOf(const ExerciseDesigns& exercise) {
-  return exercise.registered.empty() ? exercise.shipped : exercise.registered.back();
-}
-
 }  // namespace
 
 CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionId& versionId, QWidget* parent)
@@ -150,8 +145,8 @@ void CompetenceDialog::showExercise() {
   if (filling_ || exercise == nullptr) {
     return;
   }
-  const CompetenceDesign& newest = newestOf(*exercise);
-  inForce_->setText(toQString(competenceDesignText(newest, exercise->untwisting)) + QLatin1Char('\n') +
+  const CompetenceDesign& newest = exercise->inForce.design;
+  inForce_->setText(toQString(competenceRuleText(exercise->inForce)) + QLatin1Char('\n') +
                     toQString(competenceErrorText(newest, competenceErrors(newest, newest.attempts))));
   filling_ = true;
   experts_ = newest.experts;

@@ -11,12 +11,12 @@
 #include <QSpinBox>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
+#include "assessment/catalogue/quantity.h"
 
 namespace torsio::gui {
 
@@ -30,11 +30,17 @@ enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 /// Takes finer values than it shows by itself: the decimals of the metric, and further ones that a value has.
 class ThresholdBox : public SignedBox {
  public:
-  explicit ThresholdBox(const ShownMetric& metric) : least_(metric.decimals) {
-    setRange(-1e9, 1e9);
-    setDecimals(metric.decimals + kFiner);
+  /// `quantity` may be null: a later version of Torsio measures it.
+  explicit ThresholdBox(const QuantityRow* quantity) {
+    constexpr double kFarthest = 1e9;
+    const ShownUnit shown = quantity != nullptr ? quantity->shown : ShownUnit{"", 1.0, 2};
+    least_ = shown.decimals;
+    const double from = quantity != nullptr ? shown.scale * quantity->traits.least : -kFarthest;
+    setRange(std::max(-kFarthest, from), kFarthest);
+    setDecimals(shown.decimals + kFiner);
     setButtonSymbols(QAbstractSpinBox::NoButtons);
-    setSuffix(metric.suffix);
+    const bool close = shown.unit.empty() || shown.unit == "\u00b0";
+    setSuffix((close ? QString() : QStringLiteral(" ")) + toQString(shown.unit));
   }
 
   [[nodiscard]] QString textFromValue(double value) const override {
@@ -53,8 +59,16 @@ class ThresholdBox : public SignedBox {
     return std::round(value * steps) / steps;
   }
 
-  int least_;
+  int least_ = 0;
 };
+
+/// A rule about another quantity, in the direction that is better and the unit that is stored.
+MasteryCriterion ruleAbout(const QuantityRow& row, MasteryCriterion rule) {
+  rule.metric = row.id;
+  rule.comparison = row.direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
+  rule.unit = row.unit;
+  return rule;
+}
 
 }  // namespace
 
@@ -103,17 +117,23 @@ void MasteryTable::fill() {
 
 void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   auto* metric = new QComboBox;
-  for (const auto& [id, name] : masteryMetrics()) {
-    metric->addItem(name, toQString(id));
+  for (const QuantityRow& row : quantityRows()) {
+    if (row.traits.asked) {
+      const QString name = toQString(Text(row.name));
+      metric->addItem(row.traits.kind == QuantityKind::kAnswer ? tr("%1 (1 yes, 0 no)").arg(name) : name,
+                      toQString(row.id));
+    }
   }
   chooseOrAdd(metric, rule.metric);
   auto* direction = new QComboBox;
   direction->addItem(tr("at least"), QStringLiteral("at_least"));
   direction->addItem(tr("at most"), QStringLiteral("at_most"));
   chooseOrAdd(direction, rule.comparison);
-  const ShownMetric shown = shownMetric(rule.metric);
-  auto* threshold = new ThresholdBox(shown);
-  threshold->setValue(shown.scale * rule.threshold);
+  const std::optional<Quantity> quantity = quantityOf(rule.metric);
+  const QuantityRow* known = quantity ? &rowOf(*quantity) : nullptr;
+  const double scale = known != nullptr ? known->shown.scale : 1.0;
+  auto* threshold = new ThresholdBox(known);
+  threshold->setValue(scale * rule.threshold);
   auto* inARow = new QSpinBox;
   inARow->setRange(1, kMaxInARow);
   inARow->setValue(static_cast<int>(rule.consecutive));
@@ -127,10 +147,9 @@ void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   connect(direction, &QComboBox::activated, this, [this, direction] {
     take(direction, [direction](MasteryCriterion& changed) { changed.comparison = chosenId(direction); });
   });
-  connect(threshold, &QDoubleSpinBox::valueChanged, this,
-          [this, threshold, scale = shown.scale](double value) {
-            take(threshold, [value, scale](MasteryCriterion& changed) { changed.threshold = value / scale; });
-          });
+  connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold, scale](double value) {
+    take(threshold, [value, scale](MasteryCriterion& changed) { changed.threshold = value / scale; });
+  });
   connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
     take(inARow, [value](MasteryCriterion& changed) { changed.consecutive = value; });
   });
@@ -157,25 +176,19 @@ void MasteryTable::takeMetric(const QWidget* cell, const std::string& metric) {
     if (changed.metric == metric) {
       return;
     }
-    changed.metric = metric;
-    changed.comparison = metricBetter(metric);
-    changed.unit = storedUnit(metric);
+    changed = ruleAbout(rowOf(quantityOf(metric).value()), changed);
   });
   fill();
 }
 
 void MasteryTable::addRule() {
-  for (const auto& [id, name] : masteryMetrics()) {
+  for (const QuantityRow& row : quantityRows()) {
     const bool used = std::any_of(rules_.begin(), rules_.end(),
-                                  [&id = id](const MasteryCriterion& known) { return known.metric == id; });
-    if (used) {
+                                  [&row](const MasteryCriterion& known) { return known.metric == row.id; });
+    if (used || !row.traits.asked) {
       continue;
     }
-    MasteryCriterion rule;
-    rule.metric = id;
-    rule.comparison = metricBetter(id);
-    rule.unit = storedUnit(id);
-    rules_.push_back(rule);
+    rules_.push_back(ruleAbout(row, {}));
     Q_EMIT edited();
     fill();
     break;  // where every metric has its rule, none is added

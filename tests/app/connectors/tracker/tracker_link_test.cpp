@@ -187,12 +187,12 @@ TEST(TrackedRecording, IsMeasuredLikeAnyPathOnTheClockOfTheStation) {
   EXPECT_EQ(measured->lostSamples, 1U);
   const double span_s =
       static_cast<double>(samples.back().device.time_us - samples.front().device.time_us) * 1e-6;
-  EXPECT_NEAR(*measured->at("time.total"), span_s, 1e-9);
+  EXPECT_NEAR(*measured->at(Quantity::kTime), span_s, 1e-9);
   EXPECT_NEAR(span_s, 1.0, 0.2);
   const double path_m = 0.020 * 4.0 * M_PI * span_s;
-  EXPECT_NEAR(*measured->at("tip.path"), path_m, 0.1 * path_m);
-  EXPECT_EQ(measured->at("twist.sparc").reason(), "not applicable: foreign recording");
-  EXPECT_EQ(measured->at("force.peak").reason(), "not applicable: foreign recording");
+  EXPECT_NEAR(*measured->at(Quantity::kTipPath), path_m, 0.1 * path_m);
+  EXPECT_EQ(measured->at(Quantity::kSparc).reason(), "not applicable: foreign recording");
+  EXPECT_EQ(measured->at(Quantity::kPeakForce).reason(), "not applicable: foreign recording");
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a trainee is told of a run that the computer was too busy to record in full.
 #include <QString>
+#include <QTextBrowser>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/repository/trial/trial_repository.h"
@@ -61,6 +63,13 @@ TEST(StationPages, TheDebriefSaysWhenTheComputerWasTooBusyAndThatItIsNotTheTrain
   EXPECT_TRUE(told.contains(QStringLiteral("Close other programs"))) << told.toStdString();
   EXPECT_FALSE(told.contains(QStringLiteral("Not passed yet"))) << told.toStdString();
   EXPECT_FALSE(told.contains(QStringLiteral("Too little of this run"))) << told.toStdString();
+
+  station.open(PageId::kTrend, QString::fromStdString(centre.module("first")));
+  const QString trend = station.page->findChild<DataTable*>()->asText();
+  EXPECT_TRUE(trend.contains(QStringLiteral("Not judged"))) << trend.toStdString();
+  EXPECT_FALSE(trend.contains(QStringLiteral("Not passed"))) << trend.toStdString();
+  station.open(PageId::kTranscript);
+  EXPECT_TRUE(station.page->findChild<QTextBrowser*>()->toPlainText().contains(QStringLiteral("not judged")));
 }
 
 }  // namespace

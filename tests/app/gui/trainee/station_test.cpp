@@ -180,7 +180,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
-  EXPECT_TRUE(station.find<QLabel>("level")->text().endsWith(QStringLiteral("until a level is shown")));
+  EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet, ")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
                   .contains(QStringLiteral("are judged competent (false pass)")));
@@ -658,9 +658,9 @@ TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
 }
 
 TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
-  const auto marksOf = [](const char* metric, double most) {
+  const auto marksOf = [](Quantity quantity, double most) {
     Trend trend;
-    trend.metric = metric;
+    trend.quantity = quantity;
     for (const double value : {0.0, most}) {
       trend.points.emplace_back().value = value;
     }
@@ -669,13 +669,13 @@ TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
     return plot.marks();
   };
   for (const double most : {0.0, 1.0, 2.0, 7.0, 40.0}) {
-    const std::vector<double> marks = marksOf("force.violations", most);
+    const std::vector<double> marks = marksOf(Quantity::kForceViolations, most);
     ASSERT_FALSE(marks.empty());
     for (const double mark : marks) {
       EXPECT_EQ(mark, std::round(mark)) << "up to " << most;
     }
   }
-  const std::vector<double> angles = marksOf("force.mean", 0.01);
+  const std::vector<double> angles = marksOf(Quantity::kMeanForce, 0.01);
   EXPECT_GT(angles.size(), 2U);
 }
 
@@ -696,7 +696,7 @@ TEST(StationPages, TheTrendOfAQuantityWithoutAThresholdShowsADashForTheDistance)
   centre.attempt("first", "practice", 1.0);
   Station station(centre);
   station.open(PageId::kTrend, QString::fromStdString(centre.module("first")));
-  static_cast<TrendPage&>(*station.page).chooseMetric("twist.sparc");
+  static_cast<TrendPage&>(*station.page).chooseQuantity(Quantity::kSparc);
 
   const QStringList all = station.allText().split(QLatin1Char('\n'));
 

@@ -16,7 +16,7 @@
 #include "app/connectors/tracker/tracker_choice.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/attempts.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"

@@ -3,10 +3,9 @@
 #include <QComboBox>
 #include <gtest/gtest.h>
 
-#include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/data_table.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "tests/app/gui/support/trainee_station.h"
 
 namespace torsio::gui {
@@ -18,7 +17,7 @@ TrainingCentre::Setup untwistings() {
   TrainingCentre::Setup setup;
   setup.sceneId = "testis";
   setup.patternId = "detorse";
-  setup.mastery = {{.metric = kDetorsionDoneMetric, .threshold = 1.0, .unit = "1"},
+  setup.mastery = {{.metric = "detorse.done", .threshold = 1.0, .unit = "1"},
                    {.metric = "detorse.dose", .comparison = "at_most", .threshold = 0.9, .unit = "1"},
                    {.metric = "detorse.relapse", .comparison = "at_most", .threshold = 0.0, .unit = "1"}};
   return setup;
@@ -37,11 +36,11 @@ TEST(UntwistingPages, TheTrendShowsWhatAnUntwistingIsMeasuredBy) {
 
   EXPECT_TRUE(table->asText().contains(QStringLiteral("Ischaemic dose")));
   EXPECT_TRUE(table->asText().contains(QStringLiteral("Not passed")));
-  EXPECT_FALSE(table->asText().contains(QStringLiteral("not defined")));
+  EXPECT_FALSE(table->asText().contains(QStringLiteral("not measured")));
   for (const QComboBox* box : page.findChildren<QComboBox*>()) {
-    EXPECT_LT(box->findData(QStringLiteral("twist.on_target")), 0);
+    EXPECT_LT(box->findText(QStringLiteral("Twists on target")), 0);
   }
-  page.chooseMetric(kDetorsionDoneMetric);
+  page.chooseQuantity(Quantity::kUntwisted);
   EXPECT_TRUE(table->asText().contains(QStringLiteral("yes")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Not reached")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("A yes or no has no learning curve.")));
@@ -59,16 +58,7 @@ TEST(UntwistingPages, TheNextStepAsksForAYesInWords) {
   EXPECT_TRUE(all.contains(QStringLiteral("Untwisted: yes"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Relapse: no"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Last time: not untwisted, ischaemic dose"))) << all.toStdString();
-  EXPECT_FALSE(all.contains(QStringLiteral("twists on target"))) << all.toStdString();
-}
-
-TEST(UntwistingPages, ValuesAreToldWithTheirUnitOrWhyThereIsNone) {
-  EXPECT_EQ(StationLabels::quantity("detorse.done", 1.0), QStringLiteral("yes"));
-  EXPECT_EQ(StationLabels::quantity("detorse.relapse", 0.0), QStringLiteral("no"));
-  EXPECT_EQ(StationLabels::quantity("detorse.residual", radians(42.0)), QStringLiteral("42\u00b0"));
-  EXPECT_EQ(StationLabels::quantity("detorse.peak_jaw", 251'000.0), QStringLiteral("251 kPa"));
-  EXPECT_EQ(StationLabels::without("detorse.time_to_flow"), QStringLiteral("blood did not come back"));
-  EXPECT_EQ(StationLabels::without("twist.settling"), QStringLiteral("not defined"));
+  EXPECT_FALSE(all.contains(QStringLiteral("on target"))) << all.toStdString();
 }
 
 }  // namespace

@@ -259,8 +259,9 @@ TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
                           .load(StudyRepository(centre.connection()).trialIds(done.landed.cohortId).front());
   const Outcome<TrialMetrics> metrics = measureForeign(trial.header, decodeTrial(trial));
   ASSERT_TRUE(metrics);
-  for (const char* id : {"force.peak", "torque.mean", "twist.path", "work.delivered", "twist.sparc"}) {
-    EXPECT_EQ(metrics->at(id).reason(), "not applicable: foreign recording") << id;
+  for (const Quantity quantity : {Quantity::kPeakForce, Quantity::kMeanTorque, Quantity::kAngularPath,
+                                  Quantity::kWorkDelivered, Quantity::kSparc}) {
+    EXPECT_EQ(metrics->at(quantity).reason(), "not applicable: foreign recording") << idOf(quantity);
   }
   std::ostringstream out;
   EXPECT_EQ(writeTrajectory(trial, 1, TrajectoryForm::kCsv, out), static_cast<std::int64_t>(kForeignLines));
@@ -406,13 +407,13 @@ TEST(ForeignMeasures, AreUndefinedWhereTheyCannotBeHonest) {
   for (std::size_t i = 50; i < samples.size(); ++i) {
     samples[i].device.time_us += 70'000;
   }
-  EXPECT_NEAR(*measureForeign(header, samples)->at("time.total"), 2.05, 1e-9);
+  EXPECT_NEAR(*measureForeign(header, samples)->at(Quantity::kTime), 2.05, 1e-9);
   for (std::size_t i = 50; i < samples.size(); ++i) {
     samples[i].device.time_us += 30'000;
   }
   EXPECT_EQ(measureForeign(header, samples).reason(), "the instrument was seen for 94 % of the time only");
   EXPECT_EQ(foreignAttempt(header, samples).values.size(), 1U);
-  EXPECT_NEAR(foreignAttempt(header, samples).values.at("time.total"), 2.1, 1e-9);
+  EXPECT_NEAR(foreignAttempt(header, samples).values.at(Quantity::kTime), 2.1, 1e-9);
   header.tickPeriod_us = 66'667;
   EXPECT_EQ(measureForeign(header, samples).reason(), "fewer than 20 samples a second were recorded");
 }

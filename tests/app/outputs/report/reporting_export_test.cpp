@@ -26,7 +26,7 @@
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"

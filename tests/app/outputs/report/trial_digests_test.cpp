@@ -12,7 +12,7 @@
 
 #include "app/services/recording/kept_digests.h"
 #include "assessment/attempt/trial_digest.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/connection/connection.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"

@@ -195,7 +195,7 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
       EXPECT_EQ(own.attempts, static_cast<std::size_t>(shown.attempts)) << shown.trainee;
       EXPECT_EQ(own.errors.falsePass, shown.falsePass) << shown.trainee;
       EXPECT_EQ(own.errors.falseFail, shown.falseFail) << shown.trainee;
-      EXPECT_EQ(competenceDesignText(own.design, own.untwisting), shown.design) << shown.trainee;
+      EXPECT_EQ(competenceRuleText(own), shown.design) << shown.trainee;
       levels.insert(shown.level.str());
       ++compared;
     }

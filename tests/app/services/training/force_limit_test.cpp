@@ -91,18 +91,15 @@ double awkwardLimit_N(const Bearing& bearing, Random& random) {
 struct Verdicts {
   Debrief told;
   AttemptMeasures measures;
-  bool onPages = false;  ///< of trend, transcript, mastery and statements
-  [[nodiscard]] bool anyPassed() const { return told.passed || onPages; }
+  RunVerdict kept{};  ///< of trend, transcript, mastery and statements, from what is kept of the run
+  [[nodiscard]] bool anyPassed() const { return told.verdict.passed() || kept.passed(); }
 };
 
 Verdicts verdictsOf(const TrialHeader& header, const std::vector<Sample>& samples,
                     const AttemptRules& rules) {
   const MeasuredTrial measured = measureTwists(header, samples, rules);
   Verdicts verdicts{makeDebrief(header, samples, measured, rules, nullptr), measureAttempt(measured)};
-  TrainingModule module;
-  module.maxForce_N = rules.forceLimit_N;
-  verdicts.onPages = passesModule(module, verdicts.measures.values, verdicts.measures.twistsOnTarget(),
-                                  std::ssize(verdicts.measures.twists));
+  verdicts.kept = judgeRun(verdicts.measures.values, rules);
   return verdicts;
 }
 
@@ -167,18 +164,18 @@ Tally judged(const TrialHeader& header, const std::vector<Sample>& samples, Atte
 
   EXPECT_FALSE(verdicts.anyPassed() && above);
   // One peak on the page: of the check, of the curve below it, of what is kept.
-  const TargetCheck& force = verdicts.told.checks.back();
-  EXPECT_EQ(force.kind, TargetCheck::Kind::kForce);
+  const TargetCheck& force = verdicts.told.verdict.checks.back();
+  EXPECT_EQ(force.quantity, Quantity::kPeakForce);
   if (force.value) {
     EXPECT_EQ(*force.value, bearing.peak_N);
     EXPECT_EQ(*force.value, largest(verdicts.told.own.force_N));
-    EXPECT_EQ(*force.value, verdicts.measures.values.at(kPeakForceMetric));
+    EXPECT_EQ(*force.value, verdicts.measures.values.at(Quantity::kPeakForce));
     EXPECT_EQ(force.passed, !above);
   } else {
     EXPECT_FALSE(verdicts.anyPassed());
   }
   Tally tally{.runs = 1, .passed = verdicts.anyPassed() ? 1 : 0};
-  tally.failedByForceAlone = verdicts.told.checks.front().passed && !force.passed ? 1 : 0;
+  tally.failedByForceAlone = verdicts.told.verdict.checks.front().passed && !force.passed ? 1 : 0;
   tally.unseenByTheDevice = above && bearing.felt_N <= *rules.forceLimit_N ? 1 : 0;
   if (verdicts.anyPassed()) {
     raiseOneSample(header, samples, rules, random, tally);

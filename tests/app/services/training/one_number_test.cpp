@@ -307,7 +307,7 @@ TEST_F(OneNumber, IsTheSameForTheSameRunOnEveryWayThatReadsIt) {
     EXPECT_EQ(typed.peakForce_N, row.peakForce_N) << trialId;
     EXPECT_EQ(static_cast<double>(typed.duration_us) / 60e6, row.minutes) << trialId;
     EXPECT_DOUBLE_EQ(attempt.duration_s / 60.0, row.minutes) << trialId;
-    const auto share = attempt.values.find(kOnTargetMetric);
+    const auto share = attempt.values.find(Quantity::kOnTarget);
     EXPECT_EQ(points.at(trialId).value.has_value(), truth.completed > 0) << trialId;
     if (truth.completed == 0) {
       continue;
@@ -334,10 +334,10 @@ TEST_F(OneNumber, IsTheSameInTheDebriefAndInItsMasteryCheck) {
     EXPECT_EQ(passed, row.twistsOnTarget) << row.trialId;
     EXPECT_EQ(told.unfinishedTwists, row.unfinishedTwists) << row.trialId;
     EXPECT_DOUBLE_EQ(told.duration_s / 60.0, row.minutes) << row.trialId;
-    ASSERT_EQ(told.checks.front().kind, TargetCheck::Kind::kAngle);
-    EXPECT_EQ(told.checks.front().value, static_cast<double>(row.twistsOnTarget)) << row.trialId;
-    const TargetCheck& mastery = told.checks.back();
-    ASSERT_EQ(mastery.metric, kOnTargetMetric);
+    ASSERT_EQ(told.verdict.checks.front().quantity, Quantity::kTargetsReached);
+    EXPECT_EQ(told.verdict.checks.front().value, static_cast<double>(row.twistsOnTarget)) << row.trialId;
+    const TargetCheck& mastery = told.verdict.checks.back();
+    ASSERT_EQ(mastery.quantity, Quantity::kOnTarget);
     EXPECT_EQ(mastery.value.has_value(), row.twists > 0) << row.trialId;
     if (row.twists == 0) {
       continue;
@@ -380,7 +380,7 @@ TEST_F(OneNumber, AnOlderVersionOfTheFormulasIsMeasuredAnew) {
   older.tolerance_rad = radians(kTolerance_deg);
   older.forceLimit_N = 4.0;
   older.contentHash = hash;
-  older.measures = {{kOnTargetMetric, 0.123}};
+  older.measures = {{idOf(Quantity::kOnTarget), 0.123}};
   DigestRepository(centre_.connection()).add({&older, 1});
 
   const Attempt attempt = attemptOf(centre_.session(), trialId);

@@ -9,10 +9,9 @@
 #include "app/services/recording/pipeline.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
-#include "app/services/training/debrief_labels.h"
 #include "app/services/training/trend.h"
 #include "assessment/attempt/trial_digest.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/repository/trial/digest_repository.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
@@ -48,9 +47,9 @@ TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
   static_cast<void>(attemptOf(centre.session(), trial));
   const DigestRepository digests(centre.connection());
   TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
-  const double judged_N = older.measures.at(kPeakForceMetric);
+  const double judged_N = older.measures.at(idOf(Quantity::kPeakForce));
   older.formulaVersion = kMetricsVersion - 1;
-  older.measures.at(kPeakForceMetric) = 0.88;  // what the device could give
+  older.measures.at(idOf(Quantity::kPeakForce)) = 0.88;  // what the device could give
   DigestRepository(centre.connection()).add({&older, 1});
 
   const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
@@ -59,10 +58,10 @@ TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
   EXPECT_EQ(told.earlier->version, kMetricsVersion - 1);
   EXPECT_EQ(told.earlier->peakForce_N, 0.88);
   EXPECT_TRUE(told.earlier->withinLimits);
-  const auto force = std::find_if(told.checks.begin(), told.checks.end(), [](const TargetCheck& check) {
-    return check.kind == TargetCheck::Kind::kForce;
-  });
-  ASSERT_NE(force, told.checks.end());
+  const auto force =
+      std::find_if(told.verdict.checks.begin(), told.verdict.checks.end(),
+                   [](const TargetCheck& check) { return check.quantity == Quantity::kPeakForce; });
+  ASSERT_NE(force, told.verdict.checks.end());
   EXPECT_EQ(force->value, judged_N);
   EXPECT_GT(judged_N, 0.88);
 }
@@ -78,14 +77,14 @@ TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {
   EXPECT_NEAR(told.duration_s, 30.0, 0.01);
   ASSERT_EQ(told.strengths.size(), 2U);
   ASSERT_EQ(told.weaknesses.size(), 2U);
-  std::set<std::string> metrics;
+  std::set<Quantity> metrics;
   for (const auto* list : {&told.strengths, &told.weaknesses}) {
     for (const DebriefFinding& finding : *list) {
-      metrics.insert(finding.metric);
+      metrics.insert(finding.quantity);
       const TwistResult& twist = told.twists.at(finding.twist);
-      EXPECT_GE(finding.when.from_s, twist.when.from_s - 0.5) << finding.metric;
-      EXPECT_LE(finding.when.to_s, twist.when.to_s + 0.5) << finding.metric;
-      EXPECT_LT(finding.when.from_s, finding.when.to_s) << finding.metric;
+      EXPECT_GE(finding.when.from_s, twist.when.from_s - 0.5) << idOf(finding.quantity);
+      EXPECT_LE(finding.when.to_s, twist.when.to_s + 0.5) << idOf(finding.quantity);
+      EXPECT_LT(finding.when.from_s, finding.when.to_s) << idOf(finding.quantity);
     }
   }
   EXPECT_EQ(metrics.size(), 4U);  // nothing is praised and blamed at once
@@ -124,15 +123,15 @@ TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
   const Debrief passed = debrief(centre.session(), good, {}, &trainingBar());
   const Debrief failed = debrief(centre.session(), idle, {}, &trainingBar());
 
-  for (const TargetCheck& check : passed.checks) {
-    EXPECT_TRUE(check.passed) << static_cast<int>(check.kind) << " " << check.value.value_or(-1.0);
+  for (const TargetCheck& check : passed.verdict.checks) {
+    EXPECT_TRUE(check.passed) << check.text();
   }
-  EXPECT_TRUE(passed.passed);
-  EXPECT_FALSE(failed.passed);
+  EXPECT_TRUE(passed.verdict.passed());
+  EXPECT_FALSE(failed.verdict.passed());
   EXPECT_TRUE(failed.twists.empty());
   EXPECT_TRUE(failed.strengths.empty());
-  EXPECT_EQ(failed.checks.front().kind, TargetCheck::Kind::kAngle);
-  EXPECT_FALSE(failed.checks.front().passed);
+  EXPECT_EQ(failed.verdict.checks.front().quantity, Quantity::kTargetsReached);
+  EXPECT_FALSE(failed.verdict.checks.front().passed);
 }
 
 TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
@@ -167,9 +166,9 @@ TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
   std::vector<Sample> before = whole;  // the hand is still on its way
   before.erase(before.begin() + 10, before.begin() + 60);
 
-  EXPECT_TRUE(makeDebrief(trial.header, without(0.5), {}, &trial).torn);
-  EXPECT_FALSE(makeDebrief(trial.header, whole, {}, &trial).torn);
-  EXPECT_FALSE(makeDebrief(trial.header, before, {}, &trial).torn) << "no twist was touched";
+  EXPECT_TRUE(makeDebrief(trial.header, without(0.5), {}, &trial).verdict.torn);
+  EXPECT_FALSE(makeDebrief(trial.header, whole, {}, &trial).verdict.torn);
+  EXPECT_FALSE(makeDebrief(trial.header, before, {}, &trial).verdict.torn) << "no twist was touched";
 }
 
 TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
@@ -179,10 +178,9 @@ TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
 
   const auto streakOf = [&](const std::string& trial) {
     const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
-    return told.checks.back();
+    return told.verdict.checks.back();
   };
 
-  EXPECT_EQ(streakOf(first).kind, TargetCheck::Kind::kMastery);
   EXPECT_EQ(streakOf(first).streak, 1);
   EXPECT_EQ(streakOf(second).streak, 2);
   EXPECT_EQ(streakOf(second).consecutive, 2);
@@ -190,14 +188,15 @@ TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
 
 // Twenty peaks are not close to twelve, although nothing else of the run came nearer.
 TEST(Debrief, CallsCloseOnlyWhatIs) {
-  DebriefFinding finding{.metric = "twist.peaks", .value = 20.0, .expert = 12.0, .merit = -0.45};
-  EXPECT_NE(findingText(finding, true).str().find("came nearest"), std::string::npos);
+  DebriefFinding finding{
+      .quantity = Quantity::kSubMovements, .value = 20.0, .expert = 12.0, .merit = -0.45, .strength = true};
+  EXPECT_NE(finding.text().str().find("came nearest"), std::string::npos);
   finding.value = 13.0;
   finding.merit = -0.07;
-  EXPECT_NE(findingText(finding, true).str().find("close to the expert"), std::string::npos);
+  EXPECT_NE(finding.text().str().find("close to the expert"), std::string::npos);
   finding.value = 8.0;
   finding.merit = 0.3;
-  EXPECT_NE(findingText(finding, true).str().find("better than the expert"), std::string::npos);
+  EXPECT_NE(finding.text().str().find("better than the expert"), std::string::npos);
 }
 
 TEST(Debrief, GoesWithoutAnExpertWhenTheOrganIsGone) {
@@ -239,9 +238,9 @@ TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
   const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
 
   ASSERT_EQ(way.points.size(), 2U);
-  EXPECT_EQ(way.metric, kOnTargetMetric);
-  EXPECT_TRUE(way.points[0].passed);
-  EXPECT_FALSE(way.points[1].passed);
+  EXPECT_EQ(way.quantity, Quantity::kOnTarget);
+  EXPECT_EQ(way.points[0].outcome, RunOutcome::kPassed);
+  EXPECT_EQ(way.points[1].outcome, RunOutcome::kNotPassed);
   EXPECT_FALSE(way.points[1].value);  // no twist, no share
   EXPECT_EQ(way.threshold, 0.5);
   ASSERT_TRUE(way.distance);
@@ -260,9 +259,8 @@ TEST(Trend, FitsALearningCurveFromEightAttemptsOn) {
     centre.attempt("first", "practice", 1.0 - 0.9 * std::exp(-0.4 * i), 10.0);
   }
 
-  const Trend way = trend(centre.session(), centre.person(), centre.module("first"), "time.total");
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"), Quantity::kTime);
 
-  EXPECT_EQ(way.unit, "s");
   EXPECT_TRUE(way.lowerIsBetter);
   ASSERT_FALSE(way.curve.empty()) << way.noCurveReason;
   EXPECT_GT(way.curve.front().value, way.curve.back().value);

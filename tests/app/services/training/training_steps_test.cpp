@@ -3,8 +3,8 @@
 
 #include "app/services/training/next_steps.h"
 #include "app/services/training/run_session.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/study/cohort.h"
-#include "assessment/metrics/metric_cards.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -4,7 +4,7 @@
 
 #include "app/services/training/next_steps.h"
 #include "app/services/training/trend.h"
-#include "assessment/metrics/metric_cards.h"
+#include "assessment/catalogue/quantity.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio {
@@ -20,9 +20,9 @@ TrainingCentre::Setup undone(std::vector<MasteryCriterion> rules) {
   return setup;
 }
 
-const MasteryCriterion kUndone{.metric = kDetorsionDoneMetric, .threshold = 1.0, .unit = "1"};
+const MasteryCriterion kUndone{.metric = idOf(Quantity::kUntwisted), .threshold = 1.0, .unit = "1"};
 const MasteryCriterion kSmallDose{
-    .metric = "detorse.dose", .comparison = "at_most", .threshold = 0.9, .unit = "1"};
+    .metric = idOf(Quantity::kDose), .comparison = "at_most", .threshold = 0.9, .unit = "1"};
 
 TEST(UntwistingTrend, FollowsTheDoseAndPassesByAllRulesOfTheModule) {
   TrainingCentre centre(undone({kUndone, kSmallDose}));
@@ -32,16 +32,15 @@ TEST(UntwistingTrend, FollowsTheDoseAndPassesByAllRulesOfTheModule) {
   const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
 
   EXPECT_TRUE(way.untwisting);
-  EXPECT_EQ(way.metric, "detorse.dose");  // the first rule that has a scale
-  EXPECT_EQ(way.unit, "1");
+  EXPECT_EQ(way.quantity, Quantity::kDose);  // the first rule that has a scale
   EXPECT_TRUE(way.lowerIsBetter);
   EXPECT_EQ(way.threshold, 0.9);
   ASSERT_EQ(way.points.size(), 2U);
   ASSERT_TRUE(way.points[0].value);
   ASSERT_TRUE(way.points[1].value);
   EXPECT_LT(*way.points[1].value, 0.9);  // the dose alone would pass
-  EXPECT_TRUE(way.points[0].passed);
-  EXPECT_FALSE(way.points[1].passed);
+  EXPECT_EQ(way.points[0].outcome, RunOutcome::kPassed);
+  EXPECT_EQ(way.points[1].outcome, RunOutcome::kNotPassed);
 }
 
 TEST(UntwistingTrend, AsksOnlyWhetherItIsUndoneWhereNoRuleHasAScale) {
@@ -49,15 +48,15 @@ TEST(UntwistingTrend, AsksOnlyWhetherItIsUndoneWhereNoRuleHasAScale) {
   centre.untwist("first", "practice", 1);
 
   const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
-  const Trend residual = trend(centre.session(), centre.person(), centre.module("first"), "detorse.residual");
+  const Trend residual =
+      trend(centre.session(), centre.person(), centre.module("first"), Quantity::kResidual);
 
-  EXPECT_EQ(way.metric, kDetorsionDoneMetric);
+  EXPECT_EQ(way.quantity, Quantity::kUntwisted);
   EXPECT_FALSE(way.lowerIsBetter);
   ASSERT_TRUE(way.distance);
   EXPECT_EQ(*way.distance, 1.0);  // wanted 1, was 0
   EXPECT_TRUE(way.curve.empty());
   EXPECT_FALSE(way.noCurveReason.empty());
-  EXPECT_EQ(residual.unit, "rad");
   ASSERT_TRUE(residual.points.at(0).value);
   EXPECT_GT(*residual.points[0].value, 1.57);  // left out: at least 360 degrees / 3 turns, some slips back
 }

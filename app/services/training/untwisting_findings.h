@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/services/training/detorsion_story.h"
+#include "sim/core/text.h"
+
+namespace torsio {
+
+/// Something that an untwisting showed. Window and browser say it in the same sentence.
+struct UntwistingFinding {
+  enum class Kind : std::uint8_t {
+    kFirstTurnRight,
+    kFirstTurnWrong,
+    kTwistedFurther,  ///< value: angle, rad
+    kFlowFromStart,
+    kFlowBack,  ///< value: seconds of the hand; other: seconds of the tissue
+    kNoFlow,
+    kLost,      ///< value: ischaemic dose
+    kSurvives,  ///< value: ischaemic dose
+    kRegrips,   ///< value: number; other: the least number
+    kSlipBack,  ///< value: angle, rad
+    kInStages,  ///< value: angle, rad
+    kTooFast,   ///< value: angle, rad
+    kOverload,  ///< value: seconds
+    kTears,     ///< value: number
+    kBruises,   ///< value: number
+    kSlips,     ///< value: number
+    kRelapsed,
+    kResidual,  ///< value: angle, rad
+    kMishapsUnknown,
+  };
+  Kind kind = Kind::kNoFlow;
+  double value = 0.0;
+  double other = 0.0;
+  std::optional<double> at_s{};  ///< when to look, since the first sample; empty: throughout
+
+  [[nodiscard]] Text text() const;
+};
+
+/// What an untwisting showed, in the order in which it is told.
+[[nodiscard]] std::vector<UntwistingFinding> findingsOf(const DetorsionStory& story);
+
+}  // namespace torsio

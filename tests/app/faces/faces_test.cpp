@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Window, browser, transcript, trend, learning record and command line say the same of the same run, word for
+// word and in both languages.
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTableWidget>
+#include <QTextBrowser>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/connectors/xapi/learning_statement.h"
+#include "app/gui/administrator/curriculum/mastery_table.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/trainee/trend_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/services/base/assets.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/web/http_server.h"
+#include "app/web/web_desk.h"
+#include "assessment/attempt/run_verdict.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/random.h"
+#include "sim/core/spsc_ring.h"
+#include "sim/record/recorder.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/cli/program.h"
+#include "tests/app/gui/support/trainee_station.h"
+#include "tests/app/support/training_centre.h"
+#include "tests/app/web/web_client.h"
+
+namespace torsio {
+namespace {
+
+using nlohmann::json;
+using testing::TrainingCentre;
+
+constexpr int kRuns = 200;
+constexpr int kLookedAt = 5;  ///< runs of each outcome whose debrief is opened
+constexpr const char* kPassword = "correct horse battery";
+
+/// What happens to a run.
+enum class Fate { kWhole, kTorn, kInterrupted, kOverLimit, kUntwisted, kTargetChanged, kCutOff, kEnd };
+
+struct Made {
+  std::vector<Sample> samples{};
+  TrialOutcome outcome = TrialOutcome::kCompleted;
+};
+
+/// One hand's run, spoiled by chance.
+Made spoiled(std::vector<Sample> samples, Fate fate, Random& random) {
+  Made made{std::move(samples)};
+  const auto isHeld = [](const Sample& sample) { return sample.phase == ExercisePhase::kTwisting; };
+  const auto grip = std::find_if(made.samples.begin(), made.samples.end(), isHeld);
+  switch (fate) {
+    case Fate::kTorn:
+      made.samples.erase(grip + 100, grip + 150);
+      break;
+    case Fate::kInterrupted:
+      made.outcome = TrialOutcome::kInterrupted;
+      break;
+    case Fate::kOverLimit:
+      (grip + 50)->response.force_N = {0.0, 6.5 + random.uniform(), 0.0};
+      break;
+    case Fate::kUntwisted:
+      for (Sample& sample : made.samples) {
+        sample.rules = kRulesOfDetorsion;
+      }
+      break;
+    case Fate::kTargetChanged:
+      grip->command = {.kind = ServoCommand::Kind::kSetTarget, .value = random.uniform()};
+      break;
+    case Fate::kCutOff:
+      made.samples.erase(grip + 200, made.samples.end());
+      break;
+    case Fate::kWhole:
+    case Fate::kEnd:
+      break;
+  }
+  return made;
+}
+
+/// A centre with two hundred runs of T-01 at "first", some of them spoiled, and a desk for browsers.
+class Faces : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { world_ = std::make_unique<World>(); }
+  static void TearDownTestSuite() { world_.reset(); }
+
+  struct World {
+    World() {
+      const std::vector<Sample> good = decodedRun(1.0);
+      const std::vector<Sample> bad = decodedRun(0.0);
+      Random random(7);
+      for (int i = 0; i < kRuns; ++i) {
+        const auto fate = static_cast<Fate>(random.bounded(static_cast<std::uint64_t>(Fate::kEnd)));
+        store(i, spoiled(random.uniform() < 0.7 ? good : bad, fate, random));
+      }
+      AccessRepository access(centre.connection(), PasswordCost::kTest);
+      for (const UserAccount& user : access.users()) {
+        access.setPassword(user.id, access.sealPassword(user.login, kPassword), false);
+      }
+      desk = std::make_unique<web::WebDesk>(web::DeskSettings{.locator = centre.locator(),
+                                                              .assets = assetsFolder(),
+                                                              .workers = 1,
+                                                              .passwordCost = PasswordCost::kTest});
+      server = std::make_unique<web::HttpServer>(
+          web::HttpAddress{"127.0.0.1", 0}, web::TlsMaterial{}, web::HttpLimits{},
+          [this](web::HttpRequest request, web::HttpServer::Reply reply) {
+            desk->handle(std::move(request), std::move(reply));
+          });
+    }
+
+    std::vector<Sample> decodedRun(double skill) {
+      const TrialId id = centre.attempt("third", "practice", skill, 6.0);
+      const Trial trial = TrialRepository(centre.connection()).load(id);
+      header = trial.header;
+      return decodeTrial(trial);
+    }
+
+    void store(int number, const Made& made) {
+      header.trialId = "00000000-0000-4000-8000-0000000" + std::to_string(10'000 + number);
+      header.startedUtc_us += testing::kMinute_us;
+      centre.passTime_us(testing::kMinute_us);
+      SpscRing<Sample> ring(kRecordingRing);
+      TrialRepository sink(centre.connection(), {.station = "station 1",
+                                                 .enrolmentId = centre.enrolment(),
+                                                 .moduleId = centre.module("first"),
+                                                 .attemptMode = AttemptMode::kPractice});
+      Recorder recorder(ring, sink, header);
+      for (const Sample& sample : made.samples) {
+        EXPECT_TRUE(ring.push(sample));
+        recorder.pump();
+      }
+      static_cast<void>(recorder.finish(made.outcome, 0, {}));
+      // By what every face is measured: the verdict on the recording itself.
+      const Trial stored = TrialRepository(centre.connection()).load(header.trialId);
+      ExerciseRules exercises;
+      const AttemptRules rules =
+          exercises.of(centre.connection(), header.sceneId, header.patternId, centre.module("first"));
+      truth[header.trialId] = judgeRun(measureAttempt(stored.header, decodeTrial(stored), rules).values,
+                                       rules, made.outcome == TrialOutcome::kInterrupted);
+      order.push_back(header.trialId);
+    }
+
+    TrainingCentre centre;
+    TrialHeader header;
+    std::map<std::string, RunVerdict> truth;  ///< by id of the run
+    std::vector<std::string> order;           ///< oldest first
+    std::unique_ptr<web::WebDesk> desk;
+    std::unique_ptr<web::HttpServer> server;
+  };
+
+  /// The runs whose debrief is opened: some of each outcome.
+  static std::vector<std::string> lookedAt() {
+    std::vector<std::string> chosen;
+    std::map<RunOutcome, int> seen;
+    for (const std::string& id : world_->order) {
+      if (seen[world_->truth.at(id).outcome]++ < kLookedAt) {
+        chosen.push_back(id);
+      }
+    }
+    return chosen;
+  }
+  static testing::WebClient browser(const std::string& language) {
+    testing::WebClient client(world_->server->port());
+    EXPECT_TRUE(client.signIn("T-01", kPassword));
+    client.headers = {{"x-torsio-language", language}};
+    return client;
+  }
+
+  static std::unique_ptr<World> world_;
+};
+
+std::unique_ptr<Faces::World> Faces::world_;
+
+std::string inWords(const Text& text) {
+  return gui::toQString(text).toStdString();
+}
+
+/// Runs `look` in each language with its code.
+template <typename Look>
+void inBothLanguages(const Look& look) {
+  gui::LanguageSwitch language;
+  for (const auto& [chosen, code] :
+       {std::pair(gui::Language::kEnglish, "en"), std::pair(gui::Language::kSimplifiedChinese, "zh_CN")}) {
+    language.choose(chosen);
+    SCOPED_TRACE(code);
+    look(code);
+  }
+  language.choose(gui::Language::kEnglish);
+}
+
+TEST_F(Faces, TheRunsCameToEveryOutcomeThatARecordedRunCanHave) {
+  std::map<RunOutcome, int> outcomes;
+  for (const auto& [id, verdict] : world_->truth) {
+    ++outcomes[verdict.outcome];
+  }
+
+  EXPECT_GT(outcomes[RunOutcome::kPassed], 20);
+  EXPECT_GT(outcomes[RunOutcome::kNotPassed], 20);
+  EXPECT_GT(outcomes[RunOutcome::kInterrupted], 10);
+  EXPECT_EQ(world_->truth.size(), static_cast<std::size_t>(kRuns));
+}
+
+TEST_F(Faces, TrendAndTranscriptOfTheWindowSayTheVerdictOfEveryRun) {
+  gui::Station station(world_->centre);
+  inBothLanguages([&](const char*) {
+    station.open(gui::PageId::kTrend, gui::toQString(world_->centre.module("first")));
+    const QString table = station.page->findChild<gui::DataTable*>()->asText();
+    station.open(gui::PageId::kTranscript);
+    const QString transcript = station.page->findChild<QTextBrowser*>()->toPlainText();
+    std::map<std::string, qsizetype> said;
+    for (const auto& [id, verdict] : world_->truth) {
+      ++said[inWords(wordOf(verdict.outcome))];
+    }
+    const QStringList cells = transcript.split(u'\n');
+    for (const auto& [word, times] : said) {
+      EXPECT_GE(cells.count(QString::fromStdString(word)), times) << word;
+    }
+    for (const RunOutcome outcome : {RunOutcome::kPassed, RunOutcome::kNotPassed}) {
+      EXPECT_TRUE(table.contains(gui::capitalised(gui::toQString(wordOf(outcome))))) << table.toStdString();
+    }
+    EXPECT_TRUE(table.contains(gui::toQString(Text(rowOf(Quantity::kOnTarget).name))));
+  });
+}
+
+TEST_F(Faces, TheListsOfTheBrowserSayTheVerdictOfEveryRun) {
+  inBothLanguages([&](const char* code) {
+    testing::WebClient client = browser(code);
+    const json own = client.get("/api/own").json();
+    const json transcript = client.get("/api/own/transcript").json();
+
+    // The newest run stands first; two others were made to take hands from.
+    ASSERT_EQ(own.at("runs").size(), world_->order.size() + 2);
+    for (std::size_t i = 0; i < world_->order.size(); ++i) {
+      const RunVerdict& verdict = world_->truth.at(world_->order[world_->order.size() - 1 - i]);
+      const json& run = own.at("runs").at(i);
+      EXPECT_EQ(run.at("outcome").at("word"), inWords(wordOf(verdict.outcome)));
+      EXPECT_EQ(run.at("outcome").at("code"), storedText(verdict.outcome));
+      const json& line = transcript.at("modules").at(0).at("attempts").at(world_->order.size() - 1 - i);
+      EXPECT_EQ(line.at("outcome"), run.at("outcome"));
+    }
+    EXPECT_EQ(own.at("modules").at(0).at("metric"), inWords(rowOf(Quantity::kOnTarget).name));
+    for (const json& point : own.at("modules").at(0).at("points")) {
+      EXPECT_NE(point.at("outcome").at("code"), "interrupted");
+    }
+  });
+}
+
+TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
+  gui::Station station(world_->centre);
+  station.desk().lastScene = borrowed(testing::trainingBar());
+  inBothLanguages([&](const char* code) {
+    testing::WebClient client = browser(code);
+    const json own = client.get("/api/own").json();
+    for (const std::string& id : lookedAt()) {
+      const RunVerdict& verdict = world_->truth.at(id);
+      const auto place = std::find(world_->order.rbegin(), world_->order.rend(), id) - world_->order.rbegin();
+      const std::string handle = own.at("runs").at(static_cast<std::size_t>(place)).at("run");
+
+      const json run = client.get("/api/own/runs/" + handle).json();
+      station.open(gui::PageId::kDebrief, QString::fromStdString(id));
+
+      EXPECT_EQ(station.find<QLabel>("verdict")->text().toStdString(), inWords(verdict.sentence()));
+      EXPECT_EQ(run.at("outcome").at("sentence"), inWords(verdict.sentence()));
+      EXPECT_EQ(run.at("outcome").at("cause"), inWords(verdict.cause()));
+      EXPECT_EQ(run.at("outcome").at("remedy"), inWords(verdict.remedy()));
+      const QString all = station.allText();
+      ASSERT_EQ(run.at("told").at("checks").size(), verdict.checks.size());
+      for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
+        const std::string said = run.at("told").at("checks").at(i).at("text");
+        EXPECT_TRUE(all.contains(QString::fromStdString(said))) << said << "\n" << all.toStdString();
+        if (verdict.checks[i].consecutive <= 1) {
+          EXPECT_EQ(said, inWords(verdict.checks[i].text()));
+        }
+      }
+      for (const json& finding : run.at("told").at("findings")) {
+        EXPECT_TRUE(all.contains(QString::fromStdString(finding.at("text")))) << finding;
+      }
+    }
+  });
+}
+
+TEST_F(Faces, NobodyReadsThatItIsNotTheirFaultBelowNotPassed) {
+  for (const auto& [id, verdict] : world_->truth) {
+    const bool excused = verdict.cause().str().find("not your fault") != std::string::npos;
+    EXPECT_EQ(excused, verdict.outcome == RunOutcome::kNotJudged) << id;
+  }
+}
+
+TEST_F(Faces, LearningRecordsTellOnlyWhatWasJudged) {
+  Connection& connection = world_->centre.connection();
+  const LrsIdentity identity{.settings = {.homePage = "https://centre.example"}, .accountKey = "key"};
+  ExerciseRules rules;
+  for (const std::string& id : lookedAt()) {
+    const LearningEvent event{
+        .kind = LearningEventKind::kJudged, .objectId = id, .personId = PersonId(world_->centre.person())};
+    const RunOutcome outcome = world_->truth.at(id).outcome;
+
+    const std::string statement =
+        statementOf(connection, event, identity, rules, testing::kCentreTime_us + 1);
+
+    const bool judged = outcome == RunOutcome::kPassed || outcome == RunOutcome::kNotPassed;
+    ASSERT_EQ(!statement.empty(), judged) << storedText(outcome);
+    if (judged) {
+      const json result = json::parse(statement).at("result");
+      EXPECT_EQ(result.at("success"), outcome == RunOutcome::kPassed);
+      EXPECT_EQ(result.at("extensions").at("urn:x-torsio:xapi:verdict"), storedText(outcome));
+    }
+  }
+}
+
+TEST_F(Faces, TheCommandLineSaysTheVerdictAndTheNames) {
+  std::map<RunOutcome, bool> asked;
+  for (const std::string& id : lookedAt()) {
+    const RunVerdict& verdict = world_->truth.at(id);
+    if (std::exchange(asked[verdict.outcome], true)) {
+      continue;
+    }
+    const test::ProgramRun run = test::runTorsio(
+        "metrics " + id + " --cards --database " + world_->centre.locator(), world_->centre.folder());
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json told = json::parse(run.out);
+    EXPECT_EQ(told.at("verdict").at("outcome"), storedText(verdict.outcome));
+    EXPECT_EQ(told.at("verdict").at("text"), verdict.sentence().str());
+    ASSERT_EQ(told.at("verdict").at("checks").size(), verdict.checks.size());
+    for (std::size_t i = 0; i < verdict.checks.size(); ++i) {
+      EXPECT_EQ(told.at("verdict").at("checks").at(i).at("text"), verdict.checks[i].text().str());
+    }
+    for (const QuantityRow& row : quantityRows()) {
+      const json& card = told.at("cards").at(std::string(row.id));
+      EXPECT_EQ(card.at("name"), row.name.english());
+      EXPECT_EQ(card.at("unit"), row.unit);
+      EXPECT_EQ(card.at("shown_unit"), row.shown.unit);
+      EXPECT_EQ(card.at("decimals"), row.shown.decimals);
+    }
+  }
+}
+
+// A quantity that has a row is on every face without another line: what may be asked for stands in the table
+// of rules, what a trend offers in its list, and each has its name in both languages.
+TEST_F(Faces, EveryRowOfTheCatalogueIsFoundWhereItSays) {
+  gui::Station station(world_->centre);
+  inBothLanguages([&](const char* code) {
+    gui::MasteryTable rules;
+    rules.setRules({{.metric = "twist.on_target"}});
+    const auto* asked = qobject_cast<QComboBox*>(rules.cellWidget(0, 0));
+    ASSERT_NE(asked, nullptr);
+    station.open(gui::PageId::kTrend, gui::toQString(world_->centre.module("first")));
+    QStringList offered;
+    for (const QComboBox* box : station.page->findChildren<QComboBox*>()) {
+      for (int i = 0; i < box->count(); ++i) {
+        offered << box->itemText(i);
+      }
+    }
+    for (const QuantityRow& row : quantityRows()) {
+      const QString name = gui::toQString(Text(row.name));
+      const bool chinese = std::string(code) != "en";
+      EXPECT_EQ(name.toStdString() != row.name.english(), chinese) << row.id;
+      EXPECT_EQ(asked->findData(gui::toQString(row.id)) >= 0, row.traits.asked) << row.id;
+      if (row.traits.inTrend && !isOfUntwisting(row.quantity)) {
+        EXPECT_TRUE(offered.contains(name)) << row.id;
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace torsio
