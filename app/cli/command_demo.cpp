@@ -14,6 +14,7 @@
 #include "app/outputs/wording/wording.h"
 #include "app/services/base/assets.h"
 #include "app/services/demonstration/demonstration.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"
@@ -47,8 +48,9 @@ void runDemo(const DemoArguments& arguments) {
   options.createdUtc_us = utcNow_us();
   options.writeReport = [wording = wordingIn(arguments.language)](const CohortInputs& inputs,
                                                                   const DemonstrationSummary& files) {
-    writePdfReport(cohortReport(inputs), files.report, wording);
-    writeFileAtomically(files.table, cohortCsvText(cohortCsvRows(inputs)));
+    const AnalysedCohort analysed = analysedCohort(inputs);
+    writePdfReport(cohortReport(inputs, analysed), files.report, wording);
+    writeFileAtomically(files.table, cohortCsvText(analysed.ledger));
   };
   DemonstrationSummary summary;
   {

@@ -98,6 +98,7 @@ struct CompetenceVerdict : CompetenceRule {
   std::size_t attemptsUntilLevel = 0;   ///< of kNotShown
   std::vector<double> sums{};           ///< one an attempt: LC-CUSUM until able, the relapse watch after
   std::optional<std::size_t> ableAt{};  ///< number of the attempt, from 1
+  std::vector<TrialId> runs{};          ///< the runs that were judged, oldest first
   friend bool operator==(const CompetenceVerdict&, const CompetenceVerdict&) = default;
 };
 

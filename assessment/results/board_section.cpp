@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
-#include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
@@ -254,23 +253,17 @@ ReportTable standardTable(const CohortInputs& in) {
         }
       }
     }
-    Text score = Text::tr("none");
-    std::string origin;
+    ReportCell score = Text::tr("none");
     for (const GroupSummary& summary : in.summaries) {
       if (summary.group == g && summary.occasion + 1 == in.occasions.size()) {
-        score = Text::verbatim("%1 [%2; %3]", formatFixed(summary.mean, kPointDecimals),
-                               formatFixed(summary.min, kPointDecimals),
-                               formatFixed(summary.max, kPointDecimals));
-        origin = numberAddress({.section = "training",
-                                .item = "all",
-                                .group = in.groups[g].name.str(),
-                                .occasion = in.occasions.back().str(),
-                                .statistic = "mean"});
+        score = {Text::verbatim("%1 [%2; %3]", formatFixed(summary.mean, kPointDecimals),
+                                formatFixed(summary.min, kPointDecimals),
+                                formatFixed(summary.max, kPointDecimals)),
+                 {.statistic = "mean", .group = g, .occasion = summary.occasion}};
       }
     }
     table.rows.push_back({in.groups[g].name, std::to_string(people), score,
                           judged == 0 ? Text::tr("did not train there") : ableOf(in, able, judged)});
-    table.origins.push_back({"", "", origin, ""});
     table.provenance.n += people;
   }
   if (!ableAtAll.empty()) {

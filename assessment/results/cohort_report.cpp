@@ -10,7 +10,6 @@
 #include "assessment/results/aggregated_inputs.h"
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
-#include "assessment/results/csv_rows.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/shown_inputs.h"
@@ -185,9 +184,9 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
   return report;
 }
 
-std::string hashOf(const std::vector<CohortCsvRow>& rows) {
+std::string hashOf(const Ledger& ledger) {
   Digest digest;
-  digest.update(cohortCsvText(rows));
+  digest.update(cohortCsvText(ledger));
   return digest.hex();
 }
 
@@ -211,7 +210,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
   checkInputs(inputs);
   const CohortInputs& in = analysed.shown;
   std::future<std::string> numbersHash =
-      std::async(std::launch::async, [&analysed] { return hashOf(analysed.rows); });
+      std::async(std::launch::async, [&analysed] { return hashOf(analysed.ledger); });
   std::vector<Text> left = analysed.left;
   const bool aggregated = in.identity == ReportIdentity::kAggregated;
   std::vector<Text> unsaid;
@@ -230,6 +229,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
+  report.names = analysed.ledger.names();
   addReference(inputs, numbersHash.get(), report);
   return report;
 }

@@ -76,6 +76,7 @@ struct CohortDeviation {
   std::string trainee;  ///< empty: the whole cohort
   std::string kind;
   std::string description;
+  DeviationId id{};
 };
 
 /// How the marks of the training study were given, counted.
@@ -144,6 +145,7 @@ struct CohortCompetence {
   std::int64_t designVersion = 0;   ///< 0: the design shipped with the exercise
   Text design;                      ///< in words
   Text errors;                      ///< these rates in words, within the attempts of the design
+  std::vector<TrialId> runs{};      ///< the attempts, oldest first
 };
 
 /// What a rater said by signing one mark.
@@ -178,6 +180,7 @@ struct ReportedSheet {
   std::string name{};
   std::int64_t revision = 1;
   std::vector<ReportedCriterion> criteria{};
+  RubricRevisionId id{};
 };
 
 /// What one rater gave for one criterion.
@@ -189,6 +192,7 @@ struct CriterionMark {
   std::size_t sheet = 0;           ///< of CohortInputs::sheets
   std::size_t criterion = 0;       ///< of the sheet
   std::optional<double> points{};  ///< empty: not assessable
+  MarkId mark{};                   ///< of which it is a part
 };
 
 /// Indices of a model that nobody of a class of raters scored.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "assessment/results/aggregated_inputs.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text_list.h"
@@ -125,6 +126,15 @@ ReportTable countsTable(const CohortInputs& in) {
 }
 
 }  // namespace
+
+ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
+  const CohortCompetence& one = in.competence[number];
+  return {.section = ResultSection::kCompetence,
+          .of = one.trainee,
+          .group = one.group,
+          .index = one.exercise.str(),
+          .record = std::to_string(number)};
+}
 
 ReportSection competenceSection(const CohortInputs& in) {
   ReportSection section;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "assessment/results/analysis_tables.h"
-#include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
@@ -93,17 +92,10 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
       const std::vector<double> scores = scoresOf(in, g, t);
       table.provenance.n += std::ssize(scores);
       table.rows.push_back({in.groups[g].name, in.occasions[t], std::to_string(scores.size()),
-                            scores.empty() ? Text::tr("not defined")
-                                           : Text(withInterval(meanOf(scores), meanInterval(scores))),
-                            Text(formatFixed(sampleDeviation(scores), 3))});
-      table.origins.push_back({"", "", "",
-                               scores.empty() ? std::string()
-                                              : numberAddress({.section = "training",
-                                                               .item = "all",
-                                                               .group = in.groups[g].name.str(),
-                                                               .occasion = in.occasions[t].str(),
-                                                               .statistic = "mean"}),
-                               ""});
+                            scores.empty() ? ReportCell(Text::tr("not defined"))
+                                           : ReportCell(withInterval(meanOf(scores), meanInterval(scores)),
+                                                        {.statistic = "mean", .group = g, .occasion = t}),
+                            formatFixed(sampleDeviation(scores), 3)});
     }
   }
   table.provenance.missing = study.endMissing;
@@ -134,19 +126,19 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
   }
   for (const AdjustedDifference& pair : got->pairs) {
     const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
-    table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(pair.difference, pair.interval),
-                          intervalText(pair.simultaneous), formatFixed(pair.t, 2), formatP(pair.p),
-                          formatP(pair.pHolm),
-                          g ? Text(withInterval(g->g, g->interval)) : notDefined(g.reason())});
-    const auto origin = [&](const char* statistic) {
-      return numberAddress({.section = "comparison",
-                            .item = "all",
-                            .group = pairName(in, pair.first, pair.second).str(),
-                            .occasion = in.occasions.back().str(),
-                            .statistic = statistic});
+    const auto cell = [&](const char* statistic, const std::string& shown) {
+      return ReportCell(shown, {.section = ResultSection::kComparison,
+                                .statistic = statistic,
+                                .group = pair.first,
+                                .against = pair.second,
+                                .occasion = in.occasions.size() - 1});
     };
-    table.origins.push_back({"", origin("adjusted_difference"), "", origin("t"), origin("p"),
-                             origin("p_holm"), g ? origin("hedges_g") : std::string()});
+    table.rows.push_back(
+        {pairName(in, pair.first, pair.second),
+         cell("adjusted_difference", withInterval(pair.difference, pair.interval)),
+         intervalText(pair.simultaneous), cell("t", formatFixed(pair.t, 2)), cell("p", formatP(pair.p)),
+         cell("p_holm", formatP(pair.pHolm)),
+         g ? cell("hedges_g", withInterval(g->g, g->interval)) : ReportCell(notDefined(g.reason()))});
   }
   std::vector<Text> means;
   for (std::size_t i = 0; i < got->adjusted.size(); ++i) {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "assessment/results/cohort_csv.h"
-#include "assessment/results/csv_rows.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
+#include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
 #include "sim/core/text_list.h"
 
@@ -20,6 +20,7 @@ namespace torsio {
 
 namespace {
 
+constexpr const char* kCriterionMark = "criterion_mark";
 constexpr int kMeanDecimals = 1;  // as the scores of the first page
 
 struct Mean {
@@ -90,9 +91,23 @@ Text titleOf(const ReportedSheet& sheet) {
   return Text::tr("%1, revision %2", sheet.name, sheet.revision);
 }
 
-/// "Twist training, revision 1: proficiency".
-std::string placeOf(const ReportedSheet& sheet, std::size_t criterion) {
-  return sheet.name + ", revision " + std::to_string(sheet.revision) + ": " + sheet.criteria[criterion].code;
+/// Of the model "Twist training, revision 1: proficiency".
+ResultKey criterionKey(const CohortInputs& in, std::size_t number, std::size_t criterion) {
+  const ReportedSheet& sheet = in.sheets[number];
+  return {.section = ResultSection::kCriterion,
+          .model = sheet.name + ", revision " + std::to_string(sheet.revision) + ": " +
+                   sheet.criteria[criterion].code,
+          .record = std::to_string(number)};
+}
+
+/// The mean of a group or trainee for a criterion.
+ResultKey meanKey(const CohortInputs& in, const TraineeCriteria& one, std::size_t criterion) {
+  ResultKey key = criterionKey(in, one.sheet, criterion);
+  key.statistic = "criterion_mean";
+  key.of = one.trainee;
+  key.group = one.group;
+  key.occasion = one.occasion;
+  return key;
 }
 
 /// "1: hesitates; 10: sure".
@@ -127,20 +142,12 @@ std::vector<Text> columnsOf(const ReportedSheet& sheet, std::vector<Text> first)
   return first;
 }
 
-/// Adds the means of a group or trainee to the last row of a table, with where they stand in the table of
-/// numbers.
+/// Adds the means of a group or trainee to the last row of a table.
 void addMeans(const CohortInputs& in, const TraineeCriteria& one, ReportTable& table) {
-  std::vector<std::string>& origins = table.origins.emplace_back(3);
   for (std::size_t c = 0; c < one.criteria.size(); ++c) {
     const std::optional<double> value = valueOf(one.criteria[c], fewestFor(in));
-    table.rows.back().push_back(value ? Text(formatFixed(*value, kMeanDecimals)) : Text::tr("none"));
-    origins.push_back(value ? numberAddress({.section = "criterion",
-                                             .item = one.trainee.empty() ? "all" : one.trainee,
-                                             .group = in.groups[one.group].name.str(),
-                                             .model = placeOf(in.sheets[one.sheet], c),
-                                             .occasion = in.occasions[one.occasion].str(),
-                                             .statistic = "criterion_mean"})
-                            : std::string());
+    table.rows.back().push_back(value ? ReportCell(formatFixed(*value, kMeanDecimals), meanKey(in, one, c))
+                                      : ReportCell(Text::tr("none")));
   }
 }
 
@@ -224,51 +231,49 @@ ReportSection criteriaSection(const CohortInputs& in) {
   return section;
 }
 
-void addCriteriaRows(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  CsvRows rows(out);
-  rows.place.section = "scoring_sheet";
-  rows.place.flags = csvFlags(commonFlags(in), {});
-  for (const ReportedSheet& sheet : in.sheets) {
-    rows.place.item = sheet.name;
-    rows.place.index = "revision " + std::to_string(sheet.revision);
+void addCriteriaResults(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter lines(ledger, {.section = ResultSection::kScoringSheet}, commonFlags(in));
+  for (std::size_t i = 0; i < in.sheets.size(); ++i) {
+    const ReportedSheet& sheet = in.sheets[i];
+    lines.place.of = sheet.name;
+    lines.place.index = "revision " + std::to_string(sheet.revision);
+    lines.place.record = std::to_string(i);
+    lines.madeOf = partsOf({RecordRef{RecordKind::kRubricRevision, sheet.id}});
     for (const ReportedCriterion& criterion : sheet.criteria) {
-      rows.place.model = criterion.code;
-      rows.addText("label", criterion.label, 1);
-      rows.add("weight", criterion.weight, 1);
-      rows.add("lowest", criterion.lowest, 1);
-      rows.add("highest", criterion.highest, 1);
+      lines.place.model = criterion.code;
+      lines.put("label", Text(criterion.label), 1);
+      lines.add("weight", criterion.weight, 1);
+      lines.add("lowest", criterion.lowest, 1);
+      lines.add("highest", criterion.highest, 1);
       for (const ReportedAnchor& anchor : criterion.anchors) {
-        rows.addText("anchor_" + formatExact(anchor.points), anchor.meaning, 1);
+        lines.put("anchor_" + formatExact(anchor.points), Text(anchor.meaning), 1);
       }
     }
   }
-  rows.place = {};
-  rows.place.section = "criterion";
-  rows.place.flags = csvFlags(commonFlags(in), {});
+  ResultWriter rows(ledger, {.section = ResultSection::kCriterion}, commonFlags(in));
   const std::vector<TraineeCriteria> trainees = traineeCriteria(in);
-  const auto addRow = [&](const TraineeCriteria& one, const std::string& item) {
-    const ReportedSheet& sheet = in.sheets[one.sheet];
-    rows.place.item = item;
-    rows.place.group = in.groups[one.group].name.str();
-    rows.place.occasion = in.occasions[one.occasion].str();
-    for (std::size_t c = 0; c < one.criteria.size(); ++c) {
-      rows.place.model = placeOf(sheet, c);
-      rows.add("criterion_mean", valueOf(one.criteria[c], fewestFor(in)), one.criteria[c].n);
+  const auto addMeans = [&](const std::vector<TraineeCriteria>& all) {
+    for (const TraineeCriteria& one : all) {
+      for (std::size_t c = 0; c < one.criteria.size(); ++c) {
+        rows.place = meanKey(in, one, c);
+        ResultPattern part = rows.place;
+        part.statistic = one.trainee.empty() ? rows.place.statistic : kCriterionMark;
+        part.of = one.trainee.empty() ? kEach : one.trainee;
+        rows.madeOf = partsOf({part});
+        rows.add(rows.place.statistic, valueOf(one.criteria[c], fewestFor(in)), one.criteria[c].n);
+      }
     }
   };
-  for (const TraineeCriteria& group : groupCriteria(in, trainees)) {
-    addRow(group, "all");
-  }
-  for (const TraineeCriteria& trainee : trainees) {
-    addRow(trainee, trainee.trainee);
-  }
+  addMeans(groupCriteria(in, trainees));
+  addMeans(trainees);
   for (const CriterionMark& mark : in.criterionMarks) {
-    rows.place.item = mark.trainee;
-    rows.place.group = in.groups[mark.group].name.str();
-    rows.place.model = placeOf(in.sheets[mark.sheet], mark.criterion);
+    rows.place = criterionKey(in, mark.sheet, mark.criterion);
+    rows.place.of = mark.trainee;
+    rows.place.group = mark.group;
     rows.place.index = mark.rater;
-    rows.place.occasion = in.occasions[mark.occasion].str();
-    rows.add("criterion_mark", mark.points, mark.points ? 1 : 0);
+    rows.place.occasion = mark.occasion;
+    rows.madeOf = partsOf({RecordRef{RecordKind::kMark, mark.mark}});
+    rows.add(kCriterionMark, mark.points, mark.points ? 1 : 0);
   }
 }
 

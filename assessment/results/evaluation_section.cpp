@@ -3,7 +3,6 @@
 #include <set>
 #include <string>
 
-#include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/quantiles.h"
@@ -235,8 +234,11 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
     const std::vector<double> composites = completeComposites(model);
     const std::optional<BoxNumbers> box = boxNumbers(composites);
     const std::vector<Text> flags(model.flags.begin(), model.flags.end());
-    std::vector<Text> row = {model.model, formatFixed(model.n27, kScoreDecimals),
-                             std::to_string(composites.size())};
+    std::vector<ReportCell> row = {
+        model.model,
+        {Text(formatFixed(model.n27, kScoreDecimals)),
+         {.section = ResultSection::kEvaluation, .statistic = "N_eq27", .model = model.model}},
+        std::to_string(composites.size())};
     const bool known = model.compositeStatistics.has_value();
     row.push_back(known ? Text(formatFixed(model.compositeStatistics->m, kScoreDecimals))
                         : Text::tr("not defined"));
@@ -248,9 +250,6 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
     }
     row.push_back(listed(flags));
     table.rows.push_back(row);
-    table.origins.emplace_back(row.size());
-    table.origins.back()[1] =
-        numberAddress({.section = "evaluation", .item = "all", .model = model.model, .statistic = "N_eq27"});
   }
   table.notes = {
       Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
@@ -268,21 +267,20 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
                    Text::tr("SE of M")};
   for (std::size_t j = 0; j < model.indices.size(); ++j) {
     const ScoreStatistics& s = model.indices[j];
-    table.rows.push_back(
-        {in.instrument.indices[j].name,
-         formatFixed(static_cast<double>(in.instrument.indices[j].weight_milli) / 1000.0, 3),
-         std::to_string(s.n), formatFixed(s.min, 1), formatFixed(s.m, kScoreDecimals), formatFixed(s.max, 1),
-         formatFixed(s.s2, kScoreDecimals), formatFixed(s.plainMean, kScoreDecimals),
-         formatFixed(s.sampleVariance, kScoreDecimals), formatFixed(s.standardError, kScoreDecimals)});
-    table.origins.push_back({"", "", ""});
-    for (const char* statistic :
-         {"min", "M", "max", "s2_eq26_divisor_n", "plain_mean", "sample_variance", "se_of_M"}) {
-      table.origins.back().push_back(numberAddress({.section = "evaluation",
-                                                    .item = "all",
-                                                    .model = model.model,
-                                                    .index = in.instrument.indices[j].id,
-                                                    .statistic = statistic}));
-    }
+    const auto cell = [&](const char* statistic, const std::string& shown) {
+      return ReportCell(shown, {.section = ResultSection::kEvaluation,
+                                .statistic = statistic,
+                                .model = model.model,
+                                .index = in.instrument.indices[j].id});
+    };
+    table.rows.push_back({in.instrument.indices[j].name,
+                          formatFixed(static_cast<double>(in.instrument.indices[j].weight_milli) / 1000.0, 3),
+                          cell("M", std::to_string(s.n)), cell("min", formatFixed(s.min, 1)),
+                          cell("M", formatFixed(s.m, kScoreDecimals)), cell("max", formatFixed(s.max, 1)),
+                          cell("s2_eq26_divisor_n", formatFixed(s.s2, kScoreDecimals)),
+                          cell("plain_mean", formatFixed(s.plainMean, kScoreDecimals)),
+                          cell("sample_variance", formatFixed(s.sampleVariance, kScoreDecimals)),
+                          cell("se_of_M", formatFixed(s.standardError, kScoreDecimals))});
   }
   table.notes = {Text::tr(
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "

@@ -57,7 +57,7 @@ class Twin {
   /// "8.73".
   void dropIdleZeros(std::size_t column) {
     std::size_t idle = static_cast<std::size_t>(decimals_) + 1;  // with the point
-    for (const std::vector<Text>& row : table_.rows) {
+    for (const std::vector<ReportCell>& row : table_.rows) {
       const std::string cell = row[column].str();
       if (cell.empty()) {
         continue;
@@ -67,7 +67,7 @@ class Twin {
       const bool number = cell.find_first_not_of("-0123456789.") == std::string::npos && cell[point] == '.';
       idle = !number ? 0 : std::min(idle, cell[last] == '.' ? cell.size() - last : cell.size() - 1 - last);
     }
-    for (std::vector<Text>& row : table_.rows) {
+    for (std::vector<ReportCell>& row : table_.rows) {
       if (std::string cell = row[column].str(); idle > 0 && !cell.empty()) {
         row[column] = cell.substr(0, cell.size() - idle);
       }
@@ -95,7 +95,7 @@ class Twin {
       }
     }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
-      std::vector<Text> row = {figure_.categories[c]};
+      std::vector<ReportCell> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         const bool known = c < series.y.size() && series.y[c].has_value();
         if (!series.low.empty()) {
@@ -117,7 +117,7 @@ class Twin {
       table_.columns.push_back(series.name);
     }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
-      std::vector<Text> row = {figure_.categories[c]};
+      std::vector<ReportCell> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         std::string cell;
         for (std::size_t i = 0; i < series.y.size(); ++i) {
@@ -173,7 +173,7 @@ class Twin {
     table_.columns = {heading()};
     table_.columns.insert(table_.columns.end(), figure_.categories.begin(), figure_.categories.end());
     for (const FigureSeries& series : figure_.series) {
-      std::vector<Text> row = {series.name};
+      std::vector<ReportCell> row = {series.name};
       for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
         row.emplace_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
       }

@@ -62,7 +62,7 @@ ReportTable mediansTable(const CohortInputs& in, const std::vector<const TrialSu
     table.columns.emplace_back(metric.column);
   }
   for (auto& [key, cell] : cells) {
-    std::vector<Text> row{in.groups[key.first].name, cell.phase, std::to_string(cell.trials)};
+    std::vector<ReportCell> row{in.groups[key.first].name, cell.phase, std::to_string(cell.trials)};
     for (const ForeignMetric& metric : kForeignMetrics) {
       const std::vector<double>& values = cell.values[metric.id];
       row.push_back(values.empty() ? Text(Text::tr("not defined"))

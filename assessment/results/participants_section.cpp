@@ -97,8 +97,8 @@ ReportTable flowTable(const CohortInputs& in, const CohortInputs& all) {
       trials += trial.group == g ? 1 : 0;
       interrupted += trial.group == g && trial.interrupted ? 1 : 0;
     }
-    std::vector<Text> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
-                             std::to_string(trials), std::to_string(interrupted)};
+    std::vector<ReportCell> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
+                                   std::to_string(trials), std::to_string(interrupted)};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
       row.push_back(
           std::to_string(std::count_if(all.scores.begin(), all.scores.end(), [&](const TraineeScore& score) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "assessment/results/ledger.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -23,15 +26,22 @@ struct Provenance {
   std::vector<Text> flags;  ///< "renormalised", "demonstration data" ...
 };
 
+/// What stands in a cell of a table. It knows the result that it shows, or whose values it counts.
+struct ReportCell : Text {
+  ReportCell() = default;
+  ReportCell(const std::convertible_to<Text> auto& words) : Text(words) {}  // NOLINT: text is a cell
+  ReportCell(const Text& words, ResultKey of)
+      : Text(words), key(std::make_shared<const ResultKey>(std::move(of))) {}
+
+  std::shared_ptr<const ResultKey> key;  ///< null: no result stands behind it
+};
+
 struct ReportTable {
   std::string id;  ///< stable, "table-evaluation"
   Text title;
   std::vector<Text> columns;
-  std::vector<std::vector<Text>> rows;  ///< each as long as columns; numbers are formatted already
-  /// As long as rows and columns, or empty: the line of the table of numbers that a cell shows, as
-  /// numberAddress() names it; empty: none.
-  std::vector<std::vector<std::string>> origins;
-  bool individual = false;  ///< lists single people: no part of an aggregated report
+  std::vector<std::vector<ReportCell>> rows;  ///< each as long as columns; numbers are formatted already
+  bool individual = false;                    ///< lists single people: no part of an aggregated report
   std::vector<Text> notes;
   Provenance provenance;
 };
@@ -117,6 +127,7 @@ struct ReportModel {
   std::string auditHead;       ///< hash of the newest entry of the audit trail
   bool demonstration = false;  ///< then every page says so
   Facts facts;                 ///< cover
+  ResultNames names;           ///< for the keys of cells
   std::vector<ReportSection> sections;
 };
 

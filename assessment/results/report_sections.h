@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/results/cohort_report.h"
+#include "assessment/results/ledger.h"
 #include "assessment/results/study_analysis.h"
 
 // Parts of cohortReport(), one a source file.
@@ -38,6 +39,9 @@ struct ClassScore {
 /// Returns the score of every class for every model.
 [[nodiscard]] std::vector<ClassScore> classScores(const CohortInputs& inputs);
 inline constexpr const char* kClassScoreStatistic = "class_score_eq27";
+
+/// Index of what so many raters would give.
+[[nodiscard]] std::string ratersIndex(std::size_t raters);
 
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
 /// The scoring sheets with their anchors, and what was given for each criterion.

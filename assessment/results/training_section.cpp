@@ -4,7 +4,6 @@
 #include <map>
 #include <tuple>
 
-#include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_sections.h"
@@ -18,6 +17,7 @@ namespace {
 
 constexpr int kMarkDecimals = 2;
 constexpr int kVarianceDecimals = 4;
+constexpr const char* kVarianceOfMarks = "variance_of_all_marks_divisor_n";
 constexpr std::size_t kOccasionsOfPaper = 3;
 constexpr std::size_t kFirstScoresFigure = 20;
 
@@ -207,24 +207,22 @@ ReportTable summaryTable(const CohortInputs& in) {
   std::int64_t n = 0;
   for (const GroupSummary& s : in.summaries) {
     n += s.marks;
-    table.rows.push_back({in.occasions[s.occasion], in.groups[s.group].name, std::to_string(s.trainees),
-                          std::to_string(s.marks), formatFixed(s.mean, kMarkDecimals),
-                          formatFixed(s.median, kMarkDecimals), formatFixed(s.min, kMarkDecimals),
-                          formatFixed(s.max, kMarkDecimals),
-                          formatFixed(s.varianceOfScores, kVarianceDecimals),
-                          formatFixed(s.sampleVarianceOfScores, kVarianceDecimals),
-                          formatFixed(s.varianceOfMarks, kVarianceDecimals),
-                          formatFixed(s.meanBetweenRaterVariance, kVarianceDecimals)});
-    table.origins.push_back({"", "", "", ""});
-    for (const char* statistic : {"mean", "median", "min", "max", "variance_of_scores_divisor_n",
-                                  "variance_of_scores_divisor_n_minus_1", "variance_of_all_marks_divisor_n",
-                                  "mean_between_rater_variance_divisor_n_minus_1"}) {
-      table.origins.back().push_back(numberAddress({.section = "training",
-                                                    .item = "all",
-                                                    .group = in.groups[s.group].name.str(),
-                                                    .occasion = in.occasions[s.occasion].str(),
-                                                    .statistic = statistic}));
-    }
+    const auto cell = [&](const char* statistic, const std::optional<double>& value, int decimals) {
+      return ReportCell(formatFixed(value, decimals),
+                        {.statistic = statistic, .group = s.group, .occasion = s.occasion});
+    };
+    const ResultKey mean{.statistic = "mean", .group = s.group, .occasion = s.occasion};
+    const ResultKey spread{.statistic = kVarianceOfMarks, .group = s.group, .occasion = s.occasion};
+    table.rows.push_back(
+        {in.occasions[s.occasion], in.groups[s.group].name, ReportCell(std::to_string(s.trainees), mean),
+         ReportCell(std::to_string(s.marks), spread), cell("mean", s.mean, kMarkDecimals),
+         cell("median", s.median, kMarkDecimals), cell("min", s.min, kMarkDecimals),
+         cell("max", s.max, kMarkDecimals),
+         cell("variance_of_scores_divisor_n", s.varianceOfScores, kVarianceDecimals),
+         cell("variance_of_scores_divisor_n_minus_1", s.sampleVarianceOfScores, kVarianceDecimals),
+         cell(kVarianceOfMarks, s.varianceOfMarks, kVarianceDecimals),
+         cell("mean_between_rater_variance_divisor_n_minus_1", s.meanBetweenRaterVariance,
+              kVarianceDecimals)});
   }
   table.notes = {Text::tr(
       "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
@@ -256,28 +254,19 @@ ReportTable scoresTable(const CohortInputs& in) {
   table.individual = true;
   table.columns = {Text::tr("Group"), Text::tr("Number"), Text::tr("Trainee")};
   table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
-  struct Line {
-    std::vector<Text> cells;
-    std::vector<std::string> origins;
-  };
-  std::map<std::tuple<std::size_t, std::size_t, std::string>, Line> rows;
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<ReportCell>> rows;
   for (const TraineeScore& score : in.scores) {
-    Line& row = rows[{score.group, score.number, score.trainee}];
-    if (row.cells.empty()) {
-      row.cells = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
-      row.cells.resize(table.columns.size(), Text::tr("missing"));
-      row.origins.resize(table.columns.size());
+    std::vector<ReportCell>& row = rows[{score.group, score.number, score.trainee}];
+    if (row.empty()) {
+      row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
+      row.resize(table.columns.size(), Text::tr("missing"));
     }
-    row.cells[3 + score.occasion] = formatFixed(score.score, kMarkDecimals);
-    row.origins[3 + score.occasion] = numberAddress({.section = "training",
-                                                     .item = score.trainee,
-                                                     .group = in.groups[score.group].name.str(),
-                                                     .occasion = in.occasions[score.occasion].str(),
-                                                     .statistic = "score"});
+    row[3 + score.occasion] = {
+        Text(formatFixed(score.score, kMarkDecimals)),
+        {.statistic = "score", .of = score.trainee, .group = score.group, .occasion = score.occasion}};
   }
   for (auto& [place, row] : rows) {
-    table.rows.push_back(std::move(row.cells));
-    table.origins.push_back(std::move(row.origins));
+    table.rows.push_back(std::move(row));
   }
   table.provenance = provenance(in, Text::tr("mean over raters"), std::ssize(in.scores));
   return table;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/foreign_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
@@ -81,6 +82,15 @@ ReportTable trialsByPhase(const CohortInputs& in) {
 }
 
 }  // namespace
+
+ResultKey trialKey(const TrialSummaryRow& trial) {
+  return {.section = ResultSection::kTrial,
+          .of = trial.trainee,
+          .group = trial.group,
+          .model = trial.model,
+          .when = trial.phase.str(),
+          .record = trial.trialId.text()};
+}
 
 ReportSection trialsSection(const CohortInputs& in) {
   ReportSection section;

@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
@@ -51,15 +50,12 @@ ReportTable classesTable(const CohortInputs& in) {
     table.rows.push_back({of.model, raterClass.name,
                           formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kWeightDecimals),
                           std::to_string(of.raters), std::to_string(of.marks),
-                          of.score ? Text(formatFixed(*of.score, kClassScoreDecimals))
-                                   : notDefined(Text::tr("an index has no mark"))});
-    table.origins.push_back({"", "", "", "", "",
-                             of.score ? numberAddress({.section = "evaluation",
-                                                       .item = "all",
-                                                       .group = raterClass.id,
-                                                       .model = of.model,
-                                                       .statistic = kClassScoreStatistic})
-                                      : std::string()});
+                          of.score ? ReportCell(formatFixed(*of.score, kClassScoreDecimals),
+                                                {.section = ResultSection::kEvaluation,
+                                                 .statistic = kClassScoreStatistic,
+                                                 .raterClass = raterClass.id,
+                                                 .model = of.model})
+                                   : ReportCell(notDefined(Text::tr("an index has no mark")))});
   }
   table.notes = {Text::tr(
       "The index weights of Eq. 27 on the plain means of one class. No N is formed while a class that has a "

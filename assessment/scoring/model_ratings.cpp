@@ -51,10 +51,12 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
     const auto [sheet, sheetIsNew] =
         sheetAt.emplace(std::pair{model->second, rating.rater}, of.sheets.size());
     if (sheetIsNew) {
-      of.sheets.push_back({rating.rater, rating.raterClass,
-                           std::vector<std::optional<std::int64_t>>(instrument.indices.size())});
+      const std::size_t indices = instrument.indices.size();
+      of.sheets.push_back({rating.rater, rating.raterClass, std::vector<std::optional<std::int64_t>>(indices),
+                           std::vector<EvaluationMarkId>(indices)});
     }
     of.sheets[sheet->second].steps[rating.index] = rating.steps;
+    of.sheets[sheet->second].marks[rating.index] = rating.id;
   }
   for (ModelRatings& model : models) {
     std::sort(model.sheets.begin(), model.sheets.end(), [](const RaterSheet& a, const RaterSheet& b) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "assessment/domain/rating/instrument.h"
 
 namespace torsio {
@@ -19,6 +20,7 @@ struct EvaluationRating {
   std::size_t raterClass = 0;  ///< position in EvaluationInstrument::classes
   std::size_t index = 0;       ///< position in EvaluationInstrument::indices
   std::optional<std::int64_t> steps;
+  EvaluationMarkId id{};  ///< empty: it is not in the record
 };
 
 /// The marks of one rater for one model.
@@ -26,6 +28,12 @@ struct RaterSheet {
   std::string rater;
   std::size_t raterClass = 0;
   std::vector<std::optional<std::int64_t>> steps;  ///< one per index
+  std::vector<EvaluationMarkId> marks{};           ///< one per index, or none
+
+  /// Returns the mark of an index; empty: it is not in the record.
+  [[nodiscard]] EvaluationMarkId markOf(std::size_t index) const {
+    return index < marks.size() ? marks[index] : EvaluationMarkId();
+  }
 };
 
 struct ModelRatings {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "assessment/domain/rating/instrument.h"
 
 namespace torsio {
@@ -21,6 +22,7 @@ struct TrainingMark {
   std::size_t occasion = 0;  ///< 0 before, 1 after 20 min, 2 after 40 min
   std::string rater;
   std::int64_t steps = 0;
+  MarkId id{};  ///< empty: it is not in the record
 };
 
 /// A trainee's score at one occasion: the mean over the raters (paper section 6).

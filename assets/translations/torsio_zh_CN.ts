@@ -18622,6 +18622,38 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>count of twists with a gap of more than 20 ms</source>
         <translation>空缺超过 20 ms 的扭转数</translation>
     </message>
+    <message>
+        <source>design of the competence verdict</source>
+        <translation>胜任判定所用的设计</translation>
+    </message>
+    <message>
+        <source>deviation as it was noted</source>
+        <translation>记录下的方案偏离</translation>
+    </message>
+    <message>
+        <source>trainees of the cohort</source>
+        <translation>本队列的学员</translation>
+    </message>
+    <message>
+        <source>scoring sheets that raters were asked for</source>
+        <translation>要求评分者填写的评分表</translation>
+    </message>
+    <message>
+        <source>planned with the cohort</source>
+        <translation>随队列一起计划的内容</translation>
+    </message>
+    <message>
+        <source>newest entry of the audit trail</source>
+        <translation>审计记录的最新一条</translation>
+    </message>
+    <message>
+        <source>program version</source>
+        <translation>程序版本</translation>
+    </message>
+    <message>
+        <source>raters who were asked to evaluate the models</source>
+        <translation>受邀评价模型的评分者</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

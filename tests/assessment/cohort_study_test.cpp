@@ -47,7 +47,7 @@ TEST(CohortReport, ComparesGroupsAndRatersIfThereAreMarks) {
   EXPECT_EQ(section->tables[4].rows.size(), 3U);
   EXPECT_THAT(section->paragraphs[1].str(), ::testing::HasSubstr("Planned and used"));
   for (const ReportTable& table : section->tables) {
-    for (const std::vector<Text>& row : table.rows) {
+    for (const std::vector<ReportCell>& row : table.rows) {
       for (const Text& cell : row) {
         EXPECT_THAT(cell.str(), ::testing::Not(::testing::HasSubstr("not defined")));
       }
@@ -121,7 +121,7 @@ TEST(CohortReport, ReportsTheRatersNeededAndEachGroupsGain) {
   ASSERT_NE(rasch, nullptr);
   ASSERT_EQ(rasch->rows.size(), 10U);
   double sum = 0.0;
-  for (const std::vector<Text>& row : rasch->rows) {
+  for (const std::vector<ReportCell>& row : rasch->rows) {
     sum += std::stod(row.at(1).str());
   }
   EXPECT_NEAR(sum, 0.0, 0.06);  // ten severities of two decimals
@@ -142,7 +142,7 @@ TEST(CohortReport, OneMissingMarkExcludesNobody) {
                          "table-mixed-anova", "table-gains", "table-agreement"}) {
     const ReportTable* table = tableNamed(report, id);
     ASSERT_NE(table, nullptr) << id;
-    for (const std::vector<Text>& row : table->rows) {
+    for (const std::vector<ReportCell>& row : table->rows) {
       for (const Text& cell : row) {
         EXPECT_THAT(cell.str(), ::testing::Not(::testing::HasSubstr("not defined"))) << id;
       }

@@ -175,11 +175,11 @@ TEST(ShownInputs, NoMarkOrMeanIsShownBeforeTheSetIsCompleteOrFrozen) {
                 row.statistic == "sheets_present")
         << row.statistic;
   }
-  const std::vector<std::vector<Text>>& groups = tableIn(open, "table-participants")->rows;
-  for (const std::vector<Text>& row : groups) {
+  const std::vector<std::vector<ReportCell>>& groups = tableIn(open, "table-participants")->rows;
+  for (const std::vector<ReportCell>& row : groups) {
     EXPECT_EQ(row.back(), "not shown");  // not even the mean before training
   }
-  for (const std::vector<Text>& row : tableIn(open, "table-flow")->rows) {
+  for (const std::vector<ReportCell>& row : tableIn(open, "table-flow")->rows) {
     EXPECT_EQ(row[5], "10") << "who was scored is no secret, and none would be untrue";
   }
 
@@ -220,7 +220,7 @@ TEST(ShownInputs, NoSingleMarkLeaksThroughASmallCell) {
   ASSERT_NE(row, rows.end());
   EXPECT_EQ((*row)[3], "missing");
   EXPECT_NE((*row)[4], "missing");
-  for (const std::vector<Text>& summary : tableIn(report, "table-training-summary")->rows) {
+  for (const std::vector<ReportCell>& summary : tableIn(report, "table-training-summary")->rows) {
     EXPECT_FALSE(summary[0] == in.occasions[0] && summary[1] == in.groups[group].name);  // would reveal it
   }
   EXPECT_THAT(saidBy(in), HasSubstr("Scores of fewer than 3 marks"));

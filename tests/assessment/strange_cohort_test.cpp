@@ -119,7 +119,7 @@ std::map<std::string, CohortInputs> strangeCohorts() {
 
 TEST(StrangeCohort, OneTraineeHasNoAgreementBeyondChance) {
   const ReportModel report = cohortReport(only({"x103"}));
-  for (const std::vector<Text>& row : testing::tableNamed(report, "table-kappa")->rows) {
+  for (const std::vector<ReportCell>& row : testing::tableNamed(report, "table-kappa")->rows) {
     EXPECT_EQ(row.at(3), "not defined");  // two different marks would give 0, whoever gave them
   }
 }

@@ -167,7 +167,7 @@ std::vector<Said> everythingSaid(const ReportModel& report) {
       add(provenanceLine(figure.provenance));
     }
     for (const ReportTable& table : section.tables) {
-      for (const std::vector<Text>& row : table.rows) {
+      for (const std::vector<ReportCell>& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
           add(row[c], table.columns.at(c).str());
         }

@@ -62,7 +62,7 @@ ChartStyle chartStyle(const Theme& theme) {
 
 QString tabbed(const ReportTable& table) {
   QStringList lines;
-  const auto line = [](const std::vector<Text>& cells) {
+  const auto line = [](const auto& cells) {
     QStringList parts;
     for (const Text& cell : cells) {
       parts << plainMinus(toQString(cell));
@@ -70,7 +70,7 @@ QString tabbed(const ReportTable& table) {
     return parts.join(QLatin1Char('\t'));
   };
   lines << line(table.columns);
-  for (const std::vector<Text>& row : table.rows) {
+  for (const std::vector<ReportCell>& row : table.rows) {
     lines << line(row);
   }
   return lines.join(QLatin1Char('\n'));

@@ -136,7 +136,7 @@ void FigureCard::fillTable(const ReportTable& table) {
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     bool numbers = !table.rows.empty();
-    for (const std::vector<Text>& row : table.rows) {
+    for (const std::vector<ReportCell>& row : table.rows) {
       numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.typeId() == QMetaType::Double);
     }
     columns.push_back({toQString(table.columns[c]), numbers});

@@ -134,7 +134,7 @@ ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& reques
     }
   }
   data.analysed = analysedCohort(data.inputs);
-  data.set = exportSet(data.inputs, data.analysed.rows, starts);
+  data.set = exportSet(data.analysed, starts);
   return data;
 }
 

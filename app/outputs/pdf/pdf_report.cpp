@@ -121,7 +121,7 @@ class Composer {
                                 .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
                                 .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
     }
-    for (const std::vector<Text>& row : table.rows) {
+    for (const std::vector<ReportCell>& row : table.rows) {
       TORSIO_EXPECTS(row.size() == table.columns.size());
       out.rows.emplace_back();
       for (const Text& cell : row) {

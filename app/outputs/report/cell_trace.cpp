@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -21,7 +21,7 @@
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"
-#include "assessment/domain/study/occasion.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
@@ -43,52 +43,45 @@ namespace torsio {
 
 namespace {
 
-using Row = CohortCsvRow;
-
-std::array<std::string, 7> addressOf(const Row& row) {
-  return {row.section, row.item, row.group, row.model, row.index, row.occasion, row.statistic};
-}
-
 /// "score of T-07, after 40 min".
-Text nameOf(const Row& row) {
+Text nameOf(const ResultKey& key, const ResultNames& names) {
   std::vector<Text> parts;
-  for (const std::string* part : {&row.item, &row.group, &row.model, &row.index, &row.occasion}) {
-    if (!part->empty() && *part != "all") {
-      parts.emplace_back(*part);
+  const auto cells = keyCells(key, names);
+  for (std::size_t i = 1; i + 1 < cells.size(); ++i) {
+    if (!cells[i].empty() && (i > 1 || !key.of.empty())) {
+      parts.emplace_back(cells[i]);
     }
   }
-  return parts.empty() ? Text(row.statistic) : Text::tr("%1 of %2", row.statistic, listed(parts));
+  return parts.empty() ? Text(key.statistic) : Text::tr("%1 of %2", key.statistic, listed(parts));
 }
 
-/// A report with names says "T-07 Li Na" where the record says "T-07".
-std::string codeOf(const std::string& item) {
-  return item.substr(0, item.find(' '));
-}
+}  // namespace
 
-/// What the command line follows: everything, under codes.
 CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId, const CampaignId& campaignId) {
   const CampaignResult campaign =
       campaignId.empty() ? CampaignResult{} : readCampaign(connection, campaignId);
   CohortInputs inputs = cohortInputs(connection, cohortId, campaign, readTraining(connection, cohortId));
-  inputs.trials = TrialDigests(assetsFolder()).read(connection, cohortId, 0);
+  TrialDigests digests(assetsFolder());
+  inputs.trials = digests.read(connection, cohortId, 0);
+  const CurriculumVersionId version = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
+  inputs.competence = digests.readCompetence(connection, version, inputs.trainees, 0);
   return inputs;
 }
 
-/// Walks from a row of the table to the rows and the rows of the record that it was made of.
-class Tracer {
+/// Walks from a result to the results and the rows of the record that it was made of.
+class CellTracer::Walk {
  public:
-  Tracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
-      : rubrics_(connection),
+  Walk(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
+      : connection_(connection),
+        cohortId_(cohortId),
+        rubrics_(connection),
         sheets_(connection),
         trials_(connection),
-        rows_(cohortCsvRows(inputs)),
-        program_(inputs.programHash) {
-    const Occasions occasions = occasionsOfCohort(connection, cohortId);
-    const std::vector<Text> names = occasionTexts(occasions);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      occasionCode_[names[i].str()] = occasions.at(i).code;
+        cohort_(analysedCohort(inputs)) {
+    for (SubmittedMark& mark : RatingRepository(connection).marks(cohortId)) {
+      const MarkId id = mark.id;
+      marks_.emplace(id, std::move(mark));
     }
-    marks_ = RatingRepository(connection).marks(cohortId);
     for (LiveCall& call : CallRepository(connection).calls(cohortId)) {
       if (!call.cancelled) {
         const std::pair key(call.enrolmentId, call.occasionCode);
@@ -100,16 +93,19 @@ class Tracer {
     }
   }
 
+  /// Follows the result whose cells somebody gave.
   TraceStep trace(const std::string& cell) {
     const std::vector<CsvRecord> typed = csvRecords(cell, "the cell");
+    const Ledger& ledger = cohort_.ledger;
     std::array<std::string, 7> wanted;
     if (typed.size() == 1 && typed.front().values.size() >= wanted.size()) {
       std::copy_n(typed.front().values.begin(), wanted.size(), wanted.begin());
-      for (const Row& row : rows_) {
-        if (numberAddress(row) == cell || addressOf(row) == wanted) {
-          TraceStep found = step(row);
-          if (!program_.empty()) {
-            found.madeOf.push_back({Text::tr("program file that computes it (BLAKE2b)"), program_});
+      for (const Result& result : ledger.every()) {
+        const std::array<std::string, 7> cells = keyCells(result.key, ledger.names());
+        if (cells == wanted || keyAddress(result.key, ledger.names()) == cell) {
+          TraceStep found = step(result);
+          if (const std::string& program = cohort_.shown.programHash; !program.empty()) {
+            found.madeOf.push_back({Text::tr("program file that computes it (BLAKE2b)"), program});
           }
           return found;
         }
@@ -120,65 +116,72 @@ class Tracer {
   }
 
  private:
-  using Wanted = std::function<bool(const Row&)>;
-
-  void addAll(TraceStep& step, const Wanted& wanted) {
-    for (const Row& row : rows_) {
-      if (wanted(row)) {
-        step.madeOf.push_back(this->step(row));
+  TraceStep step(const Result& result) {
+    TraceStep step{nameOf(result.key, cohort_.ledger.names()), resultText(result.value)};
+    for (const ResultPart& part : *result.madeOf) {
+      if (const auto* row = std::get_if<RecordRef>(&part)) {
+        addRow(*row, step.madeOf);
+      } else {
+        for (const Result* other : cohort_.ledger.select(std::get<ResultPattern>(part))) {
+          step.madeOf.push_back(this->step(*other));
+        }
       }
     }
-  }
-
-  TraceStep step(const Row& row) {
-    TraceStep step{nameOf(row), row.value};
-    const auto same = [&](const char* section, const char* statistic) {
-      return [section, statistic](const Row& other) {
-        return other.section == section && other.statistic == statistic;
-      };
-    };
-    if (row.statistic == "rater_mark" || row.statistic == "criterion_mark") {
-      step.madeOf = markSteps(row);
-    } else if (row.section == "criterion") {
-      addAll(step, [&, is = same("criterion", row.item == "all" ? "criterion_mean" : "criterion_mark")](
-                       const Row& other) {
-        return is(other) && other.item != "all" && (row.item == "all" || other.item == row.item) &&
-               other.group == row.group && other.model == row.model && other.occasion == row.occasion;
-      });
-    } else if (row.section == "training" && row.statistic == "score") {
-      addAll(step, [&, is = same("training", "rater_mark")](const Row& other) {
-        return is(other) && other.item == row.item && other.occasion == row.occasion;
-      });
-    } else if (row.section == "training") {
-      addAll(step, [&, is = same("training", "score")](const Row& other) {
-        return is(other) && other.group == row.group && other.occasion == row.occasion;
-      });
-    } else if (row.section == "agreement" || row.section == "comparison") {
-      addAll(step, [&, is = same("training", "score")](const Row& other) {
-        return is(other) &&
-               (row.occasion.empty() || row.section == "comparison" || other.occasion == row.occasion);
-      });
-    } else if (row.section == "evaluation" && row.statistic == "N_eq27") {
-      addAll(step, [&, is = same("evaluation", "composite")](const Row& other) {
-        return is(other) && other.model == row.model;
-      });
-    } else if (row.section == "evaluation" && row.statistic != "mark") {
-      addAll(step, [&, is = same("evaluation", "mark")](const Row& other) {
-        return is(other) && other.model == row.model && (row.item == "all" || other.item == row.item) &&
-               (row.group.empty() || other.group == row.group) &&
-               (row.index.empty() || other.index == row.index);
-      });
-    } else if (row.section == "trial" && row.statistic != "trial") {
-      addAll(step, [&, is = same("trial", "trial")](const Row& other) {
-        return is(other) && other.item == row.item && other.occasion == row.occasion;
-      });
-    } else if (row.section == "trial") {
-      step.madeOf.push_back(recordingStep(row.value));
-    }
-    if (step.madeOf.empty() && (row.section == "training" || row.section == "criterion")) {
-      step.madeOf.push_back({Text::tr("not shown to you one by one; so many"), row.n});
+    if (step.madeOf.empty()) {
+      step.madeOf.push_back({Text::tr("not shown to you one by one; so many"), std::to_string(result.n)});
     }
     return step;
+  }
+
+  void addRow(const RecordRef& row, std::vector<TraceStep>& steps) {
+    switch (row.kind) {
+      case RecordKind::kMark: {
+        const std::vector<TraceStep>& own = markSteps(MarkId(row.id));
+        steps.insert(steps.end(), own.begin(), own.end());
+        return;
+      }
+      case RecordKind::kEvaluationMark:
+        if (!row.id.empty()) {
+          steps.push_back({Text::tr("mark"), row.id});
+        }
+        return;
+      case RecordKind::kRecording:
+        steps.push_back(recordingStep(TrialId(row.id)));
+        return;
+      case RecordKind::kRubricRevision:
+        if (const auto rubric = rubrics_.revision(RubricRevisionId(row.id))) {
+          steps.push_back({Text::tr("scoring sheet"), titleOf(*rubric)});
+        }
+        return;
+      case RecordKind::kCompetenceDesign:
+        steps.push_back({Text::tr("design of the competence verdict"),
+                         row.id == "0" ? "shipped with the exercise" : "registered, version " + row.id});
+        return;
+      case RecordKind::kDeviation:
+        steps.push_back({Text::tr("deviation as it was noted"), row.id});
+        return;
+      case RecordKind::kEnrolments:
+        steps.push_back({Text::tr("trainees of the cohort"), std::to_string(cohort_.shown.trainees.size())});
+        return;
+      case RecordKind::kSheetRequests:
+        steps.push_back({Text::tr("scoring sheets that raters were asked for"),
+                         std::to_string(sheets_.assignments(cohortId_).size())});
+        return;
+      case RecordKind::kCampaign:
+        steps.push_back({Text::tr("raters who were asked to evaluate the models"),
+                         std::to_string(cohort_.shown.evaluationRatersAsked)});
+        return;
+      case RecordKind::kCohortPlan:
+        steps.push_back(
+            {Text::tr("planned with the cohort"), StudyRepository(connection_).cohort(cohortId_).name});
+        return;
+      case RecordKind::kAuditTrail:
+        steps.push_back({Text::tr("newest entry of the audit trail"), cohort_.shown.auditHead});
+        return;
+      case RecordKind::kProgram:
+        steps.push_back({Text::tr("program version"), cohort_.shown.softwareVersion});
+        return;
+    }
   }
 
   TraceStep recordingStep(const TrialId& trialId) {
@@ -201,18 +204,22 @@ class Tracer {
     return step;
   }
 
+  [[nodiscard]] std::string titleOf(const RubricRevision& revision) const {
+    return rubricNames_.at(revision.rubricId) + ", revision " + std::to_string(revision.number);
+  }
+
   /// What stands behind one mark of one rater.
-  std::vector<TraceStep> markSteps(const Row& row) {
-    const auto mark = std::find_if(marks_.begin(), marks_.end(), [&](const SubmittedMark& one) {
-      return one.traineeCode == codeOf(row.item) && one.raterCode == row.index &&
-             one.occasionCode == occasionCode_[row.occasion];
-    });
-    if (mark == marks_.end()) {
-      return {};
+  const std::vector<TraceStep>& markSteps(const MarkId& id) {
+    const auto [known, first] = markSteps_.try_emplace(id);
+    std::vector<TraceStep>& steps = known->second;
+    const auto found = marks_.find(id);
+    if (!first || found == marks_.end()) {
+      return steps;
     }
-    std::vector<TraceStep> steps{{Text::tr("mark"), mark->id},
-                                 {Text::tr("version"), std::to_string(mark->version)},
-                                 {Text::tr("submitted"), formatUtc(mark->submittedUtc_us)}};
+    const SubmittedMark* mark = &found->second;
+    steps.push_back({Text::tr("mark"), mark->id});
+    steps.push_back({Text::tr("version"), std::to_string(mark->version)});
+    steps.push_back({Text::tr("submitted"), formatUtc(mark->submittedUtc_us)});
     if (!mark->assignmentId.empty()) {
       addSheet(*mark, steps);
     }
@@ -237,8 +244,7 @@ class Tracer {
       return;
     }
     steps.push_back({Text::tr("case"), asked->assignment.caseLabel});
-    TraceStep criteria{Text::tr("scoring sheet"),
-                       rubricNames_[rubric->rubricId] + ", revision " + std::to_string(rubric->number)};
+    TraceStep criteria{Text::tr("scoring sheet"), titleOf(*rubric)};
     for (const RubricLine& line : rubric->rows) {
       for (const SheetRow& answer : sheet->rows) {
         if (answer.code != line.code) {
@@ -258,32 +264,39 @@ class Tracer {
     steps.push_back(std::move(criteria));
   }
 
+  Connection& connection_;
+  CohortId cohortId_;
   RubricRepository rubrics_;
   SheetRepository sheets_;
   TrialRepository trials_;
-  std::vector<Row> rows_;
-  std::string program_;
+  AnalysedCohort cohort_;
   std::map<TrialId, TraceStep> recordings_;
-  std::vector<SubmittedMark> marks_;
-  std::map<std::string, std::string> occasionCode_;  // by its name in the table
+  std::map<MarkId, SubmittedMark> marks_;
+  std::map<MarkId, std::vector<TraceStep>> markSteps_;
   std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls_;
   std::map<RubricId, std::string> rubricNames_;
 };
 
-}  // namespace
+CellTracer::CellTracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
+    : walk_(std::make_unique<Walk>(connection, cohortId, inputs)) {}
+CellTracer::~CellTracer() = default;
+
+TraceStep CellTracer::trace(const std::string& cell) {
+  return walk_->trace(cell);
+}
 
 TraceStep traceCell(const TraceRequest& request) {
   Connection connection = openRecord(request.record, OpenMode::kReadOnly);
   requireEveryRow(connection);
   const CohortId cohort = cohortNamed(connection, request.cohort);
   const CohortInputs inputs = wholeInputs(connection, cohort, campaignNamed(connection, request.campaign));
-  return Tracer(connection, cohort, inputs).trace(request.cell);
+  return CellTracer(connection, cohort, inputs).trace(request.cell);
 }
 
 TraceStep traceNumber(SessionContext& session, const CohortId& cohortId, const CohortInputs& inputs,
                       const std::string& cell) {
   session.require(Operation::kResultsCompute);
-  return Tracer(session.connection(), cohortId, inputs).trace(cell);
+  return CellTracer(session.connection(), cohortId, inputs).trace(cell);
 }
 
 }  // namespace torsio

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,36 @@ struct TraceRequest {
   std::string cell{};
 };
 
+class Connection;
+
+/// Returns what the command line follows: everything that is known of a cohort and an evaluation of models,
+/// under codes.
+[[nodiscard]] CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId,
+                                       const CampaignId& campaignId);
+
+/// Follows the numbers of one cohort, as far as its reader may look: where single marks are not shown, it
+/// ends at how many there are.
+class CellTracer {
+ public:
+  CellTracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs);
+  CellTracer(const CellTracer&) = delete;
+  CellTracer& operator=(const CellTracer&) = delete;
+  ~CellTracer();
+
+  /// Throws Error{kBadParameter}: the ledger has no such result.
+  [[nodiscard]] TraceStep trace(const std::string& cell);
+
+ private:
+  class Walk;
+  std::unique_ptr<Walk> walk_;
+};
+
 /// Follows a number to its marks, criteria, revision of the scoring sheet, recording and program. Throws
 /// Error{kBadParameter}: no such cohort, campaign or cell; DbError.
 [[nodiscard]] TraceStep traceCell(const TraceRequest& request);
 
-/// Follows a number of a report that was made of `inputs`, as far as its reader may look: where single marks
-/// are not shown, it ends at how many there are. kResultsCompute. Throws Error{kBadParameter}: the table of
-/// numbers has no such line.
+/// Follows a number of a report that was made of `inputs`. kResultsCompute. Throws Error{kBadParameter}: the
+/// table of numbers has no such line.
 [[nodiscard]] TraceStep traceNumber(SessionContext& session, const CohortId& cohortId,
                                     const CohortInputs& inputs, const std::string& cell);
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/pdf/pdf_report.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "db/connection/connection.h"
@@ -40,8 +41,8 @@ ReportExport exportReport(SessionContext& session, const ReportRequest& request,
   if (format == ReportFormat::kPdf) {
     writePdfReport(cohortReport(inputs), file, wordingIn(language), pages, language);
   } else {
-    writeFileAtomically(file,
-                        csvInStyle(std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)), look));
+    writeFileAtomically(
+        file, csvInStyle(std::string(kByteOrderMark) + cohortCsvText(analysedCohort(inputs).ledger), look));
   }
   const std::string content = readFile(file);
   Digest digest;

@@ -2,41 +2,35 @@
 #include "app/outputs/tables/export_set.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <utility>
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_csv.h"
 
 namespace torsio {
 
 namespace {
 
-using Row = CohortCsvRow;
 using Cells = std::vector<ExportCell>;
-
-ExportCell numberOf(const std::string& text) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end ? ExportCell(value) : ExportCell();
-}
 
 ExportCell textOf(const std::string& text) {
   return text.empty() ? ExportCell() : ExportCell(text);
 }
 
-/// A row, each cell made where it stays.
-template <typename... Values>
-Cells rowOf(Values&&... values) {
-  Cells cells;
-  cells.reserve(sizeof...(values));
-  (cells.emplace_back(std::forward<Values>(values)), ...);
-  return cells;
+ExportCell numberOf(const Result* result) {
+  const std::optional<double> value = result == nullptr ? std::nullopt : numberIn(result->value);
+  return value ? ExportCell(*value) : ExportCell();
 }
 
 /// What is no number.
-ExportCell wordOf(const std::string& text) {
-  return std::holds_alternative<double>(numberOf(text)) ? ExportCell() : textOf(text);
+ExportCell wordOf(const Result& result) {
+  const auto* word = std::get_if<Text>(&result.value);
+  return word == nullptr ? ExportCell() : textOf(word->str());
+}
+
+ExportCell countOf(std::int64_t count) {
+  return static_cast<double>(count);
 }
 
 ExportColumn participant() {
@@ -51,8 +45,13 @@ ExportColumn occasionColumn() {
 ExportColumn number(std::string name, Text title, std::string unit = {}) {
   return {std::move(name), std::move(title), ColumnKind::kNumber, std::move(unit)};
 }
+ExportColumn yesNo(std::string name, Text title) {
+  ExportColumn column = number(std::move(name), std::move(title));
+  column.labels = {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}};
+  return column;
+}
 
-/// What varies from trial to trial; the name is the statistic of cohort.csv.
+/// What varies from run to run; the name is the statistic, but for capital letters.
 std::vector<ExportColumn> trialNumbers() {
   return {number("minutes", Text::tr("Time in the exercise"), "min"),
           number("twists", Text::tr("Twists")),
@@ -76,238 +75,267 @@ std::string columnName(const std::string& statistic) {
   return name;
 }
 
-/// Walks through the rows of cohort.csv and fills the tables.
-class Sorter {
- public:
-  Sorter(const CohortInputs& in, const std::vector<CohortCsvRow>& rows,
-         const std::map<TrialId, std::int64_t>& started)
-      : started_(started), rows_(rows) {
-    for (std::size_t i = 0; i < in.occasions.size(); ++i) {
-      occasions_[in.occasions[i].str()] = static_cast<double>(i + 1);
-    }
-    for (const CohortTrainee& trainee : in.trainees) {
-      people_[trainee.code] = &trainee;
-    }
+/// An untwisting has quantities of its own.
+ExportColumn quantityColumn(const std::string& id) {
+  const std::optional<Quantity> known = quantityOf(id);
+  if (!known) {
+    return number(id, Text(id));
   }
+  const QuantityRow& row = rowOf(*known);
+  const bool plain = row.unit == "1" || row.unit == "count";
+  return number(id, row.name, plain ? std::string() : std::string(row.unit));
+}
 
-  ExportSet sorted() {
+/// Makes the tables of a cohort.
+class Tables {
+ public:
+  Tables(const AnalysedCohort& cohort, const std::map<TrialId, std::int64_t>& started)
+      : in_(cohort.shown), ledger_(cohort.ledger), started_(started) {}
+
+  ExportSet made() const {
     ExportSet set;
-    fillScores(set);
-    fillTrials(set);
-    fillCompetence(set);
-    set.evaluation = statistics("evaluation", Text::tr("Evaluation"),
+    set.scores = scores();
+    set.marks = marks();
+    set.trials = trials();
+    set.twists = twists();
+    set.competence = competence();
+    set.evaluation = statistics(ResultSection::kEvaluation, Text::tr("Evaluation"),
                                 Text::tr("Evaluation of the tissue models by Eqs. 25 to 27"));
-    set.agreement = statistics("agreement", Text::tr("Agreement"),
+    set.agreement = statistics(ResultSection::kAgreement, Text::tr("Agreement"),
                                Text::tr("Agreement of the raters on the marks of the training study"));
-    set.comparison = statistics("comparison", Text::tr("Comparison"),
+    set.comparison = statistics(ResultSection::kComparison, Text::tr("Comparison"),
                                 Text::tr("Comparison of the groups on the scores of the training study"));
-    fillDeviations(set);
-    fillNumbers(set);
+    set.deviations = deviations();
+    set.numbers = numbers();
     return set;
   }
 
  private:
-  [[nodiscard]] ExportCell occasionOf(const Row& row) const {
-    const auto found = occasions_.find(row.occasion);
-    return found == occasions_.end() ? ExportCell() : ExportCell(found->second);
-  }
-
   [[nodiscard]] ExportColumn occasionNumber() const {
     ExportColumn column = number("occasion_number", Text::tr("Number of the occasion"));
-    for (const auto& [name, place] : occasions_) {
-      column.labels.emplace_back(place, name);
+    for (std::size_t t = 0; t < in_.occasions.size(); ++t) {
+      column.labels.emplace_back(static_cast<double>(t + 1), in_.occasions[t]);
     }
-    std::sort(column.labels.begin(), column.labels.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
     return column;
   }
-
-  void fillScores(ExportSet& set) const {
-    set.scores = {"scores",
-                  Text::tr("Scores"),
-                  Text::tr("Mean of the raters' marks of a trainee at an occasion"),
-                  {participant(),
-                   groupColumn(),
-                   {"sex", Text::tr("Sex")},
-                   {"training_level", Text::tr("Level of training")},
-                   occasionNumber(),
-                   occasionColumn(),
-                   number("score", Text::tr("Score")),
-                   number("marks", Text::tr("Marks behind it"))},
-                  {}};
-    set.marks = {"marks",
-                 Text::tr("Marks"),
-                 Text::tr("Newest version of each mark that a rater submitted"),
-                 {participant(),
-                  groupColumn(),
-                  {"rater", Text::tr("Rater")},
-                  occasionNumber(),
-                  occasionColumn(),
-                  number("mark", Text::tr("Mark"))},
-                 {}};
-    for (const Row& row : rows_) {
-      if (row.section != "training") {
-        continue;
-      }
-      if (row.statistic == "score") {
-        const auto person = people_.find(row.item);
-        const CohortTrainee* known = person == people_.end() ? nullptr : person->second;
-        set.scores.rows.push_back(rowOf(row.item, textOf(row.group), textOf(known ? known->sex : ""),
-                                        textOf(known ? known->level : ""), occasionOf(row),
-                                        textOf(row.occasion), numberOf(row.value), numberOf(row.n)));
-      } else if (row.statistic == "rater_mark") {
-        set.marks.rows.push_back(rowOf(row.item, textOf(row.group), textOf(row.index), occasionOf(row),
-                                       textOf(row.occasion), numberOf(row.value)));
-      }
-    }
+  [[nodiscard]] ExportCell groupOf(std::size_t group) const {
+    return textOf(in_.groups.at(group).name.str());
   }
 
-  void fillTrials(ExportSet& set) const {
-    std::vector<ExportColumn> numbers = trialNumbers();
-    std::map<std::string, std::size_t> place;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      place[numbers[i].name] = i;
+  [[nodiscard]] ExportTable scores() const {
+    ExportTable table{"scores",
+                      Text::tr("Scores"),
+                      Text::tr("Mean of the raters' marks of a trainee at an occasion"),
+                      {participant(),
+                       groupColumn(),
+                       {"sex", Text::tr("Sex")},
+                       {"training_level", Text::tr("Level of training")},
+                       occasionNumber(),
+                       occasionColumn(),
+                       number("score", Text::tr("Score")),
+                       number("marks", Text::tr("Marks behind it"))},
+                      {}};
+    std::map<std::string, const CohortTrainee*> people;
+    for (const CohortTrainee& trainee : in_.trainees) {
+      people[trainee.code] = &trainee;
     }
-    for (const Row& row : rows_) {  // an untwisting has metrics of its own
-      const bool text = row.statistic == "trial" || row.statistic == "content_hash";
-      if (row.section == "trial" && !text && row.index.empty() && !place.contains(row.statistic)) {
-        place[row.statistic] = numbers.size();
-        numbers.push_back(number(columnName(row.statistic), row.statistic));
+    for (const Result* score : ledger_.select({.statistic = "score", .of = kEach})) {
+      const ResultKey& key = score->key;
+      const auto person = people.find(key.of);
+      const bool known = person != people.end();
+      table.rows.push_back({key.of, groupOf(*key.group), textOf(known ? person->second->sex : ""),
+                            textOf(known ? person->second->level : ""),
+                            countOf(static_cast<std::int64_t>(*key.occasion) + 1),
+                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), countOf(score->n)});
+    }
+    return table;
+  }
+
+  [[nodiscard]] ExportTable marks() const {
+    ExportTable table{"marks",
+                      Text::tr("Marks"),
+                      Text::tr("Newest version of each mark that a rater submitted"),
+                      {participant(),
+                       groupColumn(),
+                       {"rater", Text::tr("Rater")},
+                       occasionNumber(),
+                       occasionColumn(),
+                       number("mark", Text::tr("Mark"))},
+                      {}};
+    for (const Result* mark : ledger_.select({.statistic = "rater_mark", .of = kEach})) {
+      const ResultKey& key = mark->key;
+      table.rows.push_back({key.of, groupOf(*key.group), key.index,
+                            countOf(static_cast<std::int64_t>(*key.occasion) + 1),
+                            textOf(in_.occasions[*key.occasion].str()), numberOf(mark)});
+    }
+    return table;
+  }
+
+  [[nodiscard]] ResultKey runKey(const TrialSummaryRow& trial, std::string statistic) const {
+    ResultKey key = trialKey(trial);
+    key.statistic = std::move(statistic);
+    return key;
+  }
+
+  [[nodiscard]] ExportTable trials() const {
+    ExportTable table{"trials",
+                      Text::tr("Recorded runs"),
+                      Text::tr("Metrics of each recorded run, measured again from its samples"),
+                      {participant(),
+                       groupColumn(),
+                       number("trial_number", Text::tr("Number of the run")),
+                       {"phase", Text::tr("Phase")},
+                       {"model", Text::tr("Tissue model")},
+                       {"interrupted", Text::tr("Interrupted")},
+                       {"started_utc", Text::tr("Started (UTC)"), ColumnKind::kTime},
+                       {"trial", Text::tr("Recording")},
+                       {"content_hash", Text::tr("Hash of the recording")}},
+                      {}};
+    std::vector<ExportColumn> numbers = trialNumbers();
+    for (const TrialSummaryRow& trial : in_.trials) {
+      for (const auto& [id, value] : trial.detorsion) {
+        if (std::none_of(numbers.begin(), numbers.end(), [&](const auto& one) { return one.name == id; })) {
+          numbers.push_back(quantityColumn(id));
+        }
       }
     }
-    const std::vector<ExportColumn> head = {participant(),
-                                            groupColumn(),
-                                            number("trial_number", Text::tr("Number of the run")),
-                                            {"phase", Text::tr("Phase")},
-                                            {"model", Text::tr("Tissue model")},
-                                            {"interrupted", Text::tr("Interrupted")},
-                                            {"started_utc", Text::tr("Started (UTC)"), ColumnKind::kTime},
-                                            {"trial", Text::tr("Recording")},
-                                            {"content_hash", Text::tr("Hash of the recording")}};
-    set.trials = {"trials",
-                  Text::tr("Recorded runs"),
-                  Text::tr("Metrics of each recorded run, measured again from its samples"),
-                  head,
-                  {}};
+    std::map<std::string, std::int64_t> counted;
+    for (const TrialSummaryRow& trial : in_.trials) {
+      if (ledger_.find(runKey(trial, "minutes")) == nullptr) {
+        continue;
+      }
+      const auto began = started_.find(trial.trialId);
+      Cells row{trial.trainee,
+                groupOf(trial.group),
+                countOf(++counted[trial.trainee]),
+                textOf(trial.phase.str()),
+                textOf(trial.model),
+                trial.interrupted ? "yes" : "no",
+                began == started_.end() ? ExportCell() : ExportCell(began->second),
+                textOf(trial.trialId.text()),
+                textOf(trial.contentHash)};
+      for (const ExportColumn& column : numbers) {
+        row.push_back(numberOf(ledger_.find(runKey(trial, column.name))));
+      }
+      table.rows.push_back(std::move(row));
+    }
     for (ExportColumn& column : numbers) {
       column.name = columnName(column.name);
-      set.trials.columns.push_back(column);
+      table.columns.push_back(std::move(column));
     }
-    set.twists = {"twists",
-                  Text::tr("Learning curves"),
-                  Text::tr("Absolute error of each completed twist when the jaw was opened, in its order"),
-                  {participant(),
-                   groupColumn(),
-                   number("trial_number", Text::tr("Number of the run")),
-                   {"phase", Text::tr("Phase")},
-                   number("twist_number", Text::tr("Number of the twist")),
-                   number("twist_error_deg", Text::tr("Error of the angle"), "deg")},
-                  {}};
-    std::map<std::string, double> counted;
-    for (const Row& row : rows_) {
-      if (row.section != "trial") {
-        continue;
-      }
-      if (row.statistic == "minutes") {  // a trial begins
-        Cells cells(set.trials.columns.size());
-        cells[0] = row.item;
-        cells[1] = textOf(row.group);
-        cells[2] = ++counted[row.item];
-        cells[3] = textOf(row.occasion);
-        cells[4] = textOf(row.model);
-        cells[5] = row.flags.find("interrupted") == std::string::npos ? "no" : "yes";
-        set.trials.rows.push_back(std::move(cells));
-      }
-      Cells& trial = set.trials.rows.back();
-      if (row.statistic == "trial") {
-        trial[7] = textOf(row.value);
-        const auto began = started_.find(TrialId(row.value));
-        trial[6] = began == started_.end() ? ExportCell() : ExportCell(began->second);
-      } else if (row.statistic == "content_hash") {
-        trial[8] = textOf(row.value);
-      } else if (!row.index.empty()) {
-        set.twists.rows.push_back(rowOf(row.item, textOf(row.group), counted[row.item], textOf(row.occasion),
-                                        numberOf(row.index), numberOf(row.value)));
-      } else {
-        trial[head.size() + place.at(row.statistic)] = numberOf(row.value);
-      }
-    }
+    return table;
   }
 
-  void fillCompetence(ExportSet& set) const {
-    set.competence = {"competence",
+  [[nodiscard]] ExportTable twists() const {
+    ExportTable table{
+        "twists",
+        Text::tr("Learning curves"),
+        Text::tr("Absolute error of each completed twist when the jaw was opened, in its order"),
+        {participant(),
+         groupColumn(),
+         number("trial_number", Text::tr("Number of the run")),
+         {"phase", Text::tr("Phase")},
+         number("twist_number", Text::tr("Number of the twist")),
+         number("twist_error_deg", Text::tr("Error of the angle"), "deg")},
+        {}};
+    std::map<std::string, std::int64_t> counted;
+    for (const TrialSummaryRow& trial : in_.trials) {
+      const std::int64_t run = ++counted[trial.trainee];
+      ResultKey key = runKey(trial, "twist_error_deg");
+      for (key.number = 1; const Result* twist = ledger_.find(key); ++key.number) {
+        table.rows.push_back({trial.trainee, groupOf(trial.group), countOf(run), textOf(trial.phase.str()),
+                              countOf(key.number), numberOf(twist)});
+      }
+    }
+    return table;
+  }
+
+  [[nodiscard]] ExportTable competence() const {
+    static const std::array<ExportColumn, 8> kNumbers = {
+        number("failed", Text::tr("Failed attempts")),
+        yesNo("able", Text::tr("Competent")),
+        number("able_at_attempt", Text::tr("Competent at attempt")),
+        number("false_pass", Text::tr("Probability of a false pass")),
+        number("false_fail", Text::tr("Probability of a false fail")),
+        number("false_alarm", Text::tr("Probability of a false alarm")),
+        number("within_attempts", Text::tr("Attempts within which both hold")),
+        number("design_version", Text::tr("Version of the design"))};
+    ExportTable table{"competence",
                       Text::tr("Competence"),
                       Text::tr("Verdict of the registered competence design, with both error rates"),
                       {participant(),
                        groupColumn(),
                        {"exercise", Text::tr("Exercise")},
                        {"level", Text::tr("Level reached")},
-                       number("attempts", Text::tr("Attempts")),
-                       number("failed", Text::tr("Failed attempts")),
-                       {"able",
-                        Text::tr("Competent"),
-                        ColumnKind::kNumber,
-                        {},
-                        {{0.0, Text::tr("no")}, {1.0, Text::tr("yes")}}},
-                       number("able_at_attempt", Text::tr("Competent at attempt")),
-                       number("false_pass", Text::tr("Probability of a false pass")),
-                       number("false_fail", Text::tr("Probability of a false fail")),
-                       number("false_alarm", Text::tr("Probability of a false alarm")),
-                       number("within_attempts", Text::tr("Attempts within which both hold")),
-                       number("design_version", Text::tr("Version of the design"))},
+                       number("attempts", Text::tr("Attempts"))},
                       {}};
-    for (const Row& row : rows_) {
-      if (row.section != "competence") {
-        continue;
+    table.columns.insert(table.columns.end(), kNumbers.begin(), kNumbers.end());
+    for (const Result* level :
+         ledger_.select({.section = ResultSection::kCompetence, .statistic = "level", .of = kEach})) {
+      ResultKey key = level->key;
+      Cells row{key.of, groupOf(*key.group), textOf(key.index), wordOf(*level), countOf(level->n)};
+      for (const ExportColumn& column : kNumbers) {
+        key.statistic = column.name;
+        row.push_back(numberOf(ledger_.find(key)));
       }
-      if (row.statistic == "level") {
-        Cells cells(set.competence.columns.size());
-        cells[0] = row.item;
-        cells[1] = textOf(row.group);
-        cells[2] = textOf(row.index);
-        cells[3] = textOf(row.value);
-        cells[4] = numberOf(row.n);
-        set.competence.rows.push_back(std::move(cells));
-        continue;
-      }
-      const auto column = std::find_if(set.competence.columns.begin(), set.competence.columns.end(),
-                                       [&](const ExportColumn& one) { return one.name == row.statistic; });
-      if (column != set.competence.columns.end()) {
-        set.competence.rows.back()[static_cast<std::size_t>(column - set.competence.columns.begin())] =
-            numberOf(row.value);
-      }
+      table.rows.push_back(std::move(row));
     }
+    return table;
   }
 
-  /// One line a number of a section.
-  [[nodiscard]] ExportTable statistics(const std::string& section, const Text& title,
-                                       const Text& source) const {
-    ExportTable table{section,
-                      title,
-                      source,
-                      {{"item", Text::tr("Trainee, rater or all")},
-                       groupColumn(),
-                       {"model", Text::tr("Tissue model")},
-                       {"index_name", Text::tr("Index")},
-                       occasionColumn(),
-                       {"statistic", Text::tr("Statistic")},
-                       number("value", Text::tr("Value")),
-                       {"value_text", Text::tr("Value as text")},
-                       number("n", Text::tr("Values used")),
-                       {"flags", Text::tr("Flags")}},
-                      {}};
-    for (const Row& row : rows_) {
-      if (row.section == section) {
-        table.rows.push_back(rowOf(textOf(row.item), textOf(row.group), textOf(row.model), textOf(row.index),
-                                   textOf(row.occasion), row.statistic, numberOf(row.value),
-                                   wordOf(row.value), numberOf(row.n), textOf(row.flags)));
+  /// The columns of a line of cohort.csv, from what it is about to its flags.
+  static std::vector<ExportColumn> lineColumns() {
+    return {{"item", Text::tr("Trainee, rater or all")},
+            groupColumn(),
+            {"model", Text::tr("Tissue model")},
+            {"index_name", Text::tr("Index")},
+            occasionColumn(),
+            {"statistic", Text::tr("Statistic")},
+            number("value", Text::tr("Value")),
+            {"value_text", Text::tr("Value as text")},
+            number("n", Text::tr("Values used")),
+            {"flags", Text::tr("Flags")}};
+  }
+  [[nodiscard]] Cells lineOf(const Result& result, ExportCell text) const {
+    Cells row;
+    const std::array<std::string, 7> cells = keyCells(result.key, ledger_.names());
+    std::transform(std::next(cells.begin()), cells.end(), std::back_inserter(row), textOf);
+    row.push_back(numberOf(&result));
+    row.push_back(std::move(text));
+    row.push_back(countOf(result.n));
+    row.push_back(textOf(result.flags));
+    return row;
+  }
+
+  /// One line a result of a section.
+  [[nodiscard]] ExportTable statistics(ResultSection section, const Text& title, const Text& source) const {
+    ExportTable table{std::string(sectionName(section)), title, source, lineColumns(), {}};
+    for (const Result& result : ledger_.every()) {
+      if (result.key.section == section) {
+        table.rows.push_back(lineOf(result, wordOf(result)));
       }
     }
     return table;
   }
 
-  void fillDeviations(ExportSet& set) const {
-    set.deviations = {"deviations",
+  [[nodiscard]] ExportTable numbers() const {
+    ExportTable table{
+        "numbers",
+        Text::tr("All numbers"),
+        Text::tr("Every line of cohort.csv; a spreadsheet keeps 15 digits, the text all of them"),
+        lineColumns(),
+        {}};
+    table.columns.insert(table.columns.begin(), {"section", Text::tr("Section")});
+    for (const Result& result : ledger_.every()) {
+      Cells row = lineOf(result, textOf(resultText(result.value)));
+      row.insert(row.begin(), std::string(sectionName(result.key.section)));
+      table.rows.push_back(std::move(row));
+    }
+    return table;
+  }
+
+  [[nodiscard]] ExportTable deviations() const {
+    ExportTable table{"deviations",
                       Text::tr("Protocol deviations"),
                       Text::tr("What did not go by the protocol, as it was noted"),
                       {participant(),
@@ -315,49 +343,24 @@ class Sorter {
                        {"kind", Text::tr("Kind")},
                        {"description", Text::tr("Description")}},
                       {}};
-    for (const Row& row : rows_) {
-      if (row.section == "deviation") {
-        set.deviations.rows.push_back(
-            {textOf(row.item), textOf(row.occasion), row.statistic, textOf(row.value)});
+    for (const Result& result : ledger_.every()) {
+      if (result.key.section == ResultSection::kDeviation) {
+        table.rows.push_back({result.key.of.empty() ? "all" : result.key.of, result.key.when,
+                              result.key.statistic, wordOf(result)});
       }
     }
+    return table;
   }
 
-  void fillNumbers(ExportSet& set) const {
-    set.numbers = {"numbers",
-                   Text::tr("All numbers"),
-                   Text::tr("Every line of cohort.csv; a spreadsheet keeps 15 digits, the text all of them"),
-                   {{"section", Text::tr("Section")},
-                    {"item", Text::tr("Trainee, rater or all")},
-                    groupColumn(),
-                    {"model", Text::tr("Tissue model")},
-                    {"index_name", Text::tr("Index")},
-                    occasionColumn(),
-                    {"statistic", Text::tr("Statistic")},
-                    number("value", Text::tr("Value")),
-                    {"value_text", Text::tr("Value as text")},
-                    number("n", Text::tr("Values used")),
-                    {"flags", Text::tr("Flags")}},
-                   {}};
-    for (const Row& row : rows_) {
-      set.numbers.rows.push_back(rowOf(textOf(row.section), textOf(row.item), textOf(row.group),
-                                       textOf(row.model), textOf(row.index), textOf(row.occasion),
-                                       row.statistic, numberOf(row.value), textOf(row.value), numberOf(row.n),
-                                       textOf(row.flags)));
-    }
-  }
-
-  std::map<std::string, double> occasions_;
-  std::map<std::string, const CohortTrainee*> people_;
+  const CohortInputs& in_;
+  const Ledger& ledger_;
   const std::map<TrialId, std::int64_t>& started_;
-  const std::vector<Row>& rows_;
 };
 
 }  // namespace
 
-ExportSet exportSet(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows,
-                    const std::map<TrialId, std::int64_t>& startedUtc_us) {
-  return Sorter(inputs, rows, startedUtc_us).sorted();
+ExportSet exportSet(const AnalysedCohort& cohort, const std::map<TrialId, std::int64_t>& startedUtc_us) {
+  return Tables(cohort, startedUtc_us).made();
 }
 
 std::vector<const ExportTable*> tablesOf(const ExportSet& set) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/outputs/tables/export_table.h"
-#include "assessment/results/cohort_csv.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_report.h"
 
 namespace torsio {
@@ -25,9 +25,9 @@ struct ExportSet {
   ExportTable numbers;     ///< a line of cohort.csv, its value also as the text that stands there
 };
 
-/// Sorts the numbers of cohortCsvRows() into tables: what those leave out is left out here, and no number is
-/// computed. `rows`: those of `inputs`. `startedUtc_us`: when trials began, as far as that may be told.
-[[nodiscard]] ExportSet exportSet(const CohortInputs& inputs, const std::vector<CohortCsvRow>& rows,
+/// Sorts the results of a cohort into tables: what its ledger leaves out is left out here, and no number is
+/// computed. `startedUtc_us`: when runs began, as far as that may be told.
+[[nodiscard]] ExportSet exportSet(const AnalysedCohort& cohort,
                                   const std::map<TrialId, std::int64_t>& startedUtc_us);
 
 /// The tables in the order in which people look at them.

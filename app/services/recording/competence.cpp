@@ -67,6 +67,7 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   std::vector<TrialListing> trials = TrialRepository(connection).list(filter);
   std::reverse(trials.begin(), trials.end());  // oldest first
   std::vector<CompetenceRun> runs;
+  std::vector<TrialId> ids;
   std::optional<std::int64_t> began_us;
   for (const TrialListing& trial : trials) {
     if (!isFinished(trial) || !countsAt(module, trial.attemptMode) || trial.startedUtc_us > lastUtc_us) {
@@ -74,10 +75,12 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
     }
     began_us = began_us.value_or(trial.startedUtc_us);
     runs.push_back(runOf(module, digestOf(connection, trial, rules, now_us)));
+    ids.push_back(trial.trialId);
   }
   const CompetenceDesign design = designInForce(CompetenceRepository(connection).ofModule(module.id),
                                                 shippedCompetence(module.id, module.tolerance_rad), began_us);
   CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(design, runs));
+  verdict.runs = std::move(ids);
   static_cast<CompetenceRule&>(verdict) = ruleOf(module, design);
   verdict.untwisting |=
       std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; });
@@ -109,6 +112,7 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
       one.ableAt = verdict.ableAt ? std::optional(static_cast<std::int64_t>(*verdict.ableAt)) : std::nullopt;
       one.able = isAble(verdict.level);
       one.sums = verdict.sums;
+      one.runs = verdict.runs;
       one.limit = verdict.design.limit;
       one.falsePass = verdict.errors.falsePass;
       one.falseFail = verdict.errors.falseFail;

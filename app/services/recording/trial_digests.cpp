@@ -242,7 +242,14 @@ std::vector<CohortCompetence> TrialDigests::competenceOf(SessionContext& session
                                                          const CurriculumVersionId& versionId,
                                                          const std::vector<CohortTrainee>& trainees) {
   session.require(Operation::kResultsCompute);
-  return competenceOfCohort(session.connection(), versionId, trainees, rules_, session.now_us());
+  return readCompetence(session.connection(), versionId, trainees, session.now_us());
+}
+
+std::vector<CohortCompetence> TrialDigests::readCompetence(Connection& connection,
+                                                           const CurriculumVersionId& versionId,
+                                                           const std::vector<CohortTrainee>& trainees,
+                                                           std::int64_t now_us) {
+  return competenceOfCohort(connection, versionId, trainees, rules_, now_us);
 }
 
 }  // namespace torsio

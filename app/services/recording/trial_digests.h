@@ -40,7 +40,11 @@ class TrialDigests {
                                                            const CurriculumVersionId& versionId,
                                                            const std::vector<CohortTrainee>& trainees);
 
-  /// The same without a right, for the demonstration's own report.
+  /// Both without a right, for whoever owns the file of the record.
+  [[nodiscard]] std::vector<CohortCompetence> readCompetence(Connection& connection,
+                                                             const CurriculumVersionId& versionId,
+                                                             const std::vector<CohortTrainee>& trainees,
+                                                             std::int64_t now_us);
   [[nodiscard]] std::vector<TrialSummaryRow> read(Connection& connection, const CohortId& cohortId,
                                                   std::int64_t now_us, const ProgressCallback& progress = {});
 

@@ -133,7 +133,7 @@ void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& in
     inputs.deviations.push_back(
         {deviation.happenedUtc_us,
          deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
-         deviation.description});
+         deviation.description, deviation.id});
   }
 }
 
@@ -173,6 +173,7 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Trainin
         criterionOf[{known->second, revision.rows[i].code}] = {i, revision.rows[i].scale};
       }
       inputs.sheets.push_back(reported(revision, names[revision.rubricId]));
+      inputs.sheets.back().id = id;
     }
     return known->second;
   };
@@ -191,7 +192,8 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Trainin
                         .rater = mark.raterCode,
                         .group = static_cast<std::size_t>(group - groups.begin()),
                         .occasion = *occasion,
-                        .sheet = sheetFor(row.rubricRevisionId)};
+                        .sheet = sheetFor(row.rubricRevisionId),
+                        .mark = mark.id};
       const auto& [criterion, scale] = criterionOf.at({one.sheet, row.rowCode});
       one.criterion = criterion;
       if (row.score_steps) {

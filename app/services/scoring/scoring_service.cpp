@@ -122,6 +122,7 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
         positionOf(campaign->instrument.classes, mark.classCode, [](const RaterClass& c) { return c.id; });
     rating.index = static_cast<std::size_t>(mark.indexNumber - 1);
     rating.steps = mark.score_steps;
+    rating.id = mark.id;
     read.inputs.update(mark.id.text());
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps);
@@ -182,6 +183,7 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
     scored.occasion = occasion;
     scored.rater = mark.raterCode;
     scored.steps = *mark.score_steps;
+    scored.id = mark.id;
     read.result.marks.push_back(std::move(scored));
   }
   read.result.trainees = traineeScores(read.result.scale, read.result.marks);

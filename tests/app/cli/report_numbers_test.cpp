@@ -11,8 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/outputs/report/cell_trace.h"
 #include "app/outputs/report/report_data.h"
 #include "app/outputs/report/report_export.h"
+#include "app/outputs/report/report_names.h"
 #include "app/services/access/session_context.h"
 #include "app/services/scoring/scoring_service.h"
 #include "assessment/results/number_format.h"
@@ -165,6 +167,28 @@ void collect(const json& step, const std::string& what, std::vector<json>& found
   }
 }
 
+/// The first seven cells of a line of cohort.csv.
+std::string addressIn(const std::string& line) {
+  bool quoted = false;
+  int commas = 0;
+  std::size_t end = 0;
+  for (; commas < 7; ++end) {
+    quoted = quoted != (line[end] == '"');
+    commas += line[end] == ',' && !quoted ? 1 : 0;
+  }
+  return line.substr(0, end - 1);
+}
+
+/// Whether every way down from a step ends at something that the record holds.
+bool endsInTheRecord(const TraceStep& step) {
+  if (step.madeOf.empty()) {
+    return !step.value.empty();
+  }
+  return std::all_of(step.madeOf.begin(), step.madeOf.end(), [](const TraceStep& part) {
+    return part.what != "not shown to you one by one; so many" && endsInTheRecord(part);
+  });
+}
+
 void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
   const std::string command =
       "report trace --json --database " + (folder / "out" / "torsio.sqlite").string() + " ";
@@ -179,11 +203,7 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
       return one.find(part) != std::string::npos;
     });
     EXPECT_NE(line, table.end()) << part;
-    std::size_t end = 0;
-    for (int comma = 0; comma < 7; ++comma) {
-      end = line->find(',', end) + 1;
-    }
-    return line->substr(0, end - 1);
+    return addressIn(*line);
   };
 
   const json group = traced(cellOf("training,all,Group 1,,,after 40 min,mean,"));
@@ -216,13 +236,19 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
   ASSERT_EQ(recordings.size(), 1U);
   EXPECT_FALSE(recordings[0]["value"].get<std::string>().empty());
 
-  std::vector<json> composites;
+  std::vector<json> means;
   std::vector<json> given;
   const json n = traced(cellOf("evaluation,all,,PM,,,N_eq27,"));
-  collect(n, "composite of", composites);
+  collect(n, "M of", means);
   collect(n, "mark of", given);
-  EXPECT_EQ(composites.size(), 40U);
+  EXPECT_EQ(means.size(), 9U) << "one an index";
   EXPECT_EQ(given.size(), 360U);
+  Connection record = openRecord((folder / "out" / "torsio.sqlite").string(), OpenMode::kReadOnly);
+  const CohortId cohort = cohortNamed(record, "");
+  CellTracer tracer(record, cohort, wholeInputs(record, cohort, campaignNamed(record, "")));
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    EXPECT_TRUE(endsInTheRecord(tracer.trace(addressIn(table[i])))) << table[i];
+  }
   EXPECT_EQ(runTorsio(command + "'training,nobody,,,,,score'", folder).code,
             static_cast<int>(ErrorCode::kBadParameter));
 }

@@ -108,12 +108,13 @@ QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
     text += QStringLiteral("<tr>");
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const QString cell = inCell(breaking(html(table.rows[r][c])));
-      const std::string origin = table.origins.empty() ? std::string() : table.origins[r][c];
-      text += origin.empty()
-                  ? QStringLiteral("<td>%1</td>").arg(cell)
-                  : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
-                        .arg(QLatin1String(kNumber),
-                             QString::fromLatin1(QUrl::toPercentEncoding(toQString(origin))), cell);
+      const auto& key = table.rows[r][c].key;
+      text += key == nullptr ? QStringLiteral("<td>%1</td>").arg(cell)
+                             : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
+                                   .arg(QLatin1String(kNumber),
+                                        QString::fromLatin1(QUrl::toPercentEncoding(
+                                            toQString(keyAddress(*key, model_.names)))),
+                                        cell);
     }
     text += QStringLiteral("</tr>");
   }

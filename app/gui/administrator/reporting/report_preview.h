@@ -25,7 +25,7 @@ class ReportPreview : public QTextBrowser {
   void setReport(const ReportModel& model, const Wording& wording);
 
  Q_SIGNALS:
-  /// A number was pressed: its line of the table of numbers, as numberAddress() names it.
+  /// A number was pressed: its line of the table of numbers, as keyAddress() names it.
   void numberPressed(const QString& address);
 
  protected:

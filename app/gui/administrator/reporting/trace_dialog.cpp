@@ -16,6 +16,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/outputs/wording/printed_minus.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 
 namespace torsio::gui {
@@ -91,18 +92,20 @@ void TraceDialog::fill() {
                         {tr("Occasion")},
                         {tr("Value"), true}});
   std::vector<Row> rows;
-  for (const CohortCsvRow& number : cohortCsvRows(*inputs_)) {
-    bool isNumber = false;
-    const QString value = toQString(number.value);
-    const double sortKey = value.toDouble(&isNumber);
-    rows.push_back({toQString(numberAddress(number)),
-                    {{toQString(number.statistic)},
-                     {toQString(number.item)},
-                     {toQString(number.group)},
-                     {toQString(number.model)},
-                     {toQString(number.index)},
-                     {toQString(number.occasion)},
-                     {printedMinus(value), isNumber ? QVariant(sortKey) : QVariant(), value}}});
+  const Ledger ledger = analysedCohort(*inputs_).ledger;
+  for (const Result& result : ledger.every()) {
+    const auto [section, item, group, model, index, occasion, statistic] =
+        keyCells(result.key, ledger.names());
+    const QString value = toQString(resultText(result.value));
+    const std::optional<double> number = numberIn(result.value);
+    rows.push_back({toQString(keyAddress(result.key, ledger.names())),
+                    {{toQString(statistic)},
+                     {toQString(item)},
+                     {toQString(group)},
+                     {toQString(model)},
+                     {toQString(index)},
+                     {toQString(occasion)},
+                     {printedMinus(value), number ? QVariant(*number) : QVariant(), value}}});
   }
   numbers_->setRows(std::move(rows));
 }

@@ -12,6 +12,7 @@
 #include "app/outputs/dataset/trajectory.h"
 #include "app/outputs/tables/export_set.h"
 #include "app/services/base/csv_table.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
@@ -132,7 +133,7 @@ TEST(Trajectory, HoldsEveryNumberOfEveryTenthSample) {
 TEST(Dataset, DescribesEachOfItsFiles) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
   const std::vector<fs::path> files = writeDataset(wholeContents(set), DatasetLayout::kRoCrate, folder);
 
   std::size_t found = 0;
@@ -178,7 +179,7 @@ TEST(Dataset, DescribesEachOfItsFiles) {
 TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
   DatasetContents contents = wholeContents(set);
   contents.recordings[1].trainee = "P-a.a";  // the same letters as the first
   contents.recordings.push_back({"T-0003", "P-aa", [] { return movedTrial(); }});
@@ -214,7 +215,7 @@ TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
 TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
-  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
   DatasetContents contents = wholeContents(set);
   contents.recordings[1].load = []() -> Trial {
     throw Error(ErrorCode::kBadData, Text::tr("the recording is damaged"), std::string("T-0002"), Text());
@@ -258,7 +259,7 @@ TEST(Dataset, IsAcceptedByTheValidatorOfBids) {
   if (!hasModule("bids-validator", own.path())) {
     GTEST_SKIP() << "npm's bids-validator is not installed (NODE_PATH)";
   }
-  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
   writeDataset(wholeContents(set), DatasetLayout::kBids, own.path() / "set");
 
   const json found = json::parse(
@@ -281,7 +282,7 @@ TEST(Dataset, IsReadByTheReferenceLibraryOfFrictionless) {
   if (!hasModule("datapackage", own.path())) {
     GTEST_SKIP() << "npm's datapackage is not installed (NODE_PATH)";
   }
-  const ExportSet set = exportSet(testing::awkwardCohort(), cohortCsvRows(testing::awkwardCohort()), {});
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
   writeDataset(wholeContents(set), DatasetLayout::kFrictionless, own.path() / "set");
   writeFileAtomically(own.path() / "read.js", R"(const {Package} = require('datapackage');
 (async () => {

@@ -16,6 +16,7 @@
 #include "app/outputs/tables/table_files.h"
 #include "app/outputs/tables/workbook.h"
 #include "app/services/base/csv_table.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
@@ -35,7 +36,7 @@ const ExportWording kEnglish = [](const Text& text) { return text.str(); };
 
 struct Written {
   CohortInputs inputs = awkwardCohort();
-  ExportSet set = exportSet(inputs, cohortCsvRows(inputs), {});
+  ExportSet set = exportSet(analysedCohort(inputs), {});
   ReportModel report = cohortReport(inputs);
   OwnFolder folder;
   std::filesystem::path file = folder.path() / "cohort.xlsx";
@@ -72,7 +73,7 @@ double numberIn(const std::string& text) {
 TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
   const CohortInputs in = awkwardCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
-  const ExportSet set = exportSet(in, cohortCsvRows(in), {});
+  const ExportSet set = exportSet(analysedCohort(in), {});
 
   ASSERT_EQ(set.numbers.rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {

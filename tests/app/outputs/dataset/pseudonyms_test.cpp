@@ -12,6 +12,7 @@
 
 #include "app/outputs/tables/export_set.h"
 #include "app/outputs/tables/table_files.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -138,7 +139,7 @@ TEST(Pseudonyms, AnAttackByDatesCountsAndTextsFindsNobody) {
 
 TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
   const Hidden hidden;
-  const ExportSet set = exportSet(hidden.after, cohortCsvRows(hidden.after), hidden.starts);
+  const ExportSet set = exportSet(analysedCohort(hidden.after), hidden.starts);
   const OwnFolder folder;
   std::string all;
   for (const TableFormat format : {TableFormat::kCsv, TableFormat::kSpss}) {
@@ -177,8 +178,8 @@ TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
 
 TEST(Pseudonyms, KeepEveryNumberAndEveryCount) {
   const Hidden hidden;
-  const ExportSet before = exportSet(hidden.before, cohortCsvRows(hidden.before), {});
-  const ExportSet after = exportSet(hidden.after, cohortCsvRows(hidden.after), hidden.starts);
+  const ExportSet before = exportSet(analysedCohort(hidden.before), {});
+  const ExportSet after = exportSet(analysedCohort(hidden.after), hidden.starts);
   ASSERT_EQ(after.marks.rows.size(), before.marks.rows.size());
   std::multiset<double> marksBefore;
   std::multiset<double> marksAfter;

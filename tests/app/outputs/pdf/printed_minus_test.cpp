@@ -75,7 +75,7 @@ TEST(PrintedMinus, IsEverywhereInTheReportAndNowhereInItsTableOfNumbers) {
         }
       }
       for (const ReportTable& table : section.tables) {
-        for (const std::vector<Text>& row : table.rows) {
+        for (const std::vector<ReportCell>& row : table.rows) {
           for (const Text& cell : row) {
             look(cell);
           }

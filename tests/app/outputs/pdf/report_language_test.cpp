@@ -47,7 +47,7 @@ void sayTable(const ReportTable& table, const Say& say) {
   for (const Text& column : table.columns) {
     say(table.id, column);
   }
-  for (const std::vector<Text>& row : table.rows) {
+  for (const std::vector<ReportCell>& row : table.rows) {
     for (const Text& cell : row) {
       say(table.id, cell);
     }

@@ -353,9 +353,9 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
   // The lines that keep it from being computed, by class, model and index.
   ASSERT_EQ(section->tables.size(), 1U) << "no score before everybody who was asked has given all marks";
-  const std::vector<std::vector<Text>>& lines = section->tables[0].rows;
+  const std::vector<std::vector<ReportCell>>& lines = section->tables[0].rows;
   ASSERT_EQ(lines.size(), 3U);
-  EXPECT_EQ(lines[0], (std::vector<Text>{Text::verbatim("deputy chief physician"), Text::verbatim("PM"),
+  EXPECT_EQ(lines[0], (std::vector<ReportCell>{Text::verbatim("deputy chief physician"), Text::verbatim("PM"),
                                          Text::verbatim("all 9")}));
   EXPECT_EQ(lines[2][0].str() + " " + lines[2][1].str(), "chief physician FEM");
 

@@ -121,7 +121,7 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   ASSERT_EQ(report.sections[1].figures.size(), 2U);
   EXPECT_EQ(report.sections[1].figures[0].series.size(), 7U);  // six models and what was measured
   EXPECT_EQ(report.sections[1].figures[1].series.size(), 8U);  // both subjects
-  for (const std::vector<Text>& row : report.sections[1].tables[0].rows) {
+  for (const std::vector<ReportCell>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
   }
   for (const ReportTable* table : {&report.sections[0].tables[0], &report.sections[1].tables[0]}) {
@@ -129,7 +129,7 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
       EXPECT_TRUE(std::isupper(static_cast<unsigned char>(column.str().front()))) << column;
     }
   }
-  for (const std::vector<Text>& row : report.sections[0].tables[0].rows) {
+  for (const std::vector<ReportCell>& row : report.sections[0].tables[0].rows) {
     for (const std::size_t c : {3U, 4U}) {  // milliseconds from those of the twist model to those of elements
       const std::string cell = row[c].str();
       EXPECT_LE(std::count_if(cell.begin(), cell.end(), [](char sign) { return sign >= '1' && sign <= '9'; }),

@@ -85,7 +85,7 @@ const ReportTable* tableIn(const ReportModel& report, const std::string& id) {
   return nullptr;
 }
 
-std::vector<std::string> cellsOf(const std::vector<Text>& row, std::size_t count) {
+std::vector<std::string> cellsOf(const std::vector<ReportCell>& row, std::size_t count) {
   std::vector<std::string> cells;
   for (std::size_t i = 0; i < count; ++i) {
     cells.push_back(row.at(i).str());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of cohort.csv about raters and about groups: what the report's tables and figures of the training
-// study show.
+// Results about raters and about groups: what the report's tables and figures of the training study show.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,21 +7,65 @@
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
-#include "assessment/results/csv_rows.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
+#include "assessment/results/result_writer.h"
 #include "assessment/statistics/descriptive.h"
-#include "sim/core/text_list.h"
 
 namespace torsio {
 
 namespace {
 
-std::vector<std::string> missingFlag(bool missing) {
-  return missing ? std::vector<std::string>{"marks missing"} : std::vector<std::string>{};
+using enum ResultSection;
+using Flags = std::vector<std::string>;
+
+Flags flagIf(bool set, const char* flag) {
+  return set ? Flags{flag} : Flags{};
 }
 
-void addCoefficients(CsvRows& rows, const Outcome<IccResult>& icc, std::int64_t n) {
+std::size_t lastOf(const CohortInputs& in) {
+  return in.occasions.size() - 1;
+}
+
+ResultPattern marksAt(std::optional<std::size_t> occasion, std::optional<std::size_t> group = std::nullopt) {
+  return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
+}
+
+/// Scores before and at the end, of the trainees with both; `only`: of one group.
+std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& study,
+                                  std::optional<std::size_t> only = std::nullopt) {
+  std::vector<ResultPart> parts;
+  for (std::size_t g = 0; g < study.endCodes.size(); ++g) {
+    for (const std::string& code : only.value_or(g) == g ? study.endCodes[g] : std::vector<std::string>{}) {
+      for (const std::size_t t : {std::size_t{0}, lastOf(in)}) {
+        parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .group = g, .occasion = t});
+      }
+    }
+  }
+  return parts;
+}
+
+/// Marks before and at the end, and who was to be marked.
+ResultParts endMarks(const CohortInputs& in) {
+  return partsOf({marksAt(0), marksAt(lastOf(in)), RecordRef{RecordKind::kEnrolments}});
+}
+
+/// Scores at every occasion, of the trainees with a score at each.
+ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
+                         std::optional<std::size_t> only = std::nullopt) {
+  std::vector<ResultPart> parts{RecordRef{RecordKind::kEnrolments}};
+  for (const TraineeScore& score : in.scores) {
+    const auto& left = study.leftOutOfCourse;
+    if (only.value_or(score.group) == score.group &&
+        std::find(left.begin(), left.end(), score.trainee) == left.end()) {
+      parts.emplace_back(ResultPattern{
+          .statistic = "score", .of = score.trainee, .group = score.group, .occasion = score.occasion});
+    }
+  }
+  return partsOf(std::move(parts));
+}
+
+void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int64_t n) {
   if (!icc) {
     return;
   }
@@ -33,16 +76,16 @@ void addCoefficients(CsvRows& rows, const Outcome<IccResult>& icc, std::int64_t 
 }
 
 /// Agreement of the pairs of raters in whole points.
-void addPoints(CsvRows& rows, const PointAgreement& points) {
+void addPoints(ResultWriter& rows, const PointAgreement& points) {
   const std::vector<double>& kappas = points.kappas;
-  const bool known = !kappas.empty();
-  rows.add("rater_pairs", static_cast<double>(points.pairs), points.shared);
-  rows.add("kappa_quadratic_median", known ? std::optional(medianOf(kappas)) : std::nullopt, points.shared);
-  rows.add("kappa_quadratic_lowest",
-           known ? std::optional(*std::min_element(kappas.begin(), kappas.end())) : std::nullopt,
+  const auto known = [&](auto summary) {
+    return kappas.empty() ? std::nullopt : std::optional<double>(summary());
+  };
+  rows.addCount("rater_pairs", static_cast<std::int64_t>(points.pairs), points.shared);
+  rows.add("kappa_quadratic_median", known([&] { return medianOf(kappas); }), points.shared);
+  rows.add("kappa_quadratic_lowest", known([&] { return *std::min_element(kappas.begin(), kappas.end()); }),
            points.shared);
-  rows.add("kappa_quadratic_highest",
-           known ? std::optional(*std::max_element(kappas.begin(), kappas.end())) : std::nullopt,
+  rows.add("kappa_quadratic_highest", known([&] { return *std::max_element(kappas.begin(), kappas.end()); }),
            points.shared);
   const auto share = [&](std::int64_t part) {
     return points.shared > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(points.shared))
@@ -53,44 +96,39 @@ void addPoints(CsvRows& rows, const PointAgreement& points) {
 }
 
 /// How many raters are needed: components of variance, and what each number of raters would give.
-void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   const RatersNeeded& needed = study.needed;
   if (!needed.components) {
     return;
   }
-  CsvRows rows(out);
-  rows.place.section = "agreement";
-  rows.place.item = "all";
-  rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = csvFlags(commonFlags(in), {"complete cases"});
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in),
+                    {"complete cases"});
+  rows.madeOf = partsOf({marksAt(lastOf(in))});
   rows.add("variance_of_trainees", needed.components->at("p").variance, needed.marks);
   rows.add("variance_of_raters", needed.components->at("r").variance, needed.marks);
   rows.add("variance_of_rest", needed.components->at("pr").variance, needed.marks);
   rows.add("raters_needed", needed.fewest ? std::optional(static_cast<double>(*needed.fewest)) : std::nullopt,
            needed.marks);
   for (const auto& [raters, planned] : needed.planned) {
-    rows.place.index = "raters " + std::to_string(raters);
-    rows.add("dependability", planned ? std::optional(planned->dependability) : std::nullopt, needed.marks);
-    rows.add("generalizability", planned ? std::optional(planned->generalizability) : std::nullopt,
-             needed.marks);
+    rows.place.index = ratersIndex(raters);
+    rows.add("dependability", planned, &DStudy::dependability, needed.marks);
+    rows.add("generalizability", planned, &DStudy::generalizability, needed.marks);
     rows.add("standard_error_of_mean_mark",
              planned ? std::optional(std::sqrt(planned->absoluteError)) : std::nullopt, needed.marks);
   }
 }
 
 /// The raters on one scale.
-void addRasch(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.rasch) {
     return;
   }
-  CsvRows rows(out);
-  rows.place.section = "agreement";
-  rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = csvFlags(commonFlags(in), {});
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
+  rows.madeOf = partsOf({marksAt(lastOf(in))});
+  const auto& marks = study.occasions.back().marks;
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     const RaschRater& rater = study.rasch->raters[r];
-    rows.place.item = study.raters[r];
-    const auto& marks = study.occasions.back().marks;
+    rows.place.of = study.raters[r];
     const std::int64_t n =
         std::count_if(marks.begin(), marks.end(), [r](const auto& row) { return row[r].has_value(); });
     rows.add("rasch_severity", rater.severity, n);
@@ -101,18 +139,15 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, std::vector<Co
 }
 
 /// Agreement at each occasion: of everybody, of every mark where some are missing, and within each group.
-void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  CsvRows rows(out);
-  rows.place.section = "agreement";
-  rows.place.item = "all";
+void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
-    rows.place.occasion = in.occasions[t].str();
-    rows.place.flags = csvFlags(commonFlags(in), missingFlag(at.missing > 0));
+    ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
+                      flagIf(at.missing > 0, "marks missing"));
+    rows.madeOf = partsOf({marksAt(t)});
     addCoefficients(rows, at.icc, at.n);
     addPoints(rows, at.points);
-    rows.add("krippendorff_alpha_interval", at.alpha ? std::optional<double>(at.alpha->alpha) : std::nullopt,
-             at.n);
+    rows.add("krippendorff_alpha_interval", at.alpha, &KrippendorffResult::alpha, at.n);
     if (at.missing > 0 && at.reliability) {
       const IncompleteReliability& every = *at.reliability;
       rows.add("reml_one_rater", every.single, at.n);
@@ -121,20 +156,19 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vecto
       rows.add("reml_sem_of_mean", every.semMean, at.n);
     }
     for (const GroupAgreement& of : at.groups) {
-      rows.place.group = in.groups[of.group].name.str();
+      rows.place.group = of.group;
+      rows.madeOf = partsOf({marksAt(t, of.group)});
       addCoefficients(rows, of.icc, of.trainees);
     }
-    rows.place.group.clear();
   }
 }
 
 /// Each rater against the others: one value a trainee, so that the differences are independent.
-void addRaters(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  CsvRows rows(out);
-  rows.place.section = "agreement";
-  rows.place.flags = csvFlags(commonFlags(in), {});
+void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
+  rows.madeOf = partsOf({marksAt(std::nullopt)});
   for (const RaterSeverity& rater : study.severity) {
-    rows.place.item = rater.rater;
+    rows.place.of = rater.rater;
     rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
   }
   for (std::size_t r = 0; r < study.againstPanel.size(); ++r) {
@@ -142,8 +176,9 @@ void addRaters(const CohortInputs& in, const StudyAnalysis& study, std::vector<C
     if (!against) {
       continue;
     }
-    rows.place.item = study.raters[r];
-    rows.place.occasion = in.occasions.back().str();
+    rows.place.of = study.raters[r];
+    rows.place.occasion = lastOf(in);
+    rows.madeOf = partsOf({marksAt(lastOf(in))});
     const auto n = static_cast<std::int64_t>(against->n);
     rows.add("mean_difference_from_others", against->meanDifference, n);
     rows.add("limit_of_agreement_lower", against->limits.lower, n);
@@ -151,18 +186,24 @@ void addRaters(const CohortInputs& in, const StudyAnalysis& study, std::vector<C
   }
 }
 
-/// Where the comparison of groups stands in the table.
-CsvRows comparisonRows(const CohortInputs& in, const std::vector<std::string>& flags,
-                       std::vector<CohortCsvRow>& out) {
-  CsvRows rows(out);
-  rows.place.section = "comparison";
-  rows.place.item = "all";
-  rows.place.occasion = in.occasions.back().str();
-  rows.place.flags = csvFlags(commonFlags(in), flags);
+/// Where the comparison of groups stands.
+ResultWriter comparison(const CohortInputs& in, const Flags& flags, ResultParts parts, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kComparison, .occasion = lastOf(in)}, commonFlags(in), flags);
+  rows.madeOf = std::move(parts);
   return rows;
 }
 
-void addEffect(CsvRows& rows, const std::string& name, const AnovaEffect& effect, std::int64_t n) {
+void placeAtPair(ResultWriter& rows, std::size_t first, std::size_t second) {
+  rows.place.group = first;
+  rows.place.against = second;
+}
+
+void placeAtAll(ResultWriter& rows) {
+  rows.place.group.reset();
+  rows.place.against.reset();
+}
+
+void addEffect(ResultWriter& rows, const std::string& name, const AnovaEffect& effect, std::int64_t n) {
   rows.add(name + "_f", effect.f, n);
   rows.add(name + "_p", effect.p, n);
   if (effect.pGreenhouseGeisser) {
@@ -172,7 +213,7 @@ void addEffect(CsvRows& rows, const std::string& name, const AnovaEffect& effect
 }
 
 /// The course of the groups over the occasions, of the trainees with a score at each.
-void addCourse(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+void addCourse(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.course) {
     return;
   }
@@ -180,10 +221,8 @@ void addCourse(const CohortInputs& in, const StudyAnalysis& study, std::vector<C
   for (const NumberTable& group : study.courses) {
     n += static_cast<std::int64_t>(group.rows());
   }
-  CsvRows rows = comparisonRows(
-      in,
-      study.leftOutOfCourse.empty() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"},
-      out);
+  ResultWriter rows = comparison(in, flagIf(!study.leftOutOfCourse.empty(), "complete cases"),
+                                 courseScores(in, study), ledger);
   if (study.course->interaction) {
     addEffect(rows, "mixed_interaction", *study.course->interaction, n);
   }
@@ -195,24 +234,29 @@ void addCourse(const CohortInputs& in, const StudyAnalysis& study, std::vector<C
 }
 
 /// What the groups gained: each by itself, and one against the other by ranks.
-void addGainRows(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.gains) {
     return;
   }
-  CsvRows rows = comparisonRows(in, {}, out);
+  ResultWriter rows = comparison(in, {}, {}, ledger);
   for (std::size_t g = 0; g < study.gains->within.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
-    rows.place.group = in.groups[g].name.str();
-    rows.add("median_gain", gain.median ? std::optional(gain.median->estimate) : std::nullopt, gain.n);
+    rows.place.group = g;
+    std::vector<ResultPart> own = endScores(in, study, g);
+    own.emplace_back(RecordRef{RecordKind::kEnrolments});
+    rows.madeOf = partsOf(std::move(own));
+    rows.add("median_gain", gain.median, &Bootstrap::estimate, gain.n);
     if (gain.median) {
       rows.addBounds("median_gain", gain.median->bca, gain.n);
     }
-    rows.add("gain_signed_rank_v", gain.ranks ? std::optional(gain.ranks->v) : std::nullopt, gain.n);
-    rows.add("gain_signed_rank_p", gain.ranks ? std::optional(gain.ranks->pTwoSided) : std::nullopt, gain.n);
-    rows.add("occasions_friedman_p", gain.occasions ? std::optional(gain.occasions->p) : std::nullopt,
+    rows.add("gain_signed_rank_v", gain.ranks, &SignedRank::v, gain.n);
+    rows.add("gain_signed_rank_p", gain.ranks, &SignedRank::pTwoSided, gain.n);
+    rows.madeOf = courseScores(in, study, g);
+    rows.add("occasions_friedman_p", gain.occasions, &Friedman::p,
              static_cast<std::int64_t>(study.courses[g].rows()));
   }
-  rows.place.group.clear();
+  placeAtAll(rows);
+  rows.madeOf = partsOf(endScores(in, study));
   const Outcome<KruskalWallis>& between = study.gains->between;
   if (!between) {
     return;
@@ -229,83 +273,92 @@ void addGainRows(const CohortInputs& in, const StudyAnalysis& study, std::vector
     const Outcome<MannWhitney>& ranks = study.gains->pairs[i];
     const std::int64_t two =
         std::ssize(study.gains->gains[pair.first]) + std::ssize(study.gains->gains[pair.second]);
-    rows.place.group = pairName(in, pair.first, pair.second).str();
+    placeAtPair(rows, pair.first, pair.second);
     rows.add("gain_difference_of_mean_ranks", -pair.difference, two);
     rows.add("gain_dunn_z", -pair.z, two);
     rows.add("gain_dunn_p_holm", pair.pHolm, two);
-    rows.add("gain_superiority", ranks ? std::optional(ranks->superiority) : std::nullopt, two);
-    rows.add("gain_mann_whitney_p_exact", ranks ? ranks->pExact : std::nullopt, two);
+    rows.add("gain_superiority", ranks, &MannWhitney::superiority, two);
+    rows.add("gain_mann_whitney_p_exact", ranks, &MannWhitney::pExact, two);
   }
 }
 
-void addSlopes(const CohortInputs& in, const StudyAnalysis& study, std::int64_t n, CsvRows& rows) {
+void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   if (!study.slopes) {
     return;
   }
   for (std::size_t g = 0; g < study.slopes->slopes.size(); ++g) {
-    rows.place.group = in.groups[study.slopes->groups[g]].name.str();
+    rows.place.group = study.slopes->groups[g];
     rows.add("separate_slope", study.slopes->slopes[g], n);
   }
   for (const SlopesPair& pair : study.slopes->pairs) {
-    rows.place.group = pairName(in, pair.first, pair.second).str();
+    placeAtPair(rows, pair.first, pair.second);
     for (std::size_t b = 0; b < pair.at.size(); ++b) {
       rows.place.index = "score before " + formatExact(study.slopes->baselines[b]);
+      rows.place.record = std::to_string(b);
       rows.addInterval("separate_slopes_difference", pair.at[b].difference, pair.at[b].interval, n);
       rows.add("separate_slopes_p", pair.at[b].p, n);
       rows.add("separate_slopes_p_holm", pair.at[b].pHolm, n);
     }
     rows.place.index.clear();
+    rows.place.record.clear();
   }
-  rows.place.group.clear();
+  placeAtAll(rows);
 }
 
-void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int64_t n, CsvRows& rows) {
+void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   if (!in.equivalenceMargin) {
     return;
   }
+  const ResultParts compared = rows.madeOf;
+  rows.madeOf = partsOf({RecordRef{RecordKind::kCohortPlan}});
   rows.add("equivalence_margin", *in.equivalenceMargin, n);
+  rows.madeOf = compared;
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
     if (!(pair.error > 0.0)) {
       continue;
     }
     const Equivalence test = equivalence(pair.value, pair.error, pair.df, *in.equivalenceMargin);
-    rows.place.group = pairName(in, pair.first, pair.second).str();
+    placeAtPair(rows, pair.first, pair.second);
     rows.add("equivalence_p", test.p, n);
     rows.add("equivalence_lower_90", test.interval.lower, n);
     rows.add("equivalence_upper_90", test.interval.upper, n);
   }
-  rows.place.group.clear();
+  placeAtAll(rows);
 }
 
 /// What the residual plots show, a trainee a row.
-void addResiduals(const CohortInputs& in, const StudyAnalysis& study, CsvRows& rows) {
+void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWriter& rows) {
   for (std::size_t g = 0; g < study.ancova->residuals.size(); ++g) {
-    rows.place.group = in.groups[g].name.str();
+    rows.place.group = g;
     for (std::size_t i = 0; i < study.ancova->residuals[g].size(); ++i) {
-      rows.place.item = study.endCodes[g][i];
+      rows.place.of = study.endCodes[g][i];
+      const auto score = [&](std::size_t t) {
+        return ResultPattern{.statistic = "score", .of = rows.place.of, .group = g, .occasion = t};
+      };
+      rows.madeOf = partsOf(
+          {score(0), score(lastOf(in)), ResultPattern{.section = kComparison, .statistic = "ancova_slope"}});
       rows.add("ancova_fitted", study.ancova->fitted[g][i], 1);
       rows.add("ancova_residual", study.ancova->residuals[g][i], 1);
       rows.add("ancova_normal_quantile", study.ancova->quantiles[g][i], 1);
     }
   }
-  rows.place.group.clear();
-  rows.place.item = "all";
 }
 
-void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   const std::int64_t n = comparedTrainees(study);
   if (!primaryDifferences(study).empty()) {
-    CsvRows rows = comparisonRows(in, missingFlag(!study.asPlanned()), out);
-    rows.addText("planned_analysis", "analysis of covariance", n);
-    rows.addText("primary_analysis", study.mixed ? "linear mixed model" : "analysis of covariance", n);
-    rows.add("marks_missing", static_cast<double>(study.endMissing), study.endMarks + study.endMissing);
+    ResultWriter rows = comparison(in, flagIf(!study.asPlanned(), "marks missing"), endMarks(in), ledger);
+    const Text covariance = Text::verbatim("analysis of covariance");
+    rows.put("planned_analysis", covariance, n);
+    rows.put("primary_analysis", study.mixed ? Text(Text::verbatim("linear mixed model")) : covariance, n);
+    rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);
     addEquivalence(in, study, n, rows);
   }
   if (!study.ancova) {
     return;
   }
-  CsvRows rows = comparisonRows(
-      in, study.asPlanned() ? std::vector<std::string>{} : std::vector<std::string>{"complete cases"}, out);
+  ResultWriter rows =
+      comparison(in, flagIf(!study.asPlanned(), "complete cases"), partsOf(endScores(in, study)), ledger);
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
@@ -313,12 +366,12 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
     rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
   }
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
-    rows.place.group = in.groups[study.ancova->groups[g]].name.str();
+    rows.place.group = study.ancova->groups[g];
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
   const Groups& after = study.ends.after;
   for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group = pairName(in, pair.first, pair.second).str();
+    placeAtPair(rows, pair.first, pair.second);
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
     rows.addBounds("adjusted_difference_simultaneous", pair.simultaneous, n);
     rows.add("t", pair.t, n);
@@ -328,18 +381,18 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
       rows.addInterval("hedges_g", g->g, g->interval, n);
     }
   }
-  rows.place.group.clear();
-  addSlopes(in, study, n, rows);
+  placeAtAll(rows);
+  addSlopes(study, n, rows);
   addResiduals(in, study, rows);
 }
 
 /// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
-void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  CsvRows rows = comparisonRows(in, missingFlag(true), out);
+void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  ResultWriter rows = comparison(in, {"marks missing"}, endMarks(in), ledger);
   const std::int64_t n = comparedTrainees(study);
   if (study.mixed) {
     for (const MixedComparison::Pair& pair : study.mixed->pairs) {
-      rows.place.group = pairName(in, pair.first, pair.second).str();
+      placeAtPair(rows, pair.first, pair.second);
       rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
       rows.addBounds("mixed_model_difference_simultaneous", pair.simultaneous, n);
       rows.add("mixed_model_df", pair.difference.df, n);
@@ -348,7 +401,7 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vect
     }
   }
   for (const MissingBounds& pair : study.bounds) {
-    rows.place.group = pairName(in, pair.first, pair.second).str();
+    placeAtPair(rows, pair.first, pair.second);
     if (pair.worst && pair.best) {
       rows.addInterval("bound_worst", pair.worst->difference, pair.worst->interval, n);
       rows.addInterval("bound_best", pair.best->difference, pair.best->interval, n);
@@ -358,58 +411,22 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, std::vect
 
 }  // namespace
 
-std::string csvFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
-  std::vector<Text> all = common;
-  all.insert(all.end(), own.begin(), own.end());
-  return listed(all, Text::tr("%1; %2")).str();
+std::string ratersIndex(std::size_t raters) {
+  return "raters " + std::to_string(raters);
 }
 
-void CsvRows::addText(const std::string& statistic, const std::string& value, std::int64_t n) {
-  CohortCsvRow row = place;
-  row.statistic = statistic;
-  row.value = value;
-  row.n = std::to_string(n);
-  out_.push_back(row);
-}
-
-void CsvRows::addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
-                          std::int64_t n) {
-  add(statistic, value, n);
-  if (interval) {
-    addBounds(statistic, *interval, n);
-  }
-}
-
-void CsvRows::addBounds(const std::string& statistic, const Interval& interval, std::int64_t n) {
-  add(statistic + "_lower_95", interval.lower, n);
-  add(statistic + "_upper_95", interval.upper, n);
-}
-
-void CsvRows::add(const std::string& statistic, const std::optional<double>& value, std::int64_t n) {
-  CohortCsvRow row = place;
-  row.statistic = statistic;
-  if (value) {
-    row.value = formatExact(*value);
-  }
-  row.n = std::to_string(n);
-  if (!value) {
-    row.flags += row.flags.empty() ? "undefined" : "; undefined";
-  }
-  out_.push_back(row);
-}
-
-void addStudyRows(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  addAgreement(in, study, out);
-  addRaters(in, study, out);
+void addStudyResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  addAgreement(in, study, ledger);
+  addRaters(in, study, ledger);
   if (study.raters.size() >= 2) {
-    addRatersNeeded(in, study, out);
-    addRasch(in, study, out);
+    addRatersNeeded(in, study, ledger);
+    addRasch(in, study, ledger);
   }
   if (study.occasions.size() >= 2) {
-    addComparison(in, study, out);
-    addCourse(in, study, out);
-    addMixedModel(in, study, out);
-    addGainRows(in, study, out);
+    addComparison(in, study, ledger);
+    addCourse(in, study, ledger);
+    addMixedModel(in, study, ledger);
+    addGainResults(in, study, ledger);
   }
 }
 

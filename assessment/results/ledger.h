@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "sim/core/text.h"
+
+namespace torsio {
+
+/// Part of a study that a result belongs to.
+enum class ResultSection : std::uint8_t {
+  kEvaluation,
+  kTraining,
+  kScoringSheet,
+  kCriterion,
+  kAgreement,
+  kComparison,
+  kTrial,
+  kCompetence,
+  kDeviation,
+  kRecord,
+};
+
+/// "evaluation", "training" ...: the first column of cohort.csv.
+[[nodiscard]] std::string_view sectionName(ResultSection section) noexcept;
+
+/// Names one result of a cohort. Fields that do not apply are empty.
+struct ResultKey {
+  ResultSection section = ResultSection::kTraining;
+  std::string statistic{};  ///< "score", "icc_2_1"
+  std::string of{};         ///< trainee, rater, scoring sheet; empty: all of them
+  std::optional<std::size_t> group{};
+  std::optional<std::size_t> against{};  ///< second group of a comparison of two
+  std::string raterClass{};              ///< id
+  std::string model{};      ///< of tissue; scoring sheet, revision and code of a criterion; program version
+  std::string index{};      ///< of the instrument; rater of a mark; revision of a scoring sheet; exercise
+  std::int64_t number = 0;  ///< of a twist, from 1
+  std::optional<std::size_t> occasion{};
+  std::string when{};    ///< phase of a run, time of a deviation
+  std::string record{};  ///< tells apart what has the same names: recording, deviation, exercise, sheet
+
+  friend auto operator<=>(const ResultKey&, const ResultKey&) = default;
+};
+
+/// Hashes all fields.
+struct ResultKeyHash {
+  std::size_t operator()(const ResultKey& key) const noexcept;
+};
+
+/// In a pattern, `of` with this value matches every single person or thing, but no summary.
+inline constexpr const char* kEach = "*";
+
+/// Matches the keys that agree in section, statistic and `of`, and in every other field that is not empty.
+using ResultPattern = ResultKey;
+[[nodiscard]] bool matches(const ResultPattern& pattern, const ResultKey& key) noexcept;
+
+enum class RecordKind : std::uint8_t {
+  kMark,            ///< of the training study
+  kEvaluationMark,  ///< of the evaluation of models
+  kRecording,
+  kRubricRevision,
+  kCompetenceDesign,  ///< number of its version; 0: shipped with the exercise
+  kDeviation,
+  kEnrolments,     ///< of the cohort: who was to be marked
+  kSheetRequests,  ///< of the cohort: the sheets that raters were asked for
+  kCampaign,       ///< the evaluation of models: who was asked for it
+  kCohortPlan,     ///< what was planned with the cohort
+  kAuditTrail,
+  kProgram,
+};
+
+/// A row of the record, or what of it has no rows of its own.
+struct RecordRef {
+  RecordKind kind = RecordKind::kMark;
+  std::string id{};
+  friend bool operator==(const RecordRef&, const RecordRef&) = default;
+};
+
+/// What a result is made of. Results of one analysis share it.
+using ResultPart = std::variant<ResultPattern, RecordRef>;
+using ResultParts = std::shared_ptr<const std::vector<ResultPart>>;
+[[nodiscard]] ResultParts partsOf(std::vector<ResultPart> parts);
+
+/// No value. `reason`: a clause without full stop; empty: not said.
+struct Undefined {
+  Text reason{};
+};
+
+using ResultValue = std::variant<Undefined, double, std::int64_t, bool, Text>;
+
+/// One number, word or hash of a cohort with everything that says what it is.
+struct Result {
+  ResultKey key;
+  ResultValue value;
+  std::int64_t n = 0;  ///< values used
+  std::string flags;   ///< joined by "; "
+  ResultParts madeOf;  ///< never empty
+};
+
+/// Returns a value as a number; empty: it is none.
+[[nodiscard]] std::optional<double> numberIn(const ResultValue& value) noexcept;
+
+/// What groups and occasions are called, by their numbers in a key.
+struct ResultNames {
+  std::vector<Text> groups{};
+  std::vector<Text> occasions{};
+};
+
+/// Returns a key as it stands in cohort.csv: section, item, group, model, index, occasion, statistic.
+[[nodiscard]] std::array<std::string, 7> keyCells(const ResultKey& key, const ResultNames& names);
+/// Returns these cells as one line of CSV.
+[[nodiscard]] std::string keyAddress(const ResultKey& key, const ResultNames& names);
+
+/// All results of a cohort, each once, in the order in which they were added.
+class Ledger {
+ public:
+  Ledger() = default;
+  explicit Ledger(ResultNames names) : names_(std::move(names)) {}
+
+  /// Adds a result. Throws ContractError when its key is there already or it is made of nothing.
+  void add(Result result);
+  /// Returns the result of a key; null: there is none.
+  [[nodiscard]] const Result* find(const ResultKey& key) const;
+  /// Returns the results that match, in their order.
+  [[nodiscard]] std::vector<const Result*> select(const ResultPattern& pattern) const;
+  [[nodiscard]] const std::deque<Result>& every() const noexcept { return results_; }
+  [[nodiscard]] const ResultNames& names() const noexcept { return names_; }
+
+  /// Returns a ledger of the results for which `shown` holds.
+  [[nodiscard]] Ledger filtered(const std::function<bool(const Result&)>& shown) const;
+
+ private:
+  ResultNames names_;
+  std::deque<Result> results_;
+  std::unordered_map<ResultKey, std::size_t, ResultKeyHash> byKey_;
+  std::unordered_map<std::string, std::vector<std::size_t>> byPerson_;  // by ResultKey::of
+};
+
+}  // namespace torsio

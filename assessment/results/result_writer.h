@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assessment/results/ledger.h"
+#include "assessment/results/study_analysis.h"
+#include "assessment/statistics/values.h"
+
+// The analyses that fill the ledger. Private to assessment/results.
+namespace torsio {
+
+/// Adds results that share their place and what they are made of, and differ in statistic and value.
+class ResultWriter {
+ public:
+  /// `flags`: of the cohort; `own`: of these results.
+  ResultWriter(Ledger& ledger, ResultKey at, std::vector<Text> flags,
+               const std::vector<std::string>& own = {})
+      : place(std::move(at)), ledger_(ledger), flags_(std::move(flags)) {
+    setFlags(own);
+  }
+
+  ResultKey place;
+  ResultParts madeOf;
+
+  /// Flags of these results beside those of the cohort.
+  void setFlags(const std::vector<std::string>& own);
+
+  /// Adds a number; empty: undefined.
+  void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n);
+  /// Adds a member of an outcome, undefined for the outcome's reason.
+  template <typename T, typename Member>
+  void add(const std::string& statistic, const Outcome<T>& outcome, Member T::*member, std::int64_t n) {
+    outcome ? add(statistic, (*outcome).*member, n) : put(statistic, Undefined{outcome.reason()}, n);
+  }
+  void addCount(const std::string& statistic, std::int64_t count, std::int64_t n) {
+    put(statistic, count, n);
+  }
+  /// Adds a hash, a word, an answer of yes or no.
+  void put(const std::string& statistic, ResultValue value, std::int64_t n);
+  /// Adds a number, and its interval as `statistic` with _lower_95 and _upper_95.
+  void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
+                   std::int64_t n);
+  /// Adds an interval by itself; `statistic` says of what and how wide.
+  void addBounds(const std::string& statistic, const Interval& interval, std::int64_t n);
+
+ private:
+  Ledger& ledger_;
+  std::vector<Text> flags_;
+  std::string joined_;
+};
+
+/// Adds the criteria: every scoring sheet that was used with its anchors, what each group and trainee got for
+/// each criterion, and every mark of it (criteria_section.cpp).
+void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
+
+/// Adds what the marks of the training study say about raters and groups.
+void addStudyResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
+
+}  // namespace torsio
