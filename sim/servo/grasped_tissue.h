@@ -35,7 +35,7 @@ class GraspedTissue {
   void apply(const ServoCommand& command) noexcept {
     ask(kind_, [&](auto& kind) { kind.apply(command); });
   }
-  void hear(const BesideAnswer& answer) noexcept {
+  void hear(const AsyncAnswer& answer) noexcept {
     ask(kind_, [&](auto& kind) { kind.hear(answer); });
   }
   void setHolders(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept {

@@ -10,7 +10,7 @@
 #include "app/services/access/settings_service.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/setting_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -14,7 +14,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/digest.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -12,7 +12,6 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -13,7 +13,6 @@
 #include "sim/baseline/lattice_update.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -6,7 +6,6 @@
 #include "app/services/base/csv_table.h"
 #include "app/services/comparison/camera_markers.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

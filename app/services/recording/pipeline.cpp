@@ -27,7 +27,7 @@ HandTask untwistingOf(const Scene& scene, const ScriptedTrial& trial) {
 ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
   ScriptedHandOptions hand;
   hand.seed = trial.trialSeed;
-  hand.task = scene.hollow ? untwistingOf(scene, trial) : handTask(scene);
+  hand.task = scene.comesTwisted() ? untwistingOf(scene, trial) : handTask(scene);
   hand.profile = handProfile(trial.personSeed);
   hand.practisedBefore_min = trial.practisedBefore_min;
   hand.practiceScale = trial.practiceScale;

@@ -12,7 +12,7 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/record/content_hash.h"
-#include "sim/record/trial_seed.h"
+#include "sim/record/trial.h"
 
 namespace torsio {
 

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

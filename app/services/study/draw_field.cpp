@@ -10,7 +10,7 @@
 #include "assessment/domain/ids.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -26,7 +26,6 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/question_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

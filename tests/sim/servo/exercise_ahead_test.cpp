@@ -18,6 +18,7 @@
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/trial_rerun.h"
 #include "tests/sim/servo/recorded_bar.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -121,10 +122,7 @@ TEST(ExerciseAhead, ReplaysBitForBitOnAnyNumberOfThreads) {
 }
 
 TEST(ExerciseAhead, ReplaysAnOrganThatIsARod) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "stomach";
-  const Scene stomach = loadScene(request);
+  const Scene stomach = testing::shippedScene("stomach");
   const Trial trial = recordedIn(stomach, 5, 12);
 
   const ReplayReport report = replayTrial(stomach, trial, 3);

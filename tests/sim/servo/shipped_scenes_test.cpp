@@ -10,13 +10,14 @@
 
 #include "sim/core/angle.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -24,11 +25,7 @@ namespace {
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
 Scene shipped(const std::string& id, const std::string& pattern = "") {
-  SceneRequest request;
-  request.assets = kAssets;
-  request.id = id;
-  request.pattern = pattern;
-  return loadScene(request);
+  return testing::shippedScene(id, pattern);
 }
 
 ScriptedHandOptions skilledHand(const Scene& scene) {
