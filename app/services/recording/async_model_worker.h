@@ -46,7 +46,7 @@ class LatestShape {
 /// Makes the model of an organ that a jaw holds at this arc length, m. Called in the thread of the work.
 using GraspMaker = std::function<std::unique_ptr<GraspedOrgan>(double arc_m)>;
 
-/// Runs a model that takes longer than a tick beside the servo: reads the newest question, moves the model on
+/// Runs a model that takes longer than a tick, outside the servo: reads the newest question, moves the model on
 /// by a frame, delivers torque and slope. What throws or is no number is delivered as broken, and the model
 /// is made anew. The servo is never waited for, and never waits.
 class AsyncModelWorker {
