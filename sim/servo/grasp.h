@@ -45,7 +45,7 @@ struct CommonTissue {
   /// Takes a command, for the next step.
   void apply(const ServoCommand& /*command*/) noexcept {}
   /// Takes what the tissue's model delivered before this tick, if it runs outside the servo.
-  void hear(const AsyncAnswer& /*answer*/) noexcept {}
+  void takeAnswer(const AsyncAnswer& /*answer*/) noexcept {}
   /// Sets or takes off what holds the organ besides the jaw. Before the hand turns it.
   void setHolders(const JawState& /*jaw*/, OrganState& /*organ*/, std::uint32_t& /*events*/) noexcept {}
   /// Moves the organ on by a tick after the hand has turned it: friction, content, blood. Returns the energy

@@ -5,7 +5,7 @@
 
 namespace torsio {
 
-void GraspedAsync::hear(const AsyncAnswer& answer) noexcept {
+void GraspedAsync::takeAnswer(const AsyncAnswer& answer) noexcept {
   if (answer.state == AsyncState::kNothing) {
     silent_us_ += tickPeriod_us_;
     return;

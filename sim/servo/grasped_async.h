@@ -23,7 +23,7 @@ class GraspedAsync : public GraspedBar {
   GraspedAsync(const Scene& scene, std::int64_t tickPeriod_us)
       : GraspedBar(scene, tickPeriod_us), tickPeriod_us_(tickPeriod_us) {}
 
-  void hear(const AsyncAnswer& answer) noexcept;
+  void takeAnswer(const AsyncAnswer& answer) noexcept;
   [[nodiscard]] bool forgets() const noexcept { return false; }
   /// Forgets the answers to the grip before.
   [[nodiscard]] std::optional<AxisFrame> grip(const Vec3& held_m, double arc_m, const ToolState& tool,

@@ -101,8 +101,8 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
   apply(sample_.command);
-  sample_.async = heard();
-  exercise_.hear(sample_.async);
+  sample_.async = asyncAnswer();
+  exercise_.takeAnswer(sample_.async);
 
   sample_.device = links_.device->read(time_us);
   if (options_.holdsBack) {
@@ -114,7 +114,7 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   if (options_.holdsBack) {
     proxy_.note(step, options_.drive, *links_.scene, exercise_.organ());
   }
-  ask();
+  askAsyncModel();
   noteEvents(step);
   std::uint32_t damped = kForceFull;
   const Vec3 wanted_N = wantedForce_N(step, tool, damped);
@@ -246,7 +246,7 @@ void ServoLoop::apply(const ServoCommand& command) noexcept {
   }
 }
 
-AsyncAnswer ServoLoop::heard() noexcept {
+AsyncAnswer ServoLoop::asyncAnswer() noexcept {
   if (links_.async == nullptr) {
     return {};
   }
@@ -262,7 +262,7 @@ AsyncAnswer ServoLoop::heard() noexcept {
   return answer.state == AsyncState::kSound && finite ? answer : AsyncAnswer{.state = AsyncState::kBroken};
 }
 
-void ServoLoop::ask() noexcept {
+void ServoLoop::askAsyncModel() noexcept {
   if (links_.async != nullptr) {
     const TwistState& twist = exercise_.organ().twist;
     links_.async->questions.publish({exercise_.grips(), twist.graspArc_m, twist.graspAngle_rad});

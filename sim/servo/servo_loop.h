@@ -101,9 +101,9 @@ class ServoLoop {
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void apply(const ServoCommand& command) noexcept;
   /// Takes the newest answer of the asynchronous model, if it belongs to the present grip.
-  [[nodiscard]] AsyncAnswer heard() noexcept;
+  [[nodiscard]] AsyncAnswer asyncAnswer() noexcept;
   /// Tells the asynchronous model how far the grip is turned.
-  void ask() noexcept;
+  void askAsyncModel() noexcept;
   void countLate(std::int64_t time_us) noexcept;
   /// Returns the wanted force of this tick, scaled, by rules 1 kept passive; NaN when the answer of the
   /// tissue is not finite.

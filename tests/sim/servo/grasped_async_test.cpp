@@ -47,7 +47,7 @@ class GraspedAsyncTest : public ::testing::Test {
 };
 
 TEST_F(GraspedAsyncTest, ContinuesTheTorqueAlongItsSlopeAndNoFurtherThanItReaches) {
-  tissue.hear(kAnswer);
+  tissue.takeAnswer(kAnswer);
 
   EXPECT_DOUBLE_EQ(feelAt(0.5).torque_Nm, 0.2);
   EXPECT_DOUBLE_EQ(feelAt(0.6).torque_Nm, 0.2 + 0.4 * (0.6 - 0.5));
@@ -56,7 +56,7 @@ TEST_F(GraspedAsyncTest, ContinuesTheTorqueAlongItsSlopeAndNoFurtherThanItReache
 }
 
 TEST_F(GraspedAsyncTest, PushesAgainstTheTurnWithTheTorqueOverTheArm) {
-  tissue.hear(kAnswer);
+  tissue.takeAnswer(kAnswer);
 
   // An arm of 50 mm, further than sqrt(0.4 / 500) = 28 mm: 0.2 N m / 0.05 m = 4 N against e2.
   const Vec3 force_N = feelAt(0.5).force_N;
@@ -67,7 +67,7 @@ TEST_F(GraspedAsyncTest, PushesAgainstTheTurnWithTheTorqueOverTheArm) {
 
 TEST_F(GraspedAsyncTest, FeelsNothingBeforeTheFirstAnswerToItsGrip) {
   EXPECT_EQ(feelAt(1.0).torque_Nm, 0.0);
-  tissue.hear(kAnswer);
+  tissue.takeAnswer(kAnswer);
 
   grip();
 
@@ -76,23 +76,23 @@ TEST_F(GraspedAsyncTest, FeelsNothingBeforeTheFirstAnswerToItsGrip) {
 }
 
 TEST_F(GraspedAsyncTest, IsLateWhenTheModelIsSilentTooLongAndTrustsItsNextAnswer) {
-  tissue.hear(kAnswer);
+  tissue.takeAnswer(kAnswer);
   for (std::int64_t us = 0; us < kAsyncLate_us; us += kTick_us) {
-    tissue.hear({});
+    tissue.takeAnswer({});
   }
   EXPECT_FALSE(feelAt(0.5).late);
 
-  tissue.hear({});
+  tissue.takeAnswer({});
 
   EXPECT_TRUE(feelAt(0.5).late);
   EXPECT_EQ(feelAt(0.5).torque_Nm, 0.0);
-  tissue.hear(kAnswer);
+  tissue.takeAnswer(kAnswer);
   EXPECT_FALSE(feelAt(0.5).late);
   EXPECT_DOUBLE_EQ(feelAt(0.5).torque_Nm, 0.2);
 }
 
 TEST_F(GraspedAsyncTest, IsLateWhenTheModelIsBroken) {
-  tissue.hear({.state = AsyncState::kBroken});
+  tissue.takeAnswer({.state = AsyncState::kBroken});
 
   EXPECT_TRUE(feelAt(0.5).late);
   EXPECT_EQ(feelAt(0.5).torque_Nm, 0.0);

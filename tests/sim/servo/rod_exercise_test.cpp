@@ -13,13 +13,13 @@
 #include "sim/core/angle.h"
 #include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/recorder.h"
 #include "sim/record/trial.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {
@@ -217,27 +217,14 @@ TEST(RodExercise, ATrialReplaysBitForBitAndItsShapesAreFoundAgain) {
                               .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
                               .duration_s = 9.0};
   ScriptedHand hand(options);
-  SpscRing<Sample> ring(kRecordingRing);
-  MemoryTrialSink sink;
-  ServoLoop loop({.device = &hand, .scene = scene.get(), .recording = &ring}, {});
-  TrialHeader header;
-  header.organHash = scene->organHash;
-  header.parameterHash = scene->parameterHash;
-  header.deviceLimits = deviceLimits(hand.capabilities());
-  Recorder recorder(ring, sink, header);
+  ServoLoop loop({.device = &hand, .scene = scene.get()}, {});
   std::vector<RodPose> shapes;
-  for (int i = 0; i < 9000; ++i) {
-    loop.tick(1000LL * i);
-    shapes.push_back(loop.organ().pose);
-    if (i % 1000 == 999) {
-      recorder.pump();
-    }
-  }
-  (void)recorder.finish(TrialOutcome::kCompleted, 0);
+  const Trial trial =
+      recordedTrial(loop, headerOf(*scene, hand), 9, [&] { shapes.push_back(loop.organ().pose); });
   const std::shared_ptr<const Scene> again = stomach("organo-axial");
 
-  const ReplayReport report = replayTrial(*again, sink.trial());
-  const PoseTrack track(*again, sink.trial().header, sink.trial().chunks);
+  const ReplayReport report = replayTrial(*again, trial);
+  const PoseTrack track(*again, trial.header, trial.chunks);
 
   EXPECT_TRUE(report.identical());
   double farthest_m = 0.0;
